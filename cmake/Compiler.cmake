@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# Language level, warnings and sanitizers for our own code. The target `tp_compile_options`
+# carries them, so that foreign code (Qt's generated sources) is not judged by our warnings.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+option(TOUCHPHOTO_WERROR "Treat warnings in our own code as errors" OFF)
+set(TOUCHPHOTO_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address;undefined or thread")
+
+add_library(tp_compile_options INTERFACE)
+target_compile_options(tp_compile_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  $<$<BOOL:${TOUCHPHOTO_WERROR}>:-Werror>)
+
+if(TOUCHPHOTO_SANITIZE)
+  string(REPLACE ";" "," _sanitizers "${TOUCHPHOTO_SANITIZE}")
+  add_compile_options(-fsanitize=${_sanitizers} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${_sanitizers})
+endif()

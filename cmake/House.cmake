@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+# The arrows of the house, enforced by the build.
+#
+# Each room is a library. Its headers are staged in an include root of its own and reach only the
+# targets that depend on it, under their full path in the house (`#include "core/geometry/contour.hpp"`),
+# so including a room that is not a declared dependency fails to compile. Declaring a dependency that the
+# table below does not allow fails to configure.
+
+# Who may include whom: tp_may(room  rooms-it-may-depend-on... USES outside-libraries...)
+function(tp_may room)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES")
+  set_property(GLOBAL PROPERTY TP_MAY_${room} "${arg_UNPARSED_ARGUMENTS}")
+  set_property(GLOBAL PROPERTY TP_USES_${room} "${arg_USES}")
+endfunction()
+
+set(_core tp_base tp_geometry tp_guidance tp_servo tp_svg tp_study)
+set(_below_app ${_core} tp_device tp_faces tp_audio)
+tp_may(tp_base)
+tp_may(tp_geometry tp_base                          USES glm::glm)
+tp_may(tp_guidance tp_base tp_geometry)
+tp_may(tp_svg      tp_base tp_geometry tp_guidance  USES PkgConfig::pugixml PkgConfig::2geom)
+tp_may(tp_servo    tp_base tp_geometry tp_guidance  USES Threads::Threads)
+tp_may(tp_study    tp_base tp_geometry tp_guidance tp_servo)
+tp_may(tp_device   ${_core})
+tp_may(tp_faces    ${_core}                         USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc
+                                                         opencv_imgcodecs opencv_dnn opencv_objdetect Threads::Threads)
+tp_may(tp_audio    tp_base                          USES Qt6::Core Qt6::TextToSpeech)
+tp_may(tp_scene    tp_base tp_geometry tp_guidance tp_faces)
+tp_may(tp_picture  ${_below_app}                    USES Qt6::Gui)
+tp_may(tp_controls ${_below_app}                    USES Qt6::Quick Qt6::QuickControls2 Qt6::DBus)
+tp_may(tp_explore  ${_below_app} tp_scene tp_picture tp_controls USES Qt6::Quick)
+tp_may(tp_cli      ${_below_app} tp_scene tp_picture         USES Qt6::Core Qt6::Gui)
+
+# tp_check_arrows(room DEPENDS rooms... USES libraries...): stops the configuration on a forbidden arrow.
+function(tp_check_arrows room)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;USES")
+  get_property(known GLOBAL PROPERTY TP_MAY_${room} SET)
+  if(NOT known)
+    message(FATAL_ERROR "${room} has no line in the table in cmake/House.cmake")
+  endif()
+  get_property(may GLOBAL PROPERTY TP_MAY_${room})
+  get_property(uses GLOBAL PROPERTY TP_USES_${room})
+  foreach(other IN LISTS arg_DEPENDS)
+    if(NOT other IN_LIST may)
+      message(FATAL_ERROR "${room} may not include ${other}: see the table in cmake/House.cmake")
+    endif()
+  endforeach()
+  foreach(library IN LISTS arg_USES)
+    if(NOT library IN_LIST uses)
+      message(FATAL_ERROR "${room} may not use ${library}: see the table in cmake/House.cmake")
+    endif()
+  endforeach()
+endfunction()
+
+# tp_stage_headers(room folder): makes `folder` (relative to the root) visible below the room's own include root.
+function(tp_stage_headers room folder)
+  set(root ${PROJECT_BINARY_DIR}/house/${room})
+  cmake_path(GET folder PARENT_PATH parent)
+  file(MAKE_DIRECTORY ${root}/${parent})
+  if(NOT EXISTS ${root}/${folder})
+    file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${root}/${folder} SYMBOLIC)
+  endif()
+  get_target_property(type ${room} TYPE)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    target_include_directories(${room} INTERFACE ${root})
+  else()
+    target_include_directories(${room} PUBLIC ${root})
+  endif()
+endfunction()
+
+# tp_room(name SOURCES ... DEPENDS rooms... USES outside-libraries...): one room of the house as a static library.
+# Everything is linked publicly: a header may show what its room may use.
+function(tp_room name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEPENDS;USES")
+  tp_check_arrows(${name} DEPENDS ${arg_DEPENDS} USES ${arg_USES})
+  if(NOT TARGET ${name})
+    add_library(${name} STATIC)
+  endif()
+  if("${arg_USES}" MATCHES "Qt6::")
+    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+  endif()
+  target_sources(${name} PRIVATE ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC ${arg_DEPENDS} ${arg_USES} PRIVATE tp_compile_options)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  tp_stage_headers(${name} ${folder})
+endfunction()

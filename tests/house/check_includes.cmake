@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+# What the include paths cannot forbid, because it lies in the system's own: outside libraries in core, Qt below the
+# rooms that may use it, and paths that climb out of a room.
+cmake_minimum_required(VERSION 3.25)
+set(faults "")
+
+# forbid(folders... PATTERN regex WHY text EXCEPT folder)
+function(forbid)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "PATTERN;WHY;EXCEPT" "")
+  foreach(folder IN LISTS arg_UNPARSED_ARGUMENTS)
+    file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/${folder}/*.hpp ${ROOT}/${folder}/*.cpp)
+    foreach(source IN LISTS sources)
+      if(arg_EXCEPT AND source MATCHES "^${arg_EXCEPT}/")
+        continue()
+      endif()
+      file(STRINGS ${ROOT}/${source} lines REGEX "^ *# *include ${arg_PATTERN}")
+      foreach(line IN LISTS lines)
+        string(APPEND faults "${source}: ${line} (${arg_WHY})\n")
+      endforeach()
+    endforeach()
+  endforeach()
+  set(faults "${faults}" PARENT_SCOPE)
+endfunction()
+
+forbid(core device faces PATTERN "<Q" WHY "no Qt below audio and app")
+forbid(core device PATTERN "<opencv" WHY "OpenCV belongs to faces")
+forbid(core PATTERN "<(pugixml|2geom|exiv2|turbojpeg)" WHY "only core/svg has a library beside GLM" EXCEPT core/svg)
+forbid(core PATTERN "<(fstream|filesystem|iostream|cstdio)" WHY "no I/O in core outside core/svg" EXCEPT core/svg)
+forbid(core device faces audio app PATTERN "\"\\.\\.?/" WHY "include by the path in the house")
+
+if(faults)
+  message(FATAL_ERROR "Includes that the house forbids:\n${faults}")
+endif()

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/vec.hpp"
+
+#include <limits>
+
+namespace tp {
+
+/// What a law answers for one place of the finger.
+struct Guidance {
+    Vec2 force{0.0};                                           ///< N, always finite
+    double distance = std::numeric_limits<double>::infinity(); ///< mm, to the contour as this law sees it
+    Vec2 nearest{0.0};                                         ///< mm, the place pulled towards; see contour
+    int contour = -1;                                          ///< index into the FlatScene, -1 for none
+};
+
+/// A way to turn the finger's place into a force. Stateless, so that any number of threads may ask; `at` is
+/// called from the servo thread and therefore allocates nothing, locks nothing and throws nothing.
+class GuidanceLaw {
+public:
+    virtual ~GuidanceLaw() = default;
+    /// `finger` in mm, surface frame. A finger that is not finite gets no force.
+    virtual Guidance at(Vec2 finger) const noexcept = 0;
+};
+
+} // namespace tp

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/guidance/guidance_law.hpp"
+#include "core/guidance/guided_tour.hpp"
+#include "core/guidance/scene.hpp"
+#include "core/guidance/tent_profile.hpp"
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace tp {
+
+enum class LawKind {
+    exact,    ///< ExactLaw
+    published ///< PublishedLaw
+};
+
+/// "exact" or "published", as a shell or a settings page names them.
+std::optional<LawKind> law_named(std::string_view name);
+
+/// What one renders and how; everything the servo thread needs, made before it is handed over and then never
+/// changed.
+struct HapticScene {
+    FlatScene flat;
+    TentProfile profile;
+    std::unique_ptr<const GuidanceLaw> law;
+    std::optional<Polyline> tour; ///< where the finger is to be led; none: it is free
+    TourManner tour_manner;
+};
+
+/// An error for a profile that is not valid or a scene without a contour that can be felt.
+Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentProfile profile = {},
+                                                       LawKind law = LawKind::exact);
+
+} // namespace tp

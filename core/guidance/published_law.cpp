@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/guidance/published_law.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace tp {
+
+namespace {
+
+struct TwoNearest {
+    std::size_t first = 0;
+    std::size_t second = 0;
+};
+
+std::optional<TwoNearest> two_nearest(const std::vector<Vec2>& vertices, Vec2 finger) noexcept {
+    if (vertices.size() < 2)
+        return std::nullopt;
+    const auto distance = [&](std::size_t i) { return glm::length(vertices[i] - finger); };
+    TwoNearest found{0, 1};
+    if (distance(1) < distance(0))
+        std::swap(found.first, found.second);
+    for (std::size_t i = 2; i < vertices.size(); ++i) {
+        if (distance(i) < distance(found.first))
+            found = {i, found.first};
+        else if (distance(i) < distance(found.second))
+            found.second = i;
+    }
+    return found;
+}
+
+struct Projection {
+    Vec2 foot{0.0};
+    double distance = 0.0;
+    Vec2 force{0.0};
+};
+
+/// Steps 3 to 8 of the listing, for v1 and v2 already found.
+Projection guide_to_line(Vec2 v1, Vec2 v2, const TentProfile& profile, Vec2 finger) noexcept {
+    const Vec2 along = (v2 - v1) / length(v2 - v1);
+    Projection result;
+    result.foot = v1 + glm::dot(finger - v1, along) * along;
+    result.distance = length(result.foot - finger);
+    const Vec2 direction = (result.foot - finger) / result.distance;
+    const double r = result.distance;
+    const double d = profile.range;
+    if (r <= d)
+        result.force = profile.stiffness * r * direction;
+    else if (r < 2.0 * d)
+        result.force = profile.stiffness * (2.0 * d - r) * direction;
+    else if (r >= 2.0 * d)
+        result.force = Vec2(0.0);
+    else
+        result.force = direction; // the distance is not a number, and neither is the force
+    return result;
+}
+
+} // namespace
+
+Vec2 published_algorithm_1(const std::vector<Vec2>& vertices, const TentProfile& profile,
+                           Vec2 finger) noexcept {
+    const auto found = two_nearest(vertices, finger);
+    return found ? guide_to_line(vertices[found->first], vertices[found->second], profile, finger).force
+                 : Vec2(0.0);
+}
+
+PublishedLaw::PublishedLaw(const FlatScene& scene, TentProfile profile) : profile_(profile) {
+    for (std::size_t c = 0; c < scene.lines.size(); ++c)
+        for (const Vec2 p : scene.lines[c].points)
+            if (is_finite(p)) {
+                vertices_.push_back(p);
+                contours_.push_back(static_cast<int>(c));
+            }
+}
+
+Guidance PublishedLaw::at(Vec2 finger) const noexcept {
+    const auto found = two_nearest(vertices_, finger);
+    if (!found || !is_finite(finger))
+        return {};
+    const Vec2 v1 = vertices_[found->first];
+    const Projection projection = guide_to_line(v1, vertices_[found->second], profile_, finger);
+    const int contour = contours_[found->first];
+    if (!std::isfinite(projection.distance))
+        return {Vec2(0.0), length(v1 - finger), v1, contour};
+    return {is_finite(projection.force) ? projection.force : Vec2(0.0), projection.distance, projection.foot,
+            contour};
+}
+
+FlatScene with_vertex_spacing(const FlatScene& scene, double spacing_mm) {
+    FlatScene result{scene.names, {}};
+    for (const Polyline& line : scene.lines) {
+        const double gaps = std::ceil(length_of(line) / spacing_mm);
+        const auto count = static_cast<std::size_t>(std::max(2.0, gaps + (line.closed ? 0.0 : 1.0)));
+        result.lines.push_back(line.points.empty() ? line : resampled(line, count));
+    }
+    return result;
+}
+
+} // namespace tp

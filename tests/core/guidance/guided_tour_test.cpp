@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/guidance/guided_tour.hpp"
+#include "scenes.hpp"
+
+#include <QTest>
+
+#include <functional>
+
+using namespace tp;
+using namespace tp::testing;
+
+namespace {
+
+/// A finger that follows the force like a light body in honey; returns the seconds it took, or -1.
+double lead(GuidedTour& tour, Vec2 finger, const std::function<void(Vec2, Vec2)>& see) {
+    const double dt = 0.001;
+    for (double t = 0.0; t < 120.0; t += dt) {
+        const Vec2 force = tour.step(finger, dt);
+        see(finger, force);
+        if (tour.finished())
+            return t;
+        finger += dt * 200.0 * force; // 5 N·s/m
+    }
+    return -1.0;
+}
+
+} // namespace
+
+class GuidedTourTest : public QObject {
+    Q_OBJECT
+private slots:
+    void leads_once_round_a_closed_feature_and_lets_go() {
+        const Polyline eye = ellipse({20, 10}, 14, 5, 100);
+        const TourManner manner;
+        GuidedTour tour(eye, {0, 0}, manner);
+        std::vector<Vec2> way;
+        const double seconds = lead(tour, {0, 0}, [&](Vec2 finger, Vec2 force) {
+            QVERIFY(length(force) <= manner.max_force + 1e-12);
+            way.push_back(finger);
+        });
+        QVERIFY(seconds > length_of(eye) / manner.speed);
+        for (const Vec2 p : eye.points) {
+            double nearest = 1e9;
+            for (const Vec2 q : way)
+                nearest = std::min(nearest, length(p - q));
+            QVERIFY(nearest < 2.0);
+        }
+        QCOMPARE(tour.progress(), 1.0);
+        QVERIFY(tour.step({0, 0}, 0.001) == Vec2(0.0));
+    }
+
+    void walks_an_open_feature_from_its_nearer_end_to_the_other() {
+        const Polyline line{{{0, 0}, {50, 0}, {50, 30}}, false};
+        GuidedTour tour(line, {52, 33});
+        Vec2 last(0.0);
+        QVERIFY(lead(tour, {52, 33}, [&](Vec2 finger, Vec2) { last = finger; }) > 0.0);
+        QVERIFY(length(last - Vec2(0, 0)) < 2.5);
+    }
+
+    void waits_for_a_finger_that_is_held_back() {
+        const Polyline line{{{0, 0}, {100, 0}}, false};
+        const TourManner manner;
+        GuidedTour tour(line, {0, 0}, manner);
+        for (int i = 0; i < 20000; ++i)
+            QVERIFY(length(tour.step({0, 0}, 0.001)) <= manner.max_force + 1e-12);
+        QVERIFY(length(tour.leader()) <= manner.max_lead + manner.speed * 0.001);
+        QVERIFY(!tour.finished());
+    }
+
+    void degenerate_features_end_at_once_and_never_give_a_wild_force() {
+        const Polyline dot{{{3, 3}}, true};
+        GuidedTour tour(dot, {3, 3});
+        for (int i = 0; i < 100; ++i)
+            QVERIFY(is_finite(tour.step({3, 3}, 0.001)));
+        QVERIFY(tour.finished());
+        GuidedTour other(dot, {0, 0});
+        QVERIFY(other.step({std::nan(""), 0}, 0.001) == Vec2(0.0));
+        QVERIFY(is_finite(other.step({0, 0}, -1.0)));
+    }
+};
+
+QTEST_APPLESS_MAIN(GuidedTourTest)
+#include "guided_tour_test.moc"

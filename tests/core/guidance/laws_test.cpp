@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every law must keep, whatever the scene.
+#include "core/guidance/haptic_scene.hpp"
+#include "scenes.hpp"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace tp;
+using namespace tp::testing;
+
+namespace {
+
+Scene scene_of(const FlatScene& flat) {
+    Scene scene{200.0, 200.0, {}};
+    for (std::size_t i = 0; i < flat.lines.size(); ++i)
+        scene.contours.push_back(contour_through(flat.names[i], flat.lines[i].points, flat.lines[i].closed));
+    return scene;
+}
+
+} // namespace
+
+class LawsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void force_data() {
+        QTest::addColumn<int>("kind");
+        QTest::newRow("exact") << int(LawKind::exact);
+        QTest::newRow("published") << int(LawKind::published);
+    }
+
+    void force() {
+        QFETCH(int, kind);
+        std::mt19937 random(8);
+        const TentProfile tent;
+        const double hostile[] = {
+            0.0, 1e-300, 1e9, 1e308, -1e308, std::nan(""), std::numeric_limits<double>::infinity()};
+        for (int round = 0; round < 100; ++round) {
+            const auto made = make_haptic_scene(scene_of(random_scene(random)), tent, LawKind(kind));
+            QVERIFY(made.ok());
+            const GuidanceLaw& law = *(*made)->law;
+            for (int k = 0; k < 100; ++k) {
+                const Guidance at = law.at(random_point(random));
+                QVERIFY(is_finite(at.force));
+                QVERIFY(length(at.force) <= tent.peak() * (1.0 + 1e-12));
+                QVERIFY(at.distance < tent.band() || at.force == Vec2(0.0));
+            }
+            for (const double x : hostile)
+                for (const double y : hostile)
+                    QVERIFY(is_finite(law.at({x, y}).force));
+        }
+    }
+
+    void bad_parameters_and_empty_scenes_are_refused_in_a_sentence() {
+        const Scene face = scene_of(face_scene(20));
+        QVERIFY(!make_haptic_scene(face, {-1.0, 4.0}).error().empty());
+        QVERIFY(!make_haptic_scene(face, {0.2, std::nan("")}).error().empty());
+        QVERIFY(!make_haptic_scene(Scene{}).error().empty());
+        QVERIFY(law_named("exact") == LawKind::exact);
+        QVERIFY(law_named("published") == LawKind::published);
+        QVERIFY(!law_named("magnetic"));
+    }
+};
+
+QTEST_APPLESS_MAIN(LawsTest)
+#include "laws_test.moc"

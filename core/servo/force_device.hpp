@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/geometry/vec.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+/// A force that went through the safety chain; nothing else can make one, so nothing else can reach a device.
+class SafeForce {
+public:
+    /// No force at all: always safe, and what a device gets on every way out.
+    SafeForce() = default;
+    /// N, device frame.
+    Vec2 newtons() const { return newtons_; }
+
+private:
+    friend class SafetyChain;
+    explicit SafeForce(Vec2 newtons) : newtons_(newtons) {}
+    Vec2 newtons_{0.0};
+};
+
+/// What a device can do.
+struct Capabilities {
+    std::string name;              ///< as a person is told
+    std::string serial_number;     ///< keeps its calibration; empty where it has none
+    std::vector<Vec2> workspace;   ///< polygon of reachable places, mm, device frame
+    double max_force = 0.0;        ///< N, for a moment
+    double continuous_force = 0.0; ///< N, for ever
+    double resolution = 0.0;       ///< mm, the smallest step of its position
+    double rate = 1000.0;          ///< Hz, nominal
+    double delay = 0.0;            ///< s, estimate from write to motion and back to read
+    bool calibrated = false;       ///< its newtons are newtons
+};
+
+/// One reading.
+struct DeviceState {
+    double time = 0.0;         ///< s, of the servo's clock, when the position was taken
+    Vec2 position{0.0};        ///< mm, device frame
+    std::uint32_t buttons = 0; ///< bit 0 = the main button
+};
+
+/// The port that every force device implements. Called from one thread; read and write must not block for
+/// longer than a tick (a slow transport keeps a writer thread of its own behind this port).
+class ForceDevice {
+public:
+    virtual ~ForceDevice() = default;
+    /// Makes the device ready; its force is zero afterwards.
+    virtual Result<Capabilities> open() = 0;
+    /// The newest reading at `now`; nothing where there is no newer one. A lost device says so by lost().
+    virtual std::optional<DeviceState> read(double now) noexcept = 0;
+    /// False where the force could not be delivered.
+    virtual bool write(const SafeForce& force) noexcept = 0;
+    /// Force off, device released. May be called twice and at any moment.
+    virtual void stop() noexcept = 0;
+    virtual bool lost() const noexcept { return false; }
+};
+
+} // namespace tp

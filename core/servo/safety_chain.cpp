@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/servo/safety_chain.hpp"
+
+#include "core/geometry/polyline.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tp {
+
+SafetyChain::SafetyChain(const SafetyLimits& limits, const Capabilities& device, double period)
+    : limits_(limits), workspace_(device.workspace), device_max_(device.max_force), period_(period) {
+    set_max_force(limits.max_force);
+}
+
+void SafetyChain::set_max_force(double newtons) noexcept {
+    max_force_ = std::isfinite(newtons) ? std::clamp(newtons, 0.0, device_max_) : 0.0;
+}
+
+void SafetyChain::engage(double now) noexcept {
+    engaged_ = true;
+    fault_ = Fault::none;
+    gain_ = 0.0;
+    last_tick_ = now;
+    last_fresh_ = now;
+    started_ = true;
+}
+
+bool SafetyChain::inside_workspace(Vec2 p) const noexcept {
+    const std::size_t count = workspace_.size();
+    if (count < 3)
+        return true;
+    bool inside = false;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec2 a = workspace_[i];
+        const Vec2 b = workspace_[(i + 1) % count];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x)
+            inside = !inside;
+        nearest = std::min(nearest, length(p - nearest_on_segment(a, b, p)));
+    }
+    return inside || nearest <= limits_.workspace_margin;
+}
+
+Fault SafetyChain::notice(const SafetyInput& input, double elapsed) noexcept {
+    if (input.device_lost)
+        return Fault::device_lost;
+    if (elapsed > limits_.stall)
+        return Fault::stalled;
+    if (elapsed > (1.0 + limits_.late_periods) * period_)
+        return Fault::late_ticks;
+    if (input.now - last_fresh_ > limits_.stale_after)
+        return Fault::stale_input;
+    if (!is_finite(input.position) || !is_finite(input.velocity) || !is_finite(input.force))
+        return Fault::not_a_number;
+    if (length(input.velocity) > limits_.max_speed)
+        return Fault::over_speed;
+    if (!inside_workspace(input.position))
+        return Fault::outside_workspace;
+    return Fault::none;
+}
+
+void SafetyChain::move_gain(const SafetyInput& input, double elapsed) noexcept {
+    const bool let_in = engaged_ && fault_ == Fault::none;
+    if (let_in)
+        gain_ = std::min(1.0, gain_ + elapsed / limits_.engage_ramp);
+    else
+        gain_ = std::max(0.0, gain_ - elapsed / limits_.ramp_down);
+    if (gain_ < 1e-9) // what rounding leaves of a ramp that has ended
+        gain_ = 0.0;
+    // A law that gives no number, a loop that stood still and a device that is gone leave nothing to ramp.
+    if (disables(fault_) || !is_finite(input.force) || !is_finite(input.position))
+        gain_ = 0.0;
+}
+
+SafeForce SafetyChain::pass(const SafetyInput& input) noexcept {
+    if (!started_) {
+        started_ = true;
+        last_tick_ = input.now;
+        last_fresh_ = input.now;
+    }
+    const double elapsed = std::max(0.0, input.now - last_tick_);
+    last_tick_ = input.now;
+    if (input.fresh)
+        last_fresh_ = input.now;
+
+    if (!disables(fault_)) {
+        const Fault noticed = notice(input, elapsed);
+        const bool ramp_has_ended = gain_ == 0.0;
+        if (noticed != Fault::none || ramp_has_ended)
+            fault_ = noticed;
+    }
+    if (disables(fault_))
+        engaged_ = false;
+    move_gain(input, elapsed);
+
+    Vec2 force = gain_ > 0.0 ? gain_ * input.force : Vec2(0.0);
+    const double magnitude = length(force);
+    if (magnitude > max_force_)
+        force *= max_force_ / magnitude;
+
+    // The rate limit keeps the pull smooth; on a fault the force must be gone in time, so that only the way
+    // up and changes of direction are limited there.
+    const Vec2 change = force - last_force_;
+    const double allowed = limits_.max_force_rate * std::min(elapsed, period_ * limits_.late_periods);
+    const bool may_drop = (fault_ != Fault::none || !engaged_) && length(force) <= length(last_force_);
+    if (!may_drop && length(change) > allowed)
+        force = last_force_ + (allowed / length(change)) * change;
+    if (gain_ == 0.0)
+        force = Vec2(0.0);
+    last_force_ = force;
+    return SafeForce(force);
+}
+
+} // namespace tp

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/servo/servo_loop.hpp"
+
+#include <algorithm>
+
+#if defined(__linux__)
+#include <sched.h>
+#include <sys/prctl.h>
+#endif
+
+namespace tp {
+
+namespace {
+
+/// Real-time priority and a timer slack of 1 ns where the system allows them; without them the loop still
+/// runs, only later.
+void prefer_real_time() noexcept {
+#if defined(__linux__)
+    prctl(PR_SET_TIMERSLACK, 1UL);
+    sched_param priority{};
+    priority.sched_priority = 20;
+    sched_setscheduler(0, SCHED_FIFO, &priority);
+#endif
+}
+
+} // namespace
+
+ServoLoop::ServoLoop(ForceDevice& device, const Capabilities& capabilities, Clock& clock,
+                     ServoSettings settings)
+    : device_(device), clock_(clock), settings_(settings), period_(1.0 / settings.rate),
+      max_force_(settings.limits.max_force), chain_(settings.limits, capabilities, 1.0 / settings.rate) {
+    last_tick_ = clock_.now();
+}
+
+ServoLoop::~ServoLoop() { stop(); }
+
+std::uint64_t ServoLoop::render(std::unique_ptr<const HapticScene> scene) {
+    auto held = std::make_unique<Held>();
+    held->number = ++last_number_;
+    held->scene = std::move(scene);
+    offered_.store(held.get(), std::memory_order_release);
+    held_.push_back(std::move(held));
+    drop_scenes_before(oldest_needed_.load(std::memory_order_acquire));
+    return last_number_;
+}
+
+void ServoLoop::drop_scenes_before(std::uint64_t number) {
+    std::erase_if(held_, [&](const auto& held) { return held->number < number; });
+}
+
+void ServoLoop::start() {
+    if (running())
+        return;
+    quit_.store(false);
+    thread_ = std::thread([this] { run(); });
+}
+
+void ServoLoop::stop() noexcept {
+    quit_.store(true);
+    if (thread_.joinable())
+        thread_.join();
+    device_.write(SafeForce{});
+    device_.stop();
+}
+
+void ServoLoop::run() noexcept {
+    prefer_real_time();
+    double due = clock_.now();
+    last_tick_ = due;
+    while (!quit_.load(std::memory_order_relaxed)) {
+        tick();
+        due += period_;
+        const double now = clock_.now();
+        worst_lateness_ = std::max(worst_lateness_, now - due);
+        if (now > due + period_)
+            due = now; // a late loop goes on from now: ticks are not made up for in a burst
+        clock_.sleep_until(due);
+    }
+}
+
+void ServoLoop::take_new_scene(Vec2 finger) noexcept {
+    const Held* offered = offered_.load(std::memory_order_acquire);
+    if (offered == current_)
+        return;
+    current_ = offered;
+    oldest_needed_.store(current_->number, std::memory_order_release);
+    fade_from_ = rendered_;
+    fade_left_ = settings_.scene_fade;
+    tour_.reset();
+    if (current_->scene && current_->scene->tour && !current_->scene->tour->points.empty())
+        tour_.emplace(*current_->scene->tour, finger, current_->scene->tour_manner);
+}
+
+Guidance ServoLoop::wanted(Vec2 finger, double dt) noexcept {
+    if (current_ == nullptr || current_->scene == nullptr)
+        return {};
+    Guidance guidance = current_->scene->law->at(finger);
+    if (tour_)
+        guidance.force = tour_->step(finger, chain_.engaged() ? dt : 0.0);
+    return guidance;
+}
+
+Vec2 ServoLoop::damping(const Guidance& guidance, Vec2 finger, Vec2 velocity) const noexcept {
+    if (guidance.contour < 0 || !(guidance.distance > 0.0) || !(settings_.line_damping > 0.0))
+        return Vec2(0.0);
+    const double share = 1.0 - guidance.distance / current_->scene->profile.range;
+    if (!(share > 0.0))
+        return Vec2(0.0);
+    const Vec2 normal = (guidance.nearest - finger) / guidance.distance;
+    const double newton_seconds_per_mm = settings_.line_damping * share * 1e-3;
+    return -newton_seconds_per_mm * glm::dot(velocity, normal) * normal;
+}
+
+void ServoLoop::tick() noexcept {
+    const double now = clock_.now();
+    const double dt = std::clamp(now - last_tick_, 0.0, 10.0 * period_);
+    last_tick_ = now;
+
+    const std::optional<DeviceState> reading = device_.read(now);
+    if (reading) {
+        state_ = reading;
+        velocity_.feed(reading->time, reading->position);
+    }
+    const Vec2 position = state_ ? state_->position : Vec2(0.0);
+    const Vec2 finger = settings_.device_to_surface(position);
+    const Vec2 velocity = settings_.device_to_surface.direction(velocity_.velocity());
+
+    take_new_scene(finger);
+    const Guidance guidance = wanted(finger, dt);
+    Vec2 force = guidance.force;
+    if (!tour_)
+        force += damping(guidance, finger, velocity);
+    if (fade_left_ > 0.0) {
+        const double old_share = fade_left_ / settings_.scene_fade;
+        force = old_share * fade_from_ + (1.0 - old_share) * force;
+        fade_left_ -= dt;
+    }
+    rendered_ = is_finite(force) ? force : Vec2(0.0);
+
+    const bool wants = wanted_engaged_.load(std::memory_order_relaxed);
+    if (wants && !engaged_before_)
+        chain_.engage(now);
+    if (!wants)
+        chain_.disengage();
+    engaged_before_ = wants;
+    chain_.set_max_force(max_force_.load(std::memory_order_relaxed));
+
+    SafetyInput input;
+    input.now = now;
+    input.fresh = reading.has_value();
+    input.device_lost = device_.lost();
+    input.position = position;
+    input.velocity = velocity_.velocity();
+    input.force = settings_.device_to_surface.pull_back_force(force);
+    SafeForce safe = chain_.pass(input);
+    if (!device_.write(safe)) {
+        input.device_lost = true;
+        safe = chain_.pass(input);
+    }
+    ++ticks_;
+
+    const Affine& calibration = settings_.device_to_surface;
+    const Vec2 delivered = glm::inverse(glm::transpose(calibration.linear)) * safe.newtons();
+    ServoSnapshot view;
+    view.time = now;
+    view.x = finger.x;
+    view.y = finger.y;
+    view.fx = delivered.x;
+    view.fy = delivered.y;
+    view.distance = guidance.distance;
+    view.nearest_x = guidance.nearest.x;
+    view.nearest_y = guidance.nearest.y;
+    view.gain = chain_.gain();
+    view.tour_progress = tour_ ? tour_->progress() : 0.0;
+    view.worst_lateness = worst_lateness_;
+    view.ticks = ticks_;
+    view.scene = current_ ? current_->number : 0;
+    view.contour = guidance.contour;
+    view.fault = chain_.fault();
+    view.buttons = state_ ? state_->buttons : 0;
+    view.engaged = chain_.engaged();
+    view.touring = tour_ && !tour_->finished();
+    view.tour_finished = tour_ && tour_->finished();
+    snapshot_.publish(view);
+}
+
+} // namespace tp

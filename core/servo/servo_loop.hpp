@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/transform.hpp"
+#include "core/guidance/guided_tour.hpp"
+#include "core/guidance/haptic_scene.hpp"
+#include "core/servo/clock.hpp"
+#include "core/servo/force_device.hpp"
+#include "core/servo/safety_chain.hpp"
+#include "core/servo/snapshot.hpp"
+#include "core/servo/velocity_filter.hpp"
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace tp {
+
+struct ServoSettings {
+    double rate = 1000.0; ///< Hz
+    SafetyLimits limits;
+    Affine device_to_surface;  ///< the calibration
+    double line_damping = 2.0; ///< B0, N·s/m: damping across a contour, B(r) = B0·max(0, 1 − r/d); 0: off
+    double scene_fade = 0.080; ///< s over which a new scene's force replaces the old one's
+};
+
+/// Read → filter → calibrate → law → damping → safety chain → write, at a fixed rate.
+///
+/// One thread ticks (start() makes one; a test or a trace calls tick() itself in virtual time). Any one other
+/// thread hands over scenes and engages. The ticking thread allocates nothing and locks nothing: a scene is
+/// handed over by an atomic swap and freed by the thread that handed it over, once the servo has left it.
+class ServoLoop {
+public:
+    /// The device must be open; it and the clock must outlive the loop.
+    ServoLoop(ForceDevice& device, const Capabilities& capabilities, Clock& clock, ServoSettings settings);
+    /// Stops the thread, then the device.
+    ~ServoLoop();
+    ServoLoop(const ServoLoop&) = delete;
+    ServoLoop& operator=(const ServoLoop&) = delete;
+
+    /// Renders `scene` from the next tick on, fading over; returns its number (see ServoSnapshot::scene).
+    /// A scene with a tour leads the finger from there on. nullptr: nothing is rendered.
+    std::uint64_t render(std::unique_ptr<const HapticScene> scene);
+    void engage() { wanted_engaged_.store(true); }
+    void disengage() { wanted_engaged_.store(false); }
+    /// The user's own limit, N.
+    void set_max_force(double newtons) { max_force_.store(newtons); }
+
+    /// Ticks on a thread of its own until stop().
+    void start();
+    /// Ends the thread; zero force is written and the device stopped.
+    void stop() noexcept;
+    bool running() const { return thread_.joinable(); }
+
+    /// One period; only from the ticking thread.
+    void tick() noexcept;
+    ServoSnapshot snapshot() const noexcept { return snapshot_.latest(); }
+
+private:
+    struct Held {
+        std::uint64_t number = 0;
+        std::unique_ptr<const HapticScene> scene;
+    };
+    void run() noexcept;
+    void take_new_scene(Vec2 finger) noexcept;
+    Guidance wanted(Vec2 finger, double dt) noexcept;
+    Vec2 damping(const Guidance& guidance, Vec2 finger, Vec2 velocity) const noexcept;
+    void drop_scenes_before(std::uint64_t number);
+
+    ForceDevice& device_;
+    Clock& clock_;
+    ServoSettings settings_;
+    double period_;
+
+    // Shared between the threads.
+    std::atomic<const Held*> offered_{nullptr};
+    std::atomic<std::uint64_t> oldest_needed_{0}; ///< scenes with a smaller number are no longer looked at
+    std::atomic<bool> wanted_engaged_{false};
+    std::atomic<bool> quit_{false};
+    std::atomic<double> max_force_;
+    Published<ServoSnapshot> snapshot_;
+
+    // Only the thread that hands over scenes.
+    std::vector<std::unique_ptr<const Held>> held_;
+    std::uint64_t last_number_ = 0;
+    std::thread thread_;
+
+    // Only the ticking thread.
+    SafetyChain chain_;
+    VelocityFilter velocity_;
+    std::optional<DeviceState> state_;
+    const Held* current_ = nullptr;
+    std::optional<GuidedTour> tour_;
+    Vec2 fade_from_{0.0}; ///< N, the force that was rendered when the scene changed
+    double fade_left_ = 0.0;
+    Vec2 rendered_{0.0}; ///< N, surface frame, before the chain
+    double last_tick_ = 0.0;
+    double worst_lateness_ = 0.0;
+    std::uint64_t ticks_ = 0;
+    bool engaged_before_ = false;
+};
+
+} // namespace tp

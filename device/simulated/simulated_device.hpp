@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/servo/force_device.hpp"
+#include "core/servo/snapshot.hpp"
+
+#include <atomic>
+
+namespace tp {
+
+/// The finger that the simulated device moves, and the hand that holds it.
+struct SimulatedPlant {
+    double mass = 0.1;            ///< kg
+    double damping = 0.3;         ///< N·s/m, of the device itself
+    double coulomb = 0.0;         ///< N, dry friction
+    double hand_stiffness = 0.12; ///< N/mm between pointer and finger: a light grip
+    double hand_damping = 5.0;    ///< N·s/m, of the hand
+    double relaxed_follow = 0.15; ///< s in which a relaxed hand's anchor follows the finger
+    double quantum = 0.0;         ///< mm, encoder step; 0: none
+};
+
+/// A force device made of the mouse or the finger on a touchscreen: the drawn finger is a body with mass and
+/// damping, tied to the pointer by a spring, so that the pull of a contour can be seen.
+///
+/// The pointer may be moved from any one thread while the servo ticks on another. Time is the servo's clock,
+/// so that in simulated time everything is reproducible.
+class SimulatedDevice final : public ForceDevice {
+public:
+    /// A rectangular workspace, mm, centred on the origin.
+    SimulatedDevice(double width_mm, double height_mm, SimulatedPlant plant = {});
+
+    /// Where the hand wants the finger, mm.
+    void move_pointer(Vec2 position) noexcept;
+    /// Puts the finger itself there at once, at rest, as when it is lifted and set down again.
+    void place_finger(Vec2 position) noexcept;
+    /// A relaxed hand lets itself be led: its anchor follows the finger. Moving the pointer does not tighten
+    /// it.
+    void relax(bool relaxed) noexcept { relaxed_.store(relaxed); }
+
+    Result<Capabilities> open() override;
+    std::optional<DeviceState> read(double now) noexcept override;
+    bool write(const SafeForce& force) noexcept override;
+    void stop() noexcept override;
+
+private:
+    struct Pointer {
+        double x = 0.0, y = 0.0;
+        std::uint64_t placed = 0; ///< counts place_finger
+        std::uint64_t moved = 0;  ///< counts every change
+    };
+    void step(double dt) noexcept;
+
+    double width_;
+    double height_;
+    SimulatedPlant plant_;
+    Published<Pointer> pointer_;
+    std::atomic<bool> relaxed_{false};
+    Pointer sent_; ///< only the pointer's thread
+
+    // Only the servo's thread.
+    Pointer seen_;
+    Vec2 anchor_{0.0};
+    Vec2 position_{0.0};
+    Vec2 velocity_{0.0}; ///< mm/s
+    Vec2 force_{0.0};    ///< N
+    double time_ = 0.0;
+    bool started_ = false;
+};
+
+} // namespace tp

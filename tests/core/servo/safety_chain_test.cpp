@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/servo/safety_chain.hpp"
+#include "device_double.hpp"
+
+#include <QTest>
+
+#include <limits>
+#include <set>
+#include <string>
+
+using namespace tp;
+using tp::testing::DeviceDouble;
+
+namespace {
+
+/// A chain at 1 kHz in simulated time, with a law that pulls with one newton to the right.
+struct Bench {
+    SafetyLimits limits;
+    SafetyChain chain{limits, DeviceDouble::capabilities(), 0.001};
+    SafetyInput input;
+
+    Bench() {
+        input.fresh = true;
+        input.force = {1.0, 0.0};
+        chain.engage(0.0);
+    }
+    Vec2 tick(double dt = 0.001) {
+        input.now += dt;
+        return chain.pass(input).newtons();
+    }
+    Vec2 run(double seconds) {
+        Vec2 force(0.0);
+        for (double t = 0.0; t < seconds; t += 0.001)
+            force = tick();
+        return force;
+    }
+    /// Seconds of further ticks until the force is zero.
+    double until_zero(double dt = 0.001) {
+        for (double t = dt; t < 1.0; t += dt)
+            if (tick(dt) == Vec2(0.0))
+                return t;
+        return 1.0;
+    }
+};
+
+} // namespace
+
+class SafetyChainTest : public QObject {
+    Q_OBJECT
+private slots:
+    void lets_the_force_in_by_a_ramp() {
+        Bench bench;
+        double last = 0.0;
+        for (int i = 0; i < 480; ++i) {
+            const double force = bench.tick().x;
+            QVERIFY(force >= last && force - last < 0.0021);
+            last = force;
+        }
+        QVERIFY(std::abs(bench.run(0.1).x - 1.0) < 1e-9);
+        QCOMPARE(bench.chain.fault(), Fault::none);
+    }
+
+    void gives_nothing_before_it_is_engaged() {
+        SafetyChain chain({}, DeviceDouble::capabilities(), 0.001);
+        SafetyInput input;
+        input.force = {1.0, 0.0};
+        input.fresh = true;
+        for (int i = 0; i < 1000; ++i) {
+            input.now += 0.001;
+            QVERIFY(chain.pass(input).newtons() == Vec2(0.0));
+        }
+    }
+
+    void clamps_to_the_smallest_of_the_limits() {
+        Bench bench;
+        bench.input.force = {30.0, 40.0};
+        QVERIFY(std::abs(length(bench.run(1.0)) - 1.5) < 1e-9);
+        bench.chain.set_max_force(0.3);
+        QVERIFY(std::abs(length(bench.run(1.0)) - 0.3) < 1e-9);
+        bench.chain.set_max_force(100.0); // the device's own limit of 3 N holds
+        QVERIFY(std::abs(length(bench.run(1.0)) - 3.0) < 1e-9);
+        bench.chain.set_max_force(std::nan(""));
+        QVERIFY(bench.run(0.2) == Vec2(0.0));
+    }
+
+    void never_changes_the_force_faster_than_the_rate_limit() {
+        Bench bench;
+        bench.run(1.0);
+        Vec2 last = bench.tick();
+        for (int i = 0; i < 400; ++i) {
+            bench.input.force = (i / 50) % 2 == 0 ? Vec2(-1.4, 0.3) : Vec2(1.4, -0.3);
+            const Vec2 force = bench.tick();
+            QVERIFY(length(force - last) <= 40.0 * 0.001 + 1e-12);
+            last = force;
+        }
+    }
+
+    void not_a_number_in_means_no_force_at_once() {
+        const double nan = std::nan("");
+        for (const Vec2 bad : {Vec2(nan, 0.0), Vec2(0.0, std::numeric_limits<double>::infinity())}) {
+            Bench bench;
+            bench.run(1.0);
+            bench.input.force = bad;
+            QVERIFY(bench.tick() == Vec2(0.0));
+            QCOMPARE(bench.chain.fault(), Fault::not_a_number);
+            bench.input.force = {1.0, 0.0};
+            bench.input.position = bad;
+            QVERIFY(bench.tick() == Vec2(0.0));
+            bench.input.position = {0.0, 0.0};
+            QVERIFY(bench.run(1.0).x > 0.99); // heals
+        }
+    }
+
+    void stale_input_is_ramped_to_zero() {
+        Bench bench;
+        bench.run(1.0);
+        bench.input.fresh = false;
+        double t = 0.0;
+        while (bench.chain.fault() == Fault::none && t < 1.0) {
+            bench.tick();
+            t += 0.001;
+        }
+        QCOMPARE(bench.chain.fault(), Fault::stale_input);
+        QVERIFY(t <= 0.0225);
+        QVERIFY(bench.until_zero() <= 0.020 + 1e-9);
+    }
+
+    void a_late_loop_is_ramped_to_zero_and_comes_back() {
+        Bench bench;
+        bench.run(1.0);
+        bench.tick(0.010);
+        QCOMPARE(bench.chain.fault(), Fault::late_ticks);
+        QVERIFY(bench.tick().x < 0.6);
+        QVERIFY(bench.run(1.0).x > 0.99);
+    }
+
+    void a_tick_100_ms_late_disables_the_device_until_it_is_engaged_again() {
+        Bench bench;
+        bench.run(1.0);
+        QVERIFY(bench.tick(0.100) == Vec2(0.0));
+        QCOMPARE(bench.chain.fault(), Fault::stalled);
+        QVERIFY(!bench.chain.engaged());
+        QVERIFY(bench.run(1.0) == Vec2(0.0));
+        QCOMPARE(bench.chain.fault(), Fault::stalled);
+        bench.chain.engage(bench.input.now);
+        QVERIFY(bench.run(1.0).x > 0.99);
+    }
+
+    void over_speed_and_a_place_outside_are_ramped_to_zero_and_heal() {
+        Bench bench;
+        bench.run(1.0);
+        bench.input.velocity = {2000.0, 0.0};
+        bench.tick();
+        QCOMPARE(bench.chain.fault(), Fault::over_speed);
+        QVERIFY(bench.until_zero() <= 0.020 + 1e-9);
+        bench.input.velocity = {100.0, 0.0};
+        bench.run(1.0);
+        bench.input.position = {104.0, 0.0}; // within the margin
+        QVERIFY(bench.tick().x > 0.9);
+        bench.input.position = {106.0, 0.0};
+        bench.tick();
+        QCOMPARE(bench.chain.fault(), Fault::outside_workspace);
+        QVERIFY(bench.until_zero() <= 0.020 + 1e-9);
+        bench.input.position = {0.0, 0.0};
+        QVERIFY(bench.run(1.0).x > 0.99);
+    }
+
+    void a_lost_device_gets_nothing_more() {
+        Bench bench;
+        bench.run(1.0);
+        bench.input.device_lost = true;
+        QVERIFY(bench.tick() == Vec2(0.0));
+        QCOMPARE(bench.chain.fault(), Fault::device_lost);
+        bench.input.device_lost = false;
+        QVERIFY(bench.run(1.0) == Vec2(0.0));
+    }
+
+    void letting_go_takes_the_force_away_within_20_ms() {
+        Bench bench;
+        bench.run(1.0);
+        bench.chain.disengage();
+        QVERIFY(bench.until_zero() <= 0.020 + 1e-9);
+    }
+
+    void every_fault_has_a_sentence_of_its_own() {
+        std::set<std::string> sentences;
+        for (const Fault fault :
+             {Fault::not_a_number, Fault::outside_workspace, Fault::over_speed, Fault::stale_input,
+              Fault::late_ticks, Fault::stalled, Fault::device_lost}) {
+            const std::string text = sentence(fault);
+            QVERIFY(text.size() > 20 && text.back() == '.');
+            sentences.insert(text);
+        }
+        QCOMPARE(sentences.size(), std::size_t(7));
+        QCOMPARE(std::string(sentence(Fault::none)), std::string());
+    }
+};
+
+QTEST_APPLESS_MAIN(SafetyChainTest)
+#include "safety_chain_test.moc"

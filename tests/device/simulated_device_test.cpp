@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/servo/servo_loop.hpp"
+#include "device/simulated/simulated_device.hpp"
+
+#include <QTest>
+
+using namespace tp;
+
+namespace {
+
+struct Bench {
+    SimulatedDevice device;
+    VirtualClock clock;
+    Capabilities can = device.open().value();
+    ServoLoop loop{device, can, clock, ServoSettings{}};
+
+    explicit Bench(SimulatedPlant plant = {}) : device(200.0, 150.0, plant) {}
+    void render(const Contour& contour) {
+        auto made = make_haptic_scene(Scene{200.0, 150.0, {contour}});
+        loop.render(std::move(made).value());
+        loop.engage();
+    }
+    void run(double seconds) {
+        const double end = clock.now() + seconds;
+        while (clock.now() < end - 1e-9) {
+            clock.sleep_until(clock.now() + 0.001);
+            loop.tick();
+        }
+    }
+    Vec2 finger() const { return loop.snapshot().finger(); }
+};
+
+const Contour horizontal = contour_through("line", {{-80.0, 0.0}, {80.0, 0.0}}, false);
+
+} // namespace
+
+class SimulatedDeviceTest : public QObject {
+    Q_OBJECT
+private slots:
+    void the_finger_follows_the_pointer() {
+        Bench bench;
+        bench.device.place_finger({10.0, 20.0});
+        bench.run(0.1);
+        QVERIFY(length(bench.finger() - Vec2(10.0, 20.0)) < 1e-9);
+        bench.device.move_pointer({40.0, -20.0});
+        bench.run(2.0);
+        QVERIFY(length(bench.finger() - Vec2(40.0, -20.0)) < 0.01);
+    }
+
+    void the_finger_is_drawn_into_the_line_while_the_pointer_passes_by() {
+        Bench bench;
+        bench.render(horizontal);
+        bench.device.place_finger({-60.0, 5.0});
+        bench.run(1.0);
+        for (double x = -60.0; x < 60.0; x += 0.06) { // 60 mm/s along the line, 4 mm beside it
+            bench.device.move_pointer({x, 4.0});
+            bench.run(0.001);
+        }
+        QVERIFY(bench.finger().y < 2.0);
+        QVERIFY(bench.finger().y > 0.5);
+        QVERIFY(bench.loop.snapshot().force().y < -0.2);
+    }
+
+    void without_a_line_near_by_there_is_no_pull() {
+        Bench bench;
+        bench.render(horizontal);
+        bench.device.place_finger({0.0, 30.0});
+        bench.run(2.0);
+        QVERIFY(length(bench.finger() - Vec2(0.0, 30.0)) < 1e-6);
+    }
+
+    void stays_inside_its_workspace() {
+        Bench bench;
+        bench.device.move_pointer({500.0, -500.0});
+        bench.run(3.0);
+        QVERIFY(length(bench.finger() - Vec2(100.0, -75.0)) < 1e-9);
+    }
+
+    void a_released_handle_comes_to_rest_on_the_line() {
+        SimulatedPlant plant;
+        plant.hand_stiffness = 0.0;
+        plant.hand_damping = 0.0;
+        Bench bench(plant);
+        bench.render(horizontal);
+        bench.device.place_finger({0.0, 3.0});
+        bench.run(8.0);
+        QVERIFY(std::abs(bench.finger().y) < 0.1);
+    }
+
+    void coulomb_friction_holds_the_finger_where_the_force_is_small() {
+        SimulatedPlant plant;
+        plant.hand_stiffness = 0.0;
+        plant.hand_damping = 0.0;
+        plant.coulomb = 0.3;
+        Bench bench(plant);
+        bench.render(horizontal);
+        bench.device.place_finger({0.0, 1.0}); // 0.2 N
+        bench.run(3.0);
+        QVERIFY(std::abs(bench.finger().y - 1.0) < 0.02);
+    }
+
+    void its_encoder_has_steps() {
+        SimulatedPlant plant;
+        plant.quantum = 0.25;
+        Bench bench(plant);
+        bench.device.place_finger({10.1, 20.2});
+        bench.run(0.01);
+        QCOMPARE(bench.finger().x, 10.0);
+        QCOMPARE(bench.finger().y, 20.25);
+    }
+
+    void a_relaxed_hand_lets_itself_be_led_round_a_feature() {
+        Bench bench;
+        Contour square = contour_through("square", {{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, true);
+        auto made = make_haptic_scene(Scene{200.0, 150.0, {square}});
+        auto scene = std::move(made).value();
+        scene->tour = scene->flat.lines.front();
+        bench.device.place_finger({-40.0, 0.0});
+        bench.device.relax(true);
+        bench.loop.render(std::move(scene));
+        bench.loop.engage();
+        double seconds = 0.0;
+        double farthest = 0.0;
+        while (!bench.loop.snapshot().tour_finished && seconds < 60.0) {
+            bench.run(0.05);
+            seconds += 0.05;
+            if (bench.loop.snapshot().tour_progress > 0.05)
+                farthest = std::max(farthest, bench.loop.snapshot().distance);
+        }
+        QVERIFY(bench.loop.snapshot().tour_finished);
+        QVERIFY(farthest < 8.0);
+        QVERIFY(seconds > 160.0 / 30.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(SimulatedDeviceTest)
+#include "simulated_device_test.moc"

@@ -18,6 +18,10 @@ public:
     SafeForce() = default;
     /// N, device frame.
     Vec2 newtons() const { return newtons_; }
+    /// The same force made smaller, which is safe too; `share` is clamped to 0 … 1, NaN counts as 0.
+    SafeForce scaled(double share) const {
+        return SafeForce(share > 0.0 ? (share < 1.0 ? share : 1.0) * newtons_ : Vec2(0.0));
+    }
 
 private:
     friend class SafetyChain;
@@ -45,8 +49,9 @@ struct DeviceState {
     std::uint32_t buttons = 0; ///< bit 0 = the main button
 };
 
-/// The port that every force device implements. Called from one thread; read and write must not block for
-/// longer than a tick (a slow transport keeps a writer thread of its own behind this port).
+/// The port that every force device implements. Called by one thread at a time, `halt` excepted; read and
+/// write must not block for longer than a tick (a slow transport keeps a writer thread of its own behind this
+/// port).
 class ForceDevice {
 public:
     virtual ~ForceDevice() = default;
@@ -56,7 +61,10 @@ public:
     virtual std::optional<DeviceState> read(double now) noexcept = 0;
     /// False where the force could not be delivered.
     virtual bool write(const SafeForce& force) noexcept = 0;
-    /// Force off, device released. May be called twice and at any moment.
+    /// Takes the force away at once and leaves the device open. Any thread, at any moment, also while a write
+    /// of another thread hangs.
+    virtual void halt() noexcept = 0;
+    /// Force off, device released. May be called twice.
     virtual void stop() noexcept = 0;
     virtual bool lost() const noexcept { return false; }
 };

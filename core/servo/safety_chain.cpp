@@ -26,6 +26,11 @@ void SafetyChain::engage(double now) noexcept {
     started_ = true;
 }
 
+void SafetyChain::lowered_to(double share) noexcept {
+    gain_ *= share;
+    last_force_ *= share;
+}
+
 bool SafetyChain::inside_workspace(Vec2 p) const noexcept {
     const std::size_t count = workspace_.size();
     if (count < 3)

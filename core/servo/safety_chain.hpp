@@ -43,6 +43,9 @@ public:
 
     /// Lets the force in, by a ramp; forgets a disabling fault.
     void engage(double now) noexcept;
+    /// Another hand (the watchdog) has let only `share` of the last force through since: the chain goes on
+    /// from there.
+    void lowered_to(double share) noexcept;
     /// Takes the force away, by a ramp.
     void disengage() noexcept { engaged_ = false; }
     bool engaged() const noexcept { return engaged_; }

@@ -13,13 +13,15 @@ namespace tp {
 namespace {
 
 /// Real-time priority and a timer slack of 1 ns where the system allows them; without them the loop still
-/// runs, only later.
-void prefer_real_time() noexcept {
+/// runs, only later. The watchdog stands above the loop that it watches.
+void prefer_real_time(int level) noexcept {
 #if defined(__linux__)
     prctl(PR_SET_TIMERSLACK, 1UL);
     sched_param priority{};
-    priority.sched_priority = 20;
+    priority.sched_priority = level;
     sched_setscheduler(0, SCHED_FIFO, &priority);
+#else
+    static_cast<void>(level);
 #endif
 }
 
@@ -28,7 +30,10 @@ void prefer_real_time() noexcept {
 ServoLoop::ServoLoop(ForceDevice& device, const Capabilities& capabilities, Clock& clock,
                      ServoSettings settings)
     : device_(device), clock_(clock), settings_(settings), period_(1.0 / settings.rate),
-      max_force_(settings.limits.max_force), chain_(settings.limits, capabilities, 1.0 / settings.rate) {
+      max_force_(settings.limits.max_force),
+      watchdog_(device, {(1.0 + settings.limits.late_periods) / settings.rate, settings.limits.stall,
+                         settings.limits.ramp_down}),
+      chain_(settings.limits, capabilities, 1.0 / settings.rate) {
     last_tick_ = clock_.now();
 }
 
@@ -53,18 +58,21 @@ void ServoLoop::start() {
         return;
     quit_.store(false);
     thread_ = std::thread([this] { run(); });
+    watch_thread_ = std::thread([this] { watch(); });
 }
 
 void ServoLoop::stop() noexcept {
     quit_.store(true);
     if (thread_.joinable())
         thread_.join();
+    if (watch_thread_.joinable())
+        watch_thread_.join();
     device_.write(SafeForce{});
     device_.stop();
 }
 
 void ServoLoop::run() noexcept {
-    prefer_real_time();
+    prefer_real_time(20);
     double due = clock_.now();
     last_tick_ = due;
     while (!quit_.load(std::memory_order_relaxed)) {
@@ -75,6 +83,14 @@ void ServoLoop::run() noexcept {
         if (now > due + period_)
             due = now; // a late loop goes on from now: ticks are not made up for in a burst
         clock_.sleep_until(due);
+    }
+}
+
+void ServoLoop::watch() noexcept {
+    prefer_real_time(21);
+    while (!quit_.load(std::memory_order_relaxed)) {
+        check();
+        clock_.sleep_until(clock_.now() + 0.001);
     }
 }
 
@@ -138,8 +154,13 @@ void ServoLoop::tick() noexcept {
     rendered_ = is_finite(force) ? force : Vec2(0.0);
 
     const bool wants = wanted_engaged_.load(std::memory_order_relaxed);
-    if (wants && !engaged_before_)
+    const double share_left = watchdog_.take_share_left();
+    if (share_left < 1.0)
+        chain_.lowered_to(share_left);
+    if (wants && !engaged_before_) {
+        watchdog_.rearm(now);
         chain_.engage(now);
+    }
     if (!wants)
         chain_.disengage();
     engaged_before_ = wants;
@@ -153,7 +174,7 @@ void ServoLoop::tick() noexcept {
     input.velocity = velocity_.velocity();
     input.force = settings_.device_to_surface.pull_back_force(force);
     SafeForce safe = chain_.pass(input);
-    if (!device_.write(safe)) {
+    if (!watchdog_.write(safe, now)) {
         input.device_lost = true;
         safe = chain_.pass(input);
     }

@@ -9,6 +9,7 @@
 #include "core/servo/safety_chain.hpp"
 #include "core/servo/snapshot.hpp"
 #include "core/servo/velocity_filter.hpp"
+#include "core/servo/watchdog.hpp"
 
 #include <atomic>
 #include <memory>
@@ -26,11 +27,12 @@ struct ServoSettings {
     double scene_fade = 0.080; ///< s over which a new scene's force replaces the old one's
 };
 
-/// Read → filter → calibrate → law → damping → safety chain → write, at a fixed rate.
+/// Read → filter → calibrate → law → damping → safety chain → watchdog → write, at a fixed rate.
 ///
-/// One thread ticks (start() makes one; a test or a trace calls tick() itself in virtual time). Any one other
-/// thread hands over scenes and engages. The ticking thread allocates nothing and locks nothing: a scene is
-/// handed over by an atomic swap and freed by the thread that handed it over, once the servo has left it.
+/// One thread ticks (start() makes one, and a second one for the watchdog; a test or a trace calls tick()
+/// itself in virtual time). Any one other thread hands over scenes and engages. The ticking thread allocates
+/// nothing and locks nothing: a scene is handed over by an atomic swap and freed by the thread that handed it
+/// over, once the servo has left it.
 class ServoLoop {
 public:
     /// The device must be open; it and the clock must outlive the loop.
@@ -56,6 +58,8 @@ public:
 
     /// One period; only from the ticking thread.
     void tick() noexcept;
+    /// The watchdog's period; start() calls it from a thread of its own.
+    void check() noexcept { watchdog_.check(clock_.now()); }
     ServoSnapshot snapshot() const noexcept { return snapshot_.latest(); }
 
 private:
@@ -64,6 +68,7 @@ private:
         std::unique_ptr<const HapticScene> scene;
     };
     void run() noexcept;
+    void watch() noexcept;
     void take_new_scene(Vec2 finger) noexcept;
     Guidance wanted(Vec2 finger, double dt) noexcept;
     Vec2 damping(const Guidance& guidance, Vec2 finger, Vec2 velocity) const noexcept;
@@ -81,11 +86,13 @@ private:
     std::atomic<bool> quit_{false};
     std::atomic<double> max_force_;
     Published<ServoSnapshot> snapshot_;
+    Watchdog watchdog_;
 
     // Only the thread that hands over scenes.
     std::vector<std::unique_ptr<const Held>> held_;
     std::uint64_t last_number_ = 0;
     std::thread thread_;
+    std::thread watch_thread_;
 
     // Only the ticking thread.
     SafetyChain chain_;

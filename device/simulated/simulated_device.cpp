@@ -61,6 +61,8 @@ void SimulatedDevice::step(double dt) noexcept {
 }
 
 std::optional<DeviceState> SimulatedDevice::read(double now) noexcept {
+    if (halted_.load(std::memory_order_acquire))
+        force_ = Vec2(0.0);
     const Pointer pointer = pointer_.latest();
     if (pointer.moved != seen_.moved) {
         anchor_ = {pointer.x, pointer.y};
@@ -88,10 +90,9 @@ std::optional<DeviceState> SimulatedDevice::read(double now) noexcept {
 }
 
 bool SimulatedDevice::write(const SafeForce& force) noexcept {
+    halted_.store(false, std::memory_order_release);
     force_ = force.newtons();
     return true;
 }
-
-void SimulatedDevice::stop() noexcept { force_ = Vec2(0.0); }
 
 } // namespace tp

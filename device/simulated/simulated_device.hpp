@@ -40,7 +40,8 @@ public:
     Result<Capabilities> open() override;
     std::optional<DeviceState> read(double now) noexcept override;
     bool write(const SafeForce& force) noexcept override;
-    void stop() noexcept override;
+    void halt() noexcept override { halted_.store(true, std::memory_order_release); }
+    void stop() noexcept override { halt(); }
 
 private:
     struct Pointer {
@@ -55,6 +56,7 @@ private:
     SimulatedPlant plant_;
     Published<Pointer> pointer_;
     std::atomic<bool> relaxed_{false};
+    std::atomic<bool> halted_{false};
     Pointer sent_; ///< only the pointer's thread
 
     // Only the servo's thread.

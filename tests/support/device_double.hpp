@@ -3,6 +3,7 @@
 
 #include "core/servo/force_device.hpp"
 
+#include <atomic>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@ public:
 
     std::vector<std::pair<double, Vec2>> written; ///< time of the last reading asked for, N
     int stops = 0;
+    std::atomic<int> halts{0};
 
     static Capabilities capabilities() {
         Capabilities can;
@@ -39,6 +41,7 @@ public:
         written.emplace_back(now_, force.newtons());
         return !refuses_writes && !unplugged;
     }
+    void halt() noexcept override { ++halts; }
     void stop() noexcept override { ++stops; }
     bool lost() const noexcept override { return unplugged; }
 

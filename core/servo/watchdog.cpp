@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/servo/watchdog.hpp"
+
+#include <algorithm>
+
+namespace tp {
+
+bool Watchdog::write(const SafeForce& force, double now) noexcept {
+    last_beat_.store(now, std::memory_order_release);
+    if (halted() || !enter())
+        return true; // the watchdog has the device; the chain hears of it through take_share_left and halted
+    last_force_ = force;
+    const bool delivered = device_.write(force);
+    leave();
+    return delivered;
+}
+
+double Watchdog::take_share_left() noexcept { return share_.exchange(1.0, std::memory_order_acq_rel); }
+
+void Watchdog::rearm(double now) noexcept {
+    last_beat_.store(now, std::memory_order_release);
+    share_.store(1.0, std::memory_order_release);
+    halted_.store(false, std::memory_order_release);
+}
+
+void Watchdog::check(double now) noexcept {
+    const double beat = last_beat_.load(std::memory_order_acquire);
+    if (beat < 0.0 || halted())
+        return;
+    const double late = now - beat - limits_.late_after;
+    if (late <= 0.0)
+        return;
+    if (now - beat > limits_.stall_after) {
+        halted_.store(true, std::memory_order_release);
+        share_.store(0.0, std::memory_order_release);
+        device_.halt();
+        return;
+    }
+    if (!enter())
+        return;
+    const double share = std::clamp(1.0 - late / limits_.ramp, 0.0, share_.load(std::memory_order_relaxed));
+    share_.store(share, std::memory_order_release);
+    device_.write(last_force_.scaled(share));
+    leave();
+}
+
+} // namespace tp

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/servo/servo_loop.hpp"
+#include "core/servo/watchdog.hpp"
+#include "device_double.hpp"
+
+#include <QTest>
+
+#include <thread>
+
+using namespace tp;
+using tp::testing::DeviceDouble;
+
+namespace {
+
+/// A loop in simulated time that pulls with 0.4 N, its watchdog called by hand.
+struct Bench {
+    DeviceDouble device;
+    VirtualClock clock;
+    ServoLoop loop{device, DeviceDouble::capabilities(), clock, ServoSettings{}};
+
+    Bench() {
+        device.place = [](double) { return Vec2(0.0, 2.0); };
+        auto made = make_haptic_scene({200.0, 150.0, {contour_through("line", {{-80, 0}, {80, 0}}, false)}});
+        loop.render(std::move(made).value());
+        loop.engage();
+        run(1.0);
+    }
+    void run(double seconds) {
+        const double end = clock.now() + seconds;
+        while (clock.now() < end - 1e-9) {
+            clock.sleep_until(clock.now() + 0.001);
+            loop.tick();
+            loop.check();
+        }
+    }
+    /// The loop hangs; only the watchdog lives.
+    void hang(double seconds) {
+        const double end = clock.now() + seconds;
+        while (clock.now() < end - 1e-9) {
+            clock.sleep_until(clock.now() + 0.001);
+            loop.check();
+        }
+    }
+    double force() const { return length(device.last_force()); }
+};
+
+/// A device whose write does not come back until it is told to.
+class HangingDevice final : public ForceDevice {
+public:
+    std::atomic<bool> hang{false};
+    std::atomic<bool> inside{false};
+    std::atomic<bool> halted{false};
+    Result<Capabilities> open() override { return DeviceDouble::capabilities(); }
+    std::optional<DeviceState> read(double now) noexcept override { return DeviceState{now, {0.0, 2.0}, 0}; }
+    bool write(const SafeForce&) noexcept override {
+        while (hang) {
+            inside = true;
+            std::this_thread::yield();
+        }
+        return true;
+    }
+    void halt() noexcept override { halted = true; }
+    void stop() noexcept override {}
+};
+
+} // namespace
+
+class WatchdogTest : public QObject {
+    Q_OBJECT
+private slots:
+    void a_ticking_loop_is_left_alone() {
+        Bench bench;
+        QVERIFY(std::abs(bench.force() - 0.4) < 1e-6);
+        const std::size_t writes = bench.device.written.size();
+        bench.run(0.1);
+        QCOMPARE(bench.device.written.size(), writes + 100);
+        QCOMPARE(bench.device.halts, 0);
+    }
+
+    void three_missed_ticks_are_ramped_to_zero_within_20_ms() {
+        Bench bench;
+        bench.hang(0.004);
+        QVERIFY(bench.force() > 0.39);
+        double last = bench.force();
+        for (int i = 0; i < 20; ++i) {
+            bench.hang(0.001);
+            QVERIFY(bench.force() <= last);
+            last = bench.force();
+        }
+        QVERIFY(bench.force() < 1e-9);
+        QCOMPARE(bench.device.halts, 0);
+        bench.run(0.001);
+        QCOMPARE(bench.loop.snapshot().fault, Fault::late_ticks);
+        QVERIFY(bench.force() < 1e-9);
+        bench.run(1.0);
+        QVERIFY(std::abs(bench.force() - 0.4) < 1e-6);
+    }
+
+    void a_loop_that_comes_back_halfway_goes_on_from_what_was_left() {
+        Bench bench;
+        bench.hang(0.014); // half of the ramp
+        const double left = bench.force();
+        QVERIFY(left > 0.1 && left < 0.3);
+        bench.run(0.001);
+        QVERIFY(bench.force() <= left);
+    }
+
+    void a_loop_that_stands_still_for_50_ms_costs_it_the_device_until_engaged_again() {
+        Bench bench;
+        bench.hang(0.060);
+        QCOMPARE(bench.device.halts, 1);
+        bench.run(0.5);
+        QCOMPARE(bench.loop.snapshot().fault, Fault::stalled);
+        QVERIFY(bench.force() < 1e-9);
+        bench.loop.disengage();
+        bench.run(0.01);
+        bench.loop.engage();
+        bench.run(1.0);
+        QVERIFY(std::abs(bench.force() - 0.4) < 1e-6);
+    }
+
+    void a_write_that_hangs_is_halted_by_the_other_thread() {
+        HangingDevice device;
+        SteadyClock clock;
+        ServoLoop loop(device, DeviceDouble::capabilities(), clock, ServoSettings{});
+        loop.engage();
+        loop.start();
+        QTRY_VERIFY_WITH_TIMEOUT(loop.snapshot().ticks > 20, 20000);
+        device.hang = true;
+        QTRY_VERIFY_WITH_TIMEOUT(device.halted.load(), 20000);
+        QVERIFY(device.inside);
+        device.hang = false;
+        QTRY_COMPARE_WITH_TIMEOUT(loop.snapshot().fault, Fault::stalled, 20000);
+    }
+
+    void makes_forces_smaller_and_never_larger() {
+        Bench bench;
+        bench.hang(0.030);
+        for (const auto& [time, force] : bench.device.written)
+            QVERIFY(length(force) <= 0.4 + 1e-9);
+    }
+};
+
+QTEST_GUILESS_MAIN(WatchdogTest)
+#include "watchdog_test.moc"

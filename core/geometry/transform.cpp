@@ -27,7 +27,10 @@ Result<Affine> fit_photo_to_surface(const Rect& subject, const Rect& workspace) 
         return Error{"A picture and the touch surface both need a width and a height above zero."};
     const double scale = std::min(workspace.width() / subject.width(), workspace.height() / subject.height());
     const glm::dmat2 linear(scale, 0.0, 0.0, -scale);
-    return Affine{linear, workspace.centre() - linear * subject.centre()};
+    const Vec2 offset = workspace.centre() - linear * subject.centre();
+    if (!(scale > 0.0) || !std::isfinite(scale) || !is_finite(offset))
+        return Error{"The picture or the touch surface is too large or too small to be computed with."};
+    return Affine{linear, offset};
 }
 
 Result<Calibration> calibrate(const std::vector<FramePair>& pairs, double max_residual_mm) {
@@ -43,14 +46,20 @@ Result<Calibration> calibrate(const std::vector<FramePair>& pairs, double max_re
     // Normal equations about the means: linear = (Σ s dᵀ)(Σ d dᵀ)⁻¹.
     glm::dmat2 cross_sum(0.0);
     glm::dmat2 device_sum(0.0);
+    glm::dmat2 surface_sum(0.0);
     for (const FramePair& pair : pairs) {
         const Vec2 d = pair.device - device_mean;
         const Vec2 s = pair.surface - surface_mean;
         cross_sum += glm::outerProduct(s, d);
         device_sum += glm::outerProduct(d, d);
+        surface_sum += glm::outerProduct(s, s);
     }
-    const double spread = device_sum[0][0] + device_sum[1][1];
-    if (pairs.size() < 3 || !(glm::determinant(device_sum) > 1e-9 * spread * spread))
+    // In either frame: marks that the touchscreen saw on one line would fit a map that flattens the plane.
+    const auto on_one_line = [](const glm::dmat2& sum) {
+        const double spread = sum[0][0] + sum[1][1];
+        return !(glm::determinant(sum) > 1e-9 * spread * spread);
+    };
+    if (pairs.size() < 3 || on_one_line(device_sum) || on_one_line(surface_sum))
         return Error{"Calibration needs at least three marks that do not lie on one line; touch more marks."};
     const glm::dmat2 linear = cross_sum * glm::inverse(device_sum);
     Calibration result{{linear, surface_mean - linear * device_mean}, 0.0};

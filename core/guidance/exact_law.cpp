@@ -5,7 +5,8 @@ namespace tp {
 
 Guidance ExactLaw::at(Vec2 finger) const noexcept {
     const Nearest nearest = index_.nearest(finger);
-    Guidance guidance{Vec2(0.0), nearest.distance, nearest.point, nearest.contour};
+    Guidance guidance{Vec2(0.0), nearest.distance, nearest.point, nearest.contour,
+                      profile_.energy(nearest.distance)};
     const double magnitude = profile_.force(nearest.distance);
     if (magnitude > 0.0)
         guidance.force = (magnitude / nearest.distance) * (nearest.point - finger);

@@ -13,6 +13,7 @@ struct Guidance {
     double distance = std::numeric_limits<double>::infinity(); ///< mm, to the contour as this law sees it
     Vec2 nearest{0.0};                                         ///< mm, the place pulled towards; see contour
     int contour = -1;                                          ///< index into the FlatScene, -1 for none
+    double energy = std::numeric_limits<double>::quiet_NaN();  ///< mJ, potential; NaN for a law that has none
 };
 
 /// A way to turn the finger's place into a force. Stateless, so that any number of threads may ask; `at` is

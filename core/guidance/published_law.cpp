@@ -81,9 +81,11 @@ Guidance PublishedLaw::at(Vec2 finger) const noexcept {
     const Projection projection = guide_to_line(v1, vertices_[found->second], profile_, finger);
     const int contour = contours_[found->first];
     if (!std::isfinite(projection.distance))
-        return {Vec2(0.0), length(v1 - finger), v1, contour};
-    return {is_finite(projection.force) ? projection.force : Vec2(0.0), projection.distance, projection.foot,
-            contour};
+        return {.force = Vec2(0.0), .distance = length(v1 - finger), .nearest = v1, .contour = contour};
+    return {.force = is_finite(projection.force) ? projection.force : Vec2(0.0),
+            .distance = projection.distance,
+            .nearest = projection.foot,
+            .contour = contour};
 }
 
 FlatScene with_vertex_spacing(const FlatScene& scene, double spacing_mm) {

@@ -33,7 +33,8 @@ ServoLoop::ServoLoop(ForceDevice& device, const Capabilities& capabilities, Cloc
       max_force_(settings.limits.max_force),
       watchdog_(device, {(1.0 + settings.limits.late_periods) / settings.rate, settings.limits.stall,
                          settings.limits.ramp_down}),
-      chain_(settings.limits, capabilities, 1.0 / settings.rate) {
+      chain_(settings.limits, capabilities, 1.0 / settings.rate),
+      observer_(static_cast<std::size_t>(std::lround(std::max(0.0, capabilities.delay) * settings.rate))) {
     last_tick_ = clock_.now();
 }
 
@@ -117,14 +118,27 @@ Guidance ServoLoop::wanted(Vec2 finger, double dt) noexcept {
 }
 
 Vec2 ServoLoop::damping(const Guidance& guidance, Vec2 finger, Vec2 velocity) const noexcept {
-    if (guidance.contour < 0 || !(guidance.distance > 0.0) || !(settings_.line_damping > 0.0))
+    if (guidance.contour < 0 || !(guidance.distance > 0.0) || !(settings_.line_damping_ratio > 0.0))
         return Vec2(0.0);
-    const double share = 1.0 - guidance.distance / current_->scene->profile.range;
+    const TentProfile& profile = current_->scene->profile;
+    const double share = 1.0 - guidance.distance / profile.range;
     if (!(share > 0.0))
         return Vec2(0.0);
+    // √(kg · N/m) is N·s/m; the velocity is in mm/s.
+    const double largest =
+        2.0 * settings_.line_damping_ratio * std::sqrt(settings_.handle_mass * 1e3 * profile.stiffness);
     const Vec2 normal = (guidance.nearest - finger) / guidance.distance;
-    const double newton_seconds_per_mm = settings_.line_damping * share * 1e-3;
-    return -newton_seconds_per_mm * glm::dot(velocity, normal) * normal;
+    return -1e-3 * largest * share * glm::dot(velocity, normal) * normal;
+}
+
+Vec2 ServoLoop::paid_back(const Guidance& guidance, Vec2 finger, Vec2 velocity, double dt) noexcept {
+    // The potential is the field's own only while the whole field, and nothing else, is on the device.
+    const bool whole = settings_.energy_observer && !tour_ && fade_left_ <= 0.0 && chain_.gain() == 1.0;
+    if (!whole) {
+        observer_.reset();
+        return Vec2(0.0);
+    }
+    return observer_.observe(finger, velocity, guidance.energy, dt);
 }
 
 void ServoLoop::tick() noexcept {
@@ -146,6 +160,7 @@ void ServoLoop::tick() noexcept {
     Vec2 force = guidance.force;
     if (!tour_)
         force += damping(guidance, finger, velocity);
+    force += paid_back(guidance, finger, velocity, dt);
     if (fade_left_ > 0.0) {
         const double old_share = fade_left_ / settings_.scene_fade;
         force = old_share * fade_from_ + (1.0 - old_share) * force;
@@ -182,6 +197,7 @@ void ServoLoop::tick() noexcept {
 
     const Affine& calibration = settings_.device_to_surface;
     const Vec2 delivered = glm::inverse(glm::transpose(calibration.linear)) * safe.newtons();
+    observer_.wrote(delivered);
     ServoSnapshot view;
     view.time = now;
     view.x = finger.x;

@@ -5,6 +5,7 @@
 #include "core/guidance/guided_tour.hpp"
 #include "core/guidance/haptic_scene.hpp"
 #include "core/servo/clock.hpp"
+#include "core/servo/energy_observer.hpp"
 #include "core/servo/force_device.hpp"
 #include "core/servo/safety_chain.hpp"
 #include "core/servo/snapshot.hpp"
@@ -22,9 +23,13 @@ namespace tp {
 struct ServoSettings {
     double rate = 1000.0; ///< Hz
     SafetyLimits limits;
-    Affine device_to_surface;  ///< the calibration
-    double line_damping = 2.0; ///< B0, N·s/m: damping across a contour, B(r) = B0·max(0, 1 − r/d); 0: off
-    double scene_fade = 0.080; ///< s over which a new scene's force replaces the old one's
+    Affine device_to_surface; ///< the calibration
+    /// Damping across a contour, B(r) = 2ζ√(mK)·max(0, 1 − r/d), with ζ this ratio; 0: off. At 0.5 and the
+    /// mass below a released handle settles for K ≤ 0.5 N/mm and two ticks of delay.
+    double line_damping_ratio = 0.5;
+    double handle_mass = 0.1;    ///< m, kg, what the damping reckons with
+    bool energy_observer = true; ///< pays back what sampling and delay give the hand beyond the potential
+    double scene_fade = 0.080;   ///< s over which a new scene's force replaces the old one's
 };
 
 /// Read → filter → calibrate → law → damping → safety chain → watchdog → write, at a fixed rate.
@@ -72,6 +77,7 @@ private:
     void take_new_scene(Vec2 finger) noexcept;
     Guidance wanted(Vec2 finger, double dt) noexcept;
     Vec2 damping(const Guidance& guidance, Vec2 finger, Vec2 velocity) const noexcept;
+    Vec2 paid_back(const Guidance& guidance, Vec2 finger, Vec2 velocity, double dt) noexcept;
     void drop_scenes_before(std::uint64_t number);
 
     ForceDevice& device_;
@@ -97,6 +103,7 @@ private:
     // Only the ticking thread.
     SafetyChain chain_;
     VelocityFilter velocity_;
+    EnergyObserver observer_;
     std::optional<DeviceState> state_;
     const Held* current_ = nullptr;
     std::optional<GuidedTour> tour_;

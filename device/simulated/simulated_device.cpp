@@ -33,6 +33,7 @@ Result<Capabilities> SimulatedDevice::open() {
     can.max_force = 3.0;
     can.continuous_force = 3.0;
     can.resolution = plant_.quantum;
+    can.delay = static_cast<double>(plant_.delay_ticks) * plant_.tick;
     can.calibrated = true;
     force_ = Vec2(0.0);
     return can;
@@ -91,7 +92,10 @@ std::optional<DeviceState> SimulatedDevice::read(double now) noexcept {
 
 bool SimulatedDevice::write(const SafeForce& force) noexcept {
     halted_.store(false, std::memory_order_release);
-    force_ = force.newtons();
+    newest_ = (newest_ + 1) % on_their_way_.size();
+    on_their_way_[newest_] = force.newtons();
+    const std::size_t delay = std::min(plant_.delay_ticks, on_their_way_.size() - 1);
+    force_ = on_their_way_[(newest_ + on_their_way_.size() - delay) % on_their_way_.size()];
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include "core/servo/force_device.hpp"
 #include "core/servo/snapshot.hpp"
 
+#include <array>
 #include <atomic>
 
 namespace tp {
@@ -17,6 +18,8 @@ struct SimulatedPlant {
     double hand_damping = 5.0;    ///< N·s/m, of the hand
     double relaxed_follow = 0.15; ///< s in which a relaxed hand's anchor follows the finger
     double quantum = 0.0;         ///< mm, encoder step; 0: none
+    std::size_t delay_ticks = 0;  ///< whole ticks between a write and its acting, at most 16
+    double tick = 0.001;          ///< s, for telling the delay in seconds
 };
 
 /// A force device made of the mouse or the finger on a touchscreen: the drawn finger is a body with mass and
@@ -63,8 +66,10 @@ private:
     Pointer seen_;
     Vec2 anchor_{0.0};
     Vec2 position_{0.0};
-    Vec2 velocity_{0.0}; ///< mm/s
-    Vec2 force_{0.0};    ///< N
+    Vec2 velocity_{0.0};                  ///< mm/s
+    Vec2 force_{0.0};                     ///< N
+    std::array<Vec2, 17> on_their_way_{}; ///< N, ring of written forces
+    std::size_t newest_ = 0;
     double time_ = 0.0;
     bool started_ = false;
 };

@@ -12,11 +12,12 @@ struct Bench {
     SimulatedDevice device;
     VirtualClock clock;
     Capabilities can = device.open().value();
-    ServoLoop loop{device, can, clock, ServoSettings{}};
+    ServoLoop loop;
 
-    explicit Bench(SimulatedPlant plant = {}) : device(200.0, 150.0, plant) {}
-    void render(const Contour& contour) {
-        auto made = make_haptic_scene(Scene{200.0, 150.0, {contour}});
+    explicit Bench(SimulatedPlant plant = {}, ServoSettings settings = {})
+        : device(200.0, 150.0, plant), loop(device, can, clock, settings) {}
+    void render(const Contour& contour, TentProfile profile = {}) {
+        auto made = make_haptic_scene(Scene{200.0, 150.0, {contour}}, profile);
         loop.render(std::move(made).value());
         loop.engage();
     }
@@ -31,6 +32,30 @@ struct Bench {
 };
 
 const Contour horizontal = contour_through("line", {{-80.0, 0.0}, {80.0, 0.0}}, false);
+
+/// Amplitude (mm) that is left 5 s after a handle nobody holds was let go `start` mm beside a line.
+double swing_of_released_handle(double stiffness, int delay, double mass, double start,
+                                const ServoSettings& settings) {
+    SimulatedPlant plant;
+    plant.mass = mass;
+    plant.damping = 0.05;
+    plant.hand_stiffness = 0.0;
+    plant.hand_damping = 0.0;
+    plant.quantum = 0.02;
+    plant.delay_ticks = static_cast<std::size_t>(delay);
+    Bench bench(plant, settings);
+    bench.render(horizontal, {stiffness, 4.0});
+    bench.device.place_finger({0.0, 20.0}); // out of reach until the whole force is let in
+    bench.run(0.6);
+    bench.device.place_finger({0.0, start});
+    bench.run(5.0);
+    double swing = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        bench.run(0.001);
+        swing = std::max(swing, std::abs(bench.finger().y));
+    }
+    return swing;
+}
 
 } // namespace
 
@@ -76,15 +101,31 @@ private slots:
         QVERIFY(length(bench.finger() - Vec2(100.0, -75.0)) < 1e-9);
     }
 
+    void a_released_handle_comes_to_rest_on_the_line_data() {
+        QTest::addColumn<double>("stiffness");
+        QTest::addColumn<int>("delay");
+        QTest::addColumn<double>("mass");
+        for (const double stiffness : {0.2, 0.5})
+            for (const int delay : {0, 1, 2})
+                for (const double mass : {0.05, 0.2})
+                    QTest::addRow("K %.1f N/mm, %d ticks of delay, %.2f kg", stiffness, delay, mass)
+                        << stiffness << delay << mass;
+    }
     void a_released_handle_comes_to_rest_on_the_line() {
-        SimulatedPlant plant;
-        plant.hand_stiffness = 0.0;
-        plant.hand_damping = 0.0;
-        Bench bench(plant);
-        bench.render(horizontal);
-        bench.device.place_finger({0.0, 3.0});
-        bench.run(8.0);
-        QVERIFY(std::abs(bench.finger().y) < 0.1);
+        QFETCH(double, stiffness);
+        QFETCH(int, delay);
+        QFETCH(double, mass);
+        for (const double start : {2.0, 4.0, 6.0, 7.8})
+            QVERIFY(swing_of_released_handle(stiffness, delay, mass, start, {}) < 0.1);
+    }
+
+    void without_damping_and_observer_it_does_not() {
+        ServoSettings bare;
+        bare.energy_observer = false;
+        bare.line_damping_ratio = 0.0;
+        QVERIFY(swing_of_released_handle(0.2, 1, 0.05, 6.0, bare) > 1.0);
+        bare.energy_observer = true; // the observer alone holds what sampling and delay give
+        QVERIFY(swing_of_released_handle(0.2, 1, 0.05, 6.0, bare) < 0.1);
     }
 
     void coulomb_friction_holds_the_finger_where_the_force_is_small() {

@@ -102,12 +102,12 @@ private slots:
         const Vec2 still = force_at_speed({0.0, 0.0});
         QVERIFY(length(force_at_speed({50.0, 0.0}) - still) < 1e-3);
         const double damped = force_at_speed({0.0, 50.0}).y - still.y;
-        QVERIFY(std::abs(damped + 0.075) < 0.005); // 2 N·s/m · (1 − 1/4) · 50 mm/s
+        QVERIFY(std::abs(damped + 0.1677) < 0.01); // √(0.1 kg · 200 N/m) · (1 − 1/4) · 50 mm/s
     }
 
     void the_force_goes_back_through_the_transpose_of_the_calibration() {
         ServoSettings settings;
-        settings.line_damping = 0.0;
+        settings.line_damping_ratio = 0.0;
         settings.device_to_surface = {glm::dmat2(0.0, 2.0, -1.0, 0.0),
                                       {3.0, 4.0}}; // turned, stretched, shifted
         DeviceDouble device;

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/embedded_detector.hpp"
+
+#include "faces/model_catalog.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace tp {
+namespace {
+
+constexpr std::array levels{160, 320, 640, 1280}; ///< longer side of what the net is shown, px
+constexpr int usual_finest = 640;   ///< pictures are shrunk to about this before they are shrunk further
+constexpr double large_face = 48.0; ///< px of a level: four times the smallest face that is found
+constexpr double sure_score = 0.6;  ///< of a face for which finer levels are left out
+constexpr int cell = 8;             ///< the net answers once per 8 × 8 px
+constexpr int block = 32;           ///< its input sides must be multiples of this
+constexpr double unit_face = 40.0;  ///< px; sizes are answered as the logarithm of a multiple of this
+constexpr double least_score = 0.3;
+constexpr double most_overlap = 0.35;
+
+/// A grey border, as in the training, brings the sides to multiples of `block`.
+cv::Mat padded(const cv::Mat& picture) {
+    const auto missing = [](int side) { return (block - side % block) % block; };
+    cv::Mat result;
+    cv::copyMakeBorder(picture, result, 0, missing(picture.rows), 0, missing(picture.cols),
+                       cv::BORDER_CONSTANT, cv::Scalar::all(127));
+    return result;
+}
+
+/// 1 / (1 + exp(-x))
+cv::Mat logistic(const cv::Mat& x) {
+    cv::Mat result;
+    cv::exp(-x, result);
+    return 1.0 / (1.0 + result);
+}
+
+/// Shrinks by the largest whole number that keeps the longer side at `longer` px or more: averaging whole
+/// blocks is several times faster than areas of any size.
+cv::Mat shrunk_by_blocks(const cv::Mat& picture, int longer) {
+    const int factor =
+        std::min(std::max(picture.cols, picture.rows) / longer, std::min(picture.cols, picture.rows));
+    if (factor < 2)
+        return picture;
+    const cv::Size size(picture.cols / factor, picture.rows / factor);
+    cv::Mat result;
+    cv::resize(picture(cv::Rect(0, 0, size.width * factor, size.height * factor)), result, size, 0, 0,
+               cv::INTER_AREA);
+    return result;
+}
+
+cv::Mat resized(const cv::Mat& picture, int longer) {
+    const double scale = static_cast<double>(longer) / std::max(picture.cols, picture.rows);
+    const auto side = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * scale))); };
+    cv::Mat result;
+    cv::resize(picture, result, cv::Size(side(picture.cols), side(picture.rows)), 0, 0,
+               scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+    return result;
+}
+
+/// What the net sees, in pixels of `picture`.
+std::vector<Detection> faces_in(cv::dnn::Net& net, const cv::Mat& picture) {
+    net.setInput(cv::dnn::blobFromImage(padded(picture), 1.0 / 255.0, cv::Size(), cv::Scalar::all(127.5)));
+    cv::Mat output = net.forward();
+    const auto plane = [&](int channel) {
+        return cv::Mat(output.size[2], output.size[3], CV_32F, output.ptr<float>(0, channel));
+    };
+    const cv::Mat scores = logistic(plane(0));
+    cv::Mat strongest_near;
+    cv::dilate(scores, strongest_near, cv::Mat::ones(3, 3, CV_8U));
+    std::vector<Detection> found;
+    for (int y = 0; y < scores.rows; ++y)
+        for (int x = 0; x < scores.cols; ++x) {
+            const float score = scores.at<float>(y, x);
+            if (!(score > least_score && score >= strongest_near.at<float>(y, x)))
+                continue;
+            const auto value = [&](int channel) {
+                return static_cast<double>(plane(channel).at<float>(y, x));
+            };
+            const Vec2 here((x + 0.5) * cell, (y + 0.5) * cell);
+            const Vec2 centre = here + Vec2(value(1), value(2)) * static_cast<double>(cell);
+            const double size = unit_face * std::exp(value(3));
+            if (is_finite(centre) && std::isfinite(size))
+                found.push_back({{centre - 0.5 * size, centre + 0.5 * size},
+                                 here + Vec2(value(4), value(5)) * size,
+                                 here + Vec2(value(6), value(7)) * size,
+                                 static_cast<double>(score)});
+        }
+    return found;
+}
+
+bool has_large_face(const std::vector<Detection>& faces) {
+    return std::any_of(faces.begin(), faces.end(),
+                       [](const Detection& f) { return f.score >= sure_score && f.size() >= large_face; });
+}
+
+Detection scaled(const Detection& face, Vec2 by) {
+    return {{face.box.min * by, face.box.max * by}, face.right_eye * by, face.left_eye * by, face.score};
+}
+
+} // namespace
+
+EmbeddedDetector::EmbeddedDetector() {
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        nets_.push_back(embedded_net(EmbeddedModel::detector));
+}
+
+std::vector<Detection> EmbeddedDetector::detect(const cv::Mat& picture, Effort effort) {
+    const int longer = std::max(picture.cols, picture.rows);
+    const cv::Mat base = shrunk_by_blocks(picture, usual_finest);
+    std::vector<Detection> found;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const bool enlarges = levels[i] > longer;
+        if (enlarges && i > 1)
+            break;
+        const cv::Mat shown = resized(levels[i] > usual_finest ? picture : base, levels[i]);
+        const Vec2 back(static_cast<double>(picture.cols) / shown.cols,
+                        static_cast<double>(picture.rows) / shown.rows);
+        const std::vector<Detection> here = faces_in(nets_[i], shown);
+        for (const Detection& face : here)
+            found.push_back(scaled(face, back));
+        if (effort == Effort::usual && has_large_face(here))
+            break;
+    }
+    return without_doubles(std::move(found), most_overlap);
+}
+
+} // namespace tp

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/geometry/contour.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tp {
+
+/// Names of a face's contours. Left and right are the person's own.
+namespace feature {
+inline constexpr const char* left_eye = "left_eye";
+inline constexpr const char* right_eye = "right_eye";
+inline constexpr const char* outer_lip = "outer_lip";
+inline constexpr const char* inner_lip = "inner_lip";
+inline constexpr const char* outline = "outline";
+} // namespace feature
+
+/// One face of a photograph. All places in pixels of the upright picture: x right, y down.
+struct Face {
+    Rect box;           ///< the head without hair, as detected
+    double score = 0.0; ///< 0 … 1, how sure the detector is
+    std::vector<Contour>
+        contours;        ///< the five of `feature`, lines and quadratic Béziers; the outline is open
+    std::string problem; ///< why its contours may be wrong, in a sentence; empty: no reason known
+};
+
+/// How long each step took, milliseconds.
+struct ExtractionTimes {
+    double decode = 0.0;
+    double detect = 0.0;
+    double landmarks = 0.0;
+    double contours = 0.0;
+};
+
+/// What was found in one photograph.
+struct Extraction {
+    int width = 0;  ///< px, upright; 0 where the picture could not be decoded
+    int height = 0; ///< px
+    ExtractionTimes milliseconds;
+    std::vector<Face> faces; ///< the largest first
+    std::string problem;     ///< why nothing, or nothing to rely on, was found; empty: none
+};
+
+} // namespace tp

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/face_extractor.hpp"
+
+#include "faces/contour_fit.hpp"
+#include "faces/contour_nets.hpp"
+#include "faces/embedded_detector.hpp"
+#include "faces/face_problem.hpp"
+#include "faces/mesh_model.hpp"
+#include "faces/model_catalog.hpp"
+#include "faces/picture.hpp"
+#include "faces/quiet_opencv.hpp"
+#include "faces/yunet_detector.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace tp {
+namespace {
+
+constexpr PluggableModel yunet{"yunet", "yunet.onnx", "a YuNet face detector"};
+constexpr PluggableModel mesh{"mesh", "face_mesh.onnx", "a 478-point face mesh"};
+constexpr int smallest_side_px = 16; ///< of a picture that can hold a face
+constexpr double least_confidence = 0.5;
+constexpr double same_within = 0.4; ///< of a face's size; two heads cannot be that near
+
+Result<std::unique_ptr<Detector>> make_detector(const std::string& choice) {
+    if (choice == "embedded")
+        return std::unique_ptr<Detector>(std::make_unique<EmbeddedDetector>());
+    const auto file = find_model(choice, yunet);
+    return file ? YunetDetector::load(*file) : Error{file.error()};
+}
+
+Result<std::unique_ptr<LandmarkModel>> make_model(const std::string& choice) {
+    if (choice == "embedded")
+        return std::unique_ptr<LandmarkModel>(std::make_unique<ContourNets>());
+    const auto file = find_model(choice, mesh);
+    return file ? MeshModel::load(*file) : Error{file.error()};
+}
+
+/// Milliseconds since it was made or last asked.
+class Stopwatch {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double passed = std::chrono::duration<double, std::milli>(now - last_).count();
+        last_ = now;
+        return passed;
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::vector<Contour> contours_of(const Landmarks& points) {
+    const auto opening = [](const char* name, const std::vector<Vec2>& around, std::size_t corner) {
+        return fit_contour(name, uncrossed(around, corner), true, {0, corner});
+    };
+    return {opening(feature::left_eye, points.left_eye, eye_corner),
+            opening(feature::right_eye, points.right_eye, eye_corner),
+            opening(feature::outer_lip, points.outer_lip, mouth_corner),
+            opening(feature::inner_lip, points.inner_lip, mouth_corner),
+            fit_contour(feature::outline, points.outline, false)};
+}
+
+struct LocatedFace {
+    Detection detection;
+    Landmarks points;
+
+    Vec2 centre() const {
+        return 0.25 * (points.right_eye[0] + points.left_eye[0] + points.outer_lip[0] +
+                       points.outer_lip[mouth_corner]);
+    }
+};
+
+bool is_same(const LocatedFace& a, const LocatedFace& b) {
+    return length(a.centre() - b.centre()) < same_within * std::max(a.detection.size(), b.detection.size());
+}
+
+} // namespace
+
+struct FaceExtractor::Parts {
+    std::unique_ptr<Detector> detector;
+    std::unique_ptr<LandmarkModel> model;
+
+    /// The detected faces that the landmarks confirm, the largest first. Boxes of different size that led to
+    /// the same eyes and mouth count once.
+    std::vector<LocatedFace> confirmed(const cv::Mat& picture, std::vector<Detection> detections) const {
+        std::stable_sort(detections.begin(), detections.end(),
+                         [](const Detection& a, const Detection& b) { return a.score > b.score; });
+        std::vector<LocatedFace> located;
+        for (const Detection& detection : detections) {
+            auto points = model->locate(picture, detection);
+            if (!points || points->confidence < least_confidence)
+                continue;
+            LocatedFace face{detection, std::move(*points)};
+            if (std::none_of(located.begin(), located.end(),
+                             [&](const LocatedFace& other) { return is_same(face, other); }))
+                located.push_back(std::move(face));
+        }
+        std::stable_sort(located.begin(), located.end(), [](const LocatedFace& a, const LocatedFace& b) {
+            return a.detection.size() > b.detection.size();
+        });
+        return located;
+    }
+
+    std::vector<LocatedFace> locate(const cv::Mat& picture, Effort effort, ExtractionTimes& times) const {
+        Stopwatch watch;
+        const std::vector<Detection> detections = detector->detect(picture, effort);
+        times.detect += watch.lap();
+        std::vector<LocatedFace> located = confirmed(picture, detections);
+        times.landmarks += watch.lap();
+        return located;
+    }
+
+    void extract(const cv::Mat& picture, Extraction& result) const {
+        std::vector<LocatedFace> located = locate(picture, Effort::usual, result.milliseconds);
+        if (located.empty())
+            located = locate(picture, Effort::thorough, result.milliseconds);
+        Stopwatch watch;
+        for (const LocatedFace& face : located)
+            result.faces.push_back({face.detection.box, face.detection.score, contours_of(face.points),
+                                    problem_of(face.detection, face.points, picture.size())});
+        result.milliseconds.contours = watch.lap();
+        result.problem =
+            result.faces.empty() ? "No face was found in this picture." : result.faces.front().problem;
+    }
+};
+
+FaceExtractor::FaceExtractor(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+FaceExtractor::FaceExtractor(FaceExtractor&&) noexcept = default;
+FaceExtractor& FaceExtractor::operator=(FaceExtractor&&) noexcept = default;
+FaceExtractor::~FaceExtractor() = default;
+
+Result<FaceExtractor> FaceExtractor::create(const ExtractorChoice& choice) {
+    try {
+        quiet_opencv();
+        auto detector = make_detector(choice.detector);
+        if (!detector)
+            return Error{detector.error()};
+        auto model = make_model(choice.model);
+        if (!model)
+            return Error{model.error()};
+        auto parts = std::make_unique<Parts>();
+        parts->detector = std::move(*detector);
+        parts->model = std::move(*model);
+        return FaceExtractor(std::move(parts));
+    } catch (const std::exception& reason) {
+        return Error{std::string("The nets that find faces cannot be used: ") + reason.what()};
+    }
+}
+
+Extraction FaceExtractor::extract(const std::filesystem::path& photo) {
+    Stopwatch watch;
+    const Result<cv::Mat> picture = read_picture(photo);
+    const double decode = watch.lap();
+    Extraction result;
+    if (picture)
+        result = extract(*picture);
+    else
+        result.problem = picture.error();
+    result.milliseconds.decode = decode;
+    return result;
+}
+
+Extraction FaceExtractor::extract(const cv::Mat& picture) {
+    Extraction result;
+    result.width = picture.cols;
+    result.height = picture.rows;
+    if (picture.empty()) {
+        result.problem = "The picture is empty.";
+        return result;
+    }
+    if (picture.type() != CV_8UC3) {
+        result.problem = "The picture is not in 8-bit colour.";
+        return result;
+    }
+    if (std::min(picture.cols, picture.rows) < smallest_side_px) {
+        result.problem = "The picture is only " + std::to_string(picture.cols) + " × " +
+                         std::to_string(picture.rows) + " pixels, too small to show a face.";
+        return result;
+    }
+    try {
+        parts_->extract(picture, result);
+    } catch (const std::exception& reason) {
+        result.faces.clear();
+        result.problem = std::string("The search for faces failed: ") + reason.what();
+    }
+    return result;
+}
+
+} // namespace tp

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+#include "faces/face.hpp"
+
+#include <opencv2/core/mat.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace tp {
+
+/// Which nets to use: "embedded" (ours, inside the program) or the name or file of another ONNX model that
+/// the user has (faces/README.md lists which kinds can be plugged in and where names are looked up).
+struct ExtractorChoice {
+    std::string detector = "embedded";
+    std::string model = "embedded";
+};
+
+/// From a photograph to the contours of its faces, all on this machine. Same bytes in, same contours out.
+/// One extractor belongs to one thread at a time.
+class FaceExtractor {
+public:
+    /// An error where a chosen model is missing or cannot be used.
+    static Result<FaceExtractor> create(const ExtractorChoice& choice = {});
+    FaceExtractor(FaceExtractor&&) noexcept;
+    FaceExtractor& operator=(FaceExtractor&&) noexcept;
+    ~FaceExtractor();
+
+    /// Never throws: what goes wrong is said in the result's `problem`.
+    Extraction extract(const std::filesystem::path& photo);
+    /// The same for a picture already upright in memory, 8-bit BGR.
+    Extraction extract(const cv::Mat& picture);
+
+private:
+    struct Parts;
+    explicit FaceExtractor(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace tp

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "faces/picture_file.hpp"
+
+#include <opencv2/core/mat.hpp>
+
+namespace tp {
+
+/// What stands before a JPEG's first scan.
+struct JpegHeader {
+    int width = 0;        ///< px; 0 where the file ends before it says so
+    int height = 0;       ///< px
+    bool adobe = false;   ///< written by Adobe's rules: CMYK values are stored inverted
+    std::size_t scan = 0; ///< where the first scan begins; 0 where there is none
+};
+JpegHeader jpeg_header(const Bytes& bytes);
+
+/// Decodes a JPEG to 8-bit BGR as it is stored, grey and CMYK included. Harmless oddities are ignored; a file
+/// that is cut short or damaged is an error. The caller has looked at the size.
+Result<cv::Mat> decode_jpeg(const Bytes& bytes, const JpegHeader& header);
+
+} // namespace tp

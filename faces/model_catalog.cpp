@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/model_catalog.hpp"
+
+#include <cstdlib>
+#include <system_error>
+#include <vector>
+
+extern "C" {
+extern const char tp_model_detector[], tp_model_detector_end[];
+extern const char tp_model_contours[], tp_model_contours_end[];
+extern const char tp_model_eye[], tp_model_eye_end[];
+extern const char tp_model_mouth[], tp_model_mouth_end[];
+}
+
+namespace tp {
+namespace {
+
+std::string environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+std::vector<std::filesystem::path> model_folders() {
+    std::vector<std::filesystem::path> folders;
+    if (const std::string own = environment("TOUCHPHOTO_MODELS"); !own.empty())
+        folders.emplace_back(own);
+    if (const std::string data = environment("XDG_DATA_HOME"); !data.empty())
+        folders.push_back(std::filesystem::path(data) / "touchphoto/models");
+    else if (const std::string home = environment("HOME"); !home.empty())
+        folders.push_back(std::filesystem::path(home) / ".local/share/touchphoto/models");
+    return folders;
+}
+
+bool is_file(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored);
+}
+
+bool looks_like_a_path(const std::string& choice) {
+    return choice.find('/') != std::string::npos || choice.ends_with(".onnx");
+}
+
+cv::dnn::Net net_between(const char* begin, const char* end) {
+    return cv::dnn::readNetFromONNX(begin, static_cast<std::size_t>(end - begin));
+}
+
+} // namespace
+
+cv::dnn::Net embedded_net(EmbeddedModel model) {
+    switch (model) {
+    case EmbeddedModel::detector:
+        return net_between(tp_model_detector, tp_model_detector_end);
+    case EmbeddedModel::contours:
+        return net_between(tp_model_contours, tp_model_contours_end);
+    case EmbeddedModel::eye:
+        return net_between(tp_model_eye, tp_model_eye_end);
+    case EmbeddedModel::mouth:
+        return net_between(tp_model_mouth, tp_model_mouth_end);
+    }
+    return {};
+}
+
+Result<std::filesystem::path> find_model(const std::string& choice, const PluggableModel& model) {
+    if (looks_like_a_path(choice)) {
+        if (is_file(choice))
+            return std::filesystem::path(choice);
+        return Error{"There is no model file \"" + choice + "\"."};
+    }
+    if (choice != model.name)
+        return Error{"There is no model named \"" + choice + "\" here: choose \"embedded\", \"" + model.name +
+                     "\" or the path of an ONNX file that holds " + model.description + "."};
+    std::string searched;
+    for (const std::filesystem::path& folder : model_folders()) {
+        if (is_file(folder / model.file))
+            return folder / model.file;
+        searched += (searched.empty() ? "" : " or ") + folder.string();
+    }
+    return Error{std::string("The model \"") + model.name + "\" is not installed: put " + model.description +
+                 " as " + model.file + " into " + (searched.empty() ? "$TOUCHPHOTO_MODELS" : searched) + "."};
+}
+
+} // namespace tp

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/picture.hpp"
+
+#include "faces/jpeg_picture.hpp"
+#include "faces/picture_metadata.hpp"
+#include "faces/png_picture.hpp"
+#include "faces/quiet_opencv.hpp"
+
+#include <opencv2/imgcodecs.hpp>
+
+#include <cmath>
+#include <new>
+#include <string>
+
+namespace tp {
+namespace {
+
+const char* name_of(PictureKind kind) {
+    switch (kind) {
+    case PictureKind::jpeg:
+        return "JPEG";
+    case PictureKind::png:
+        return "PNG";
+    case PictureKind::webp:
+        return "WebP";
+    case PictureKind::tiff:
+        return "TIFF";
+    case PictureKind::bmp:
+        return "BMP";
+    case PictureKind::jpeg2000:
+        return "JPEG 2000";
+    case PictureKind::heif:
+    case PictureKind::unknown:
+        break;
+    }
+    return "picture";
+}
+
+Error damaged(PictureKind kind) { return {std::string("The ") + name_of(kind) + " file is damaged."}; }
+
+/// Empty where the size is fine.
+std::string objection_to_size(long long width, long long height, PictureKind kind) {
+    if (width <= 0 || height <= 0)
+        return damaged(kind).sentence;
+    const double pixels = static_cast<double>(width) * static_cast<double>(height);
+    if (pixels <= largest_picture_px)
+        return {};
+    return "The picture is too large: " + std::to_string(width) + " × " + std::to_string(height) +
+           " pixels, where at most " + std::to_string(std::lround(largest_picture_px / 1e6)) +
+           " million can be read.";
+}
+
+bool is_webp_cut_short(const Bytes& bytes) {
+    const std::size_t stated = bytes[4] | static_cast<std::size_t>(bytes[5]) << 8 |
+                               static_cast<std::size_t>(bytes[6]) << 16 |
+                               static_cast<std::size_t>(bytes[7]) << 24;
+    return stated + 8 > bytes.size();
+}
+
+Result<cv::Mat> decode_by_opencv(const Bytes& bytes, PictureKind kind) {
+    cv::Mat picture;
+    try {
+        picture = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+    } catch (const cv::Exception&) { // limits of OpenCV and of the decoders below it
+    }
+    if (picture.empty())
+        return damaged(kind);
+    return picture;
+}
+
+Result<cv::Mat> decode(const Bytes& bytes, PictureKind kind, const PictureMetadata& metadata) {
+    if (kind == PictureKind::jpeg) {
+        const JpegHeader header = jpeg_header(bytes);
+        if (header.width == 0 && header.height == 0)
+            return Error{"The JPEG file is cut short: a part of the picture is missing."};
+        if (auto objection = objection_to_size(header.width, header.height, kind); !objection.empty())
+            return Error{objection};
+        return decode_jpeg(bytes, header);
+    }
+    if (kind == PictureKind::png) {
+        const Result<PngSize> size = png_size(bytes);
+        if (!size)
+            return Error{size.error()};
+        if (auto objection = objection_to_size(size->width, size->height, kind); !objection.empty())
+            return Error{objection};
+        const Result<Bytes> bare = bare_png(bytes);
+        return bare ? decode_by_opencv(*bare, kind) : Error{bare.error()};
+    }
+    if (kind == PictureKind::webp && is_webp_cut_short(bytes))
+        return Error{"The WebP file is cut short: a part of the picture is missing."};
+    if (auto objection = objection_to_size(metadata.width, metadata.height, kind); !objection.empty())
+        return Error{objection};
+    return decode_by_opencv(bytes, kind);
+}
+
+/// Undoes an EXIF orientation (EXIF 2.32, tag 0x0112): which edges of the stored picture are top and left.
+cv::Mat upright(const cv::Mat& stored, int orientation) {
+    cv::Mat turned = stored;
+    if (orientation >= 5)
+        cv::transpose(stored, turned);
+    constexpr int both = -1, across = 1, down = 0;
+    switch (orientation) {
+    case 2:
+    case 6:
+        cv::flip(turned, turned, across);
+        break;
+    case 3:
+    case 7:
+        cv::flip(turned, turned, both);
+        break;
+    case 4:
+    case 8:
+        cv::flip(turned, turned, down);
+        break;
+    default:
+        break;
+    }
+    return turned;
+}
+
+} // namespace
+
+Result<cv::Mat> read_picture(const std::filesystem::path& file) {
+    try {
+        quiet_opencv();
+        const Result<Bytes> bytes = read_bytes(file);
+        if (!bytes)
+            return Error{bytes.error()};
+        const PictureKind kind = kind_of(*bytes);
+        if (kind == PictureKind::heif)
+            return Error{"The picture is in the HEIC or AVIF format, which cannot be read: save it as JPEG."};
+        if (kind == PictureKind::unknown)
+            return Error{"The file is not a picture of a kind that can be read."};
+        const PictureMetadata metadata = metadata_of(*bytes);
+        Result<cv::Mat> picture = decode(*bytes, kind, metadata);
+        if (!picture)
+            return picture;
+        // OpenCV turns a TIFF by itself, whatever it is asked.
+        return kind == PictureKind::tiff ? picture : upright(*picture, metadata.orientation);
+    } catch (const std::bad_alloc&) {
+        return Error{"There is not enough memory for this picture."};
+    } catch (const std::exception&) {
+        return Error{"The picture cannot be decoded."};
+    }
+}
+
+} // namespace tp

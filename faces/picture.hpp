@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <opencv2/core/mat.hpp>
+
+#include <filesystem>
+
+namespace tp {
+
+/// The largest picture that is decoded, in pixels: 200 megapixel.
+inline constexpr double largest_picture_px = 200e6;
+
+/// Decodes a photograph (JPEG, PNG, WebP, TIFF, BMP, JPEG 2000) to 8-bit BGR, upright: its EXIF orientation
+/// applied, grey widened, alpha dropped, CMYK and 16 bit converted. Says in one sentence what is wrong with a
+/// file that is missing, a folder, empty, not a picture, damaged, cut short, or larger than
+/// `largest_picture_px` (judged from its header, before any pixel is decoded).
+Result<cv::Mat> read_picture(const std::filesystem::path& file);
+
+} // namespace tp

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/picture_file.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+namespace tp {
+namespace {
+
+constexpr std::uintmax_t most_bytes = std::uintmax_t{2} << 30;
+
+} // namespace
+
+PictureKind kind_of(const Bytes& bytes) {
+    const auto has = [&](std::size_t at, std::string_view text) {
+        return bytes.size() >= at + text.size() &&
+               std::equal(text.begin(), text.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                          [](char a, unsigned char b) { return static_cast<unsigned char>(a) == b; });
+    };
+    using namespace std::string_view_literals;
+    if (has(0, "\xFF\xD8\xFF"sv))
+        return PictureKind::jpeg;
+    if (has(0, "\x89PNG\r\n\x1A\n"sv))
+        return PictureKind::png;
+    if (has(0, "RIFF"sv) && has(8, "WEBP"sv))
+        return PictureKind::webp;
+    if (has(0, "II*\0"sv) || has(0, "MM\0*"sv))
+        return PictureKind::tiff;
+    if (has(0, "BM"sv) && has(6, "\0\0\0\0"sv))
+        return PictureKind::bmp;
+    if (has(4, "jP  \r\n\x87\n"sv))
+        return PictureKind::jpeg2000;
+    for (std::string_view brand : {"heic"sv, "heix"sv, "mif1"sv, "msf1"sv, "hevc"sv, "avif"sv})
+        if (has(4, "ftyp"sv) && has(8, brand))
+            return PictureKind::heif;
+    return PictureKind::unknown;
+}
+
+Result<Bytes> read_bytes(const std::filesystem::path& file) {
+    std::error_code failure;
+    const std::filesystem::file_status status = std::filesystem::status(file, failure);
+    if (status.type() == std::filesystem::file_type::not_found)
+        return Error{"There is no such file."};
+    if (std::filesystem::is_directory(status))
+        return Error{"This is a folder, not a picture."};
+    if (failure || !std::filesystem::is_regular_file(status))
+        return Error{"The file cannot be read."};
+    const std::uintmax_t size = std::filesystem::file_size(file, failure);
+    if (failure)
+        return Error{"The file cannot be read."};
+    if (size == 0)
+        return Error{"The file is empty."};
+    if (size > most_bytes)
+        return Error{"The file is too large to be a photograph: more than 2 gigabytes."};
+    Bytes bytes(static_cast<std::size_t>(size));
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || !stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+        return Error{"The file cannot be read."};
+    return bytes;
+}
+
+} // namespace tp

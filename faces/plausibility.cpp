@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/plausibility.hpp"
+
+#include "core/geometry/polyline.hpp"
+
+#include <cmath>
+
+namespace tp {
+namespace {
+
+// Measured on turned, stretched, dimmed and noisy portraits against 260 false alarms of the detector in 600
+// drawn pictures: weighed together, 269 faces of 40 … 200 px stay below 1.1, nine in ten of 28 px below 1.4,
+// and no alarm is below 1.9.
+constexpr double unsteady_passes = 0.035, unsteady_nets = 0.055; ///< disagreements that weigh 1
+constexpr double half_way = 2.0;                                 ///< weight at which confidence is 0.5
+constexpr double steepness = 4.0;
+
+struct Range {
+    double least, most;
+    bool has(double value) const { return value >= least && value <= most; }
+};
+
+// Of the outer inter-ocular distance; wider than any portrait measured.
+constexpr Range eye_width{0.15, 0.42}, mouth_width{0.25, 1.2}, mouth_below{0.35, 1.3},
+    mouth_aside{-0.35, 0.35}, outline_width{1.2, 2.15};
+
+bool stands_as_in_a_face(const Landmarks& points) {
+    const Vec2 right = points.right_eye[0], left = points.left_eye[0];
+    const double apart = length(left - right);
+    if (!(apart > 0.0))
+        return false;
+    const Vec2 across = (left - right) / apart, down(-across.y, across.x);
+    const Vec2 mouth = 0.5 * (points.outer_lip[0] + points.outer_lip[mouth_corner]) - 0.5 * (left + right);
+    const auto width = [&](Vec2 a, Vec2 b) { return length(b - a) / apart; };
+    return eye_width.has(width(right, points.right_eye[eye_corner])) &&
+           eye_width.has(width(left, points.left_eye[eye_corner])) &&
+           mouth_width.has(width(points.outer_lip[0], points.outer_lip[mouth_corner])) &&
+           mouth_below.has(glm::dot(mouth, down) / apart) &&
+           mouth_aside.has(glm::dot(mouth, across) / apart) &&
+           outline_width.has(width(points.outline.front(), points.outline.back()));
+}
+
+} // namespace
+
+double disagreement(const std::vector<Vec2>& one, const std::vector<Vec2>& other) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        sum += length(one[i] - other[i]);
+    const Rect extent = bounds_of(one);
+    return sum / static_cast<double>(one.size()) / std::max(extent.width(), extent.height());
+}
+
+bool is_unsteady(double between_passes) { return between_passes > half_way * unsteady_passes; }
+
+double confidence_of(const Landmarks& points, double between_passes, double between_nets) {
+    if (!stands_as_in_a_face(points))
+        return 0.0;
+    const double unsteadiness = between_passes / unsteady_passes + between_nets / unsteady_nets;
+    return 1.0 / (1.0 + std::exp(steepness * (unsteadiness - half_way)));
+}
+
+} // namespace tp

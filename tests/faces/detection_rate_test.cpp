@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawn_pictures.hpp"
+#include "faces/face_extractor.hpp"
+#include "portraits.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace tp;
+namespace fs = std::filesystem;
+
+#define NEEDS_PORTRAITS()                                                                                    \
+    if (!portraits::present())                                                                               \
+    QSKIP("needs ../shared/faces: portraits of people are not part of the repository")
+
+namespace {
+
+std::vector<fs::path> every(int stride, const char* set) {
+    std::vector<fs::path> all, chosen;
+    for (const auto& entry : fs::directory_iterator(portraits::folder() / "photos" / set))
+        all.push_back(entry.path());
+    std::sort(all.begin(), all.end());
+    for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(stride))
+        chosen.push_back(all[i]);
+    return chosen;
+}
+
+} // namespace
+
+/// How many faces are found, how many found that are none: printed, with loose bounds.
+class DetectionRateTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void official_portraits_data() {
+        QTest::addColumn<QString>("set");
+        QTest::addColumn<int>("stride");
+        QTest::newRow("congress") << "congress" << 9;
+        QTest::newRow("ukmp") << "ukmp" << 15;
+    }
+    /// Exactly one face in the picture, none in what is left below its chin.
+    void official_portraits() {
+        NEEDS_PORTRAITS();
+        QFETCH(QString, set);
+        QFETCH(int, stride);
+        FaceExtractor faces = std::move(FaceExtractor::create()).value();
+        int pictures = 0, one = 0, problems = 0, below = 0, alarms = 0;
+        for (const fs::path& file : every(stride, qPrintable(set))) {
+            const auto picture = read_picture(file);
+            QVERIFY2(picture.ok(), picture.error().c_str());
+            const Extraction found = faces.extract(*picture);
+            ++pictures;
+            one += found.faces.size() == 1;
+            problems += !found.problem.empty();
+            const int chin =
+                found.faces.empty() ? picture->rows : static_cast<int>(found.faces[0].box.max.y) + 10;
+            if (picture->rows - chin < 30)
+                continue;
+            ++below;
+            alarms += !faces.extract(picture->rowRange(chin, picture->rows)).faces.empty();
+        }
+        qInfo("%s: one face in %d of %d, problems in %d; below the chin %d false alarms in %d",
+              qPrintable(set), one, pictures, problems, alarms, below);
+        QVERIFY(one >= pictures * 97 / 100);
+        QVERIFY(alarms <= below / 50);
+    }
+
+    void small_faces_in_large_pictures_data() {
+        QTest::addColumn<int>("face_px");
+        for (int px : {20, 30, 40, 60, 100})
+            QTest::addRow("%d px", px) << px;
+    }
+    /// A portrait whose face is `face_px` wide somewhere in clouds of 1800 × 1350 px.
+    void small_faces_in_large_pictures() {
+        NEEDS_PORTRAITS();
+        QFETCH(int, face_px);
+        FaceExtractor faces = std::move(FaceExtractor::create()).value();
+        cv::RNG random(3);
+        int pictures = 0, found_there = 0, elsewhere = 0, named_small = 0;
+        for (const fs::path& file : every(20, "congress")) {
+            const cv::Mat portrait = *read_picture(file);
+            const Extraction alone = faces.extract(portrait);
+            if (alone.faces.size() != 1)
+                continue;
+            const double scale = face_px / alone.faces[0].box.width();
+            cv::Mat small, picture = drawn::clouds(random, {1800, 1350}, 80);
+            cv::resize(portrait, small, {}, scale, scale, cv::INTER_AREA);
+            const cv::Point at(random.uniform(0, picture.cols - small.cols),
+                               random.uniform(0, picture.rows - small.rows));
+            small.copyTo(picture(cv::Rect(at, small.size())));
+            const Vec2 centre = alone.faces[0].box.centre() * scale + Vec2(at.x, at.y);
+            ++pictures;
+            for (const Face& face : faces.extract(picture).faces)
+                if (length(face.box.centre() - centre) < 0.5 * face_px) {
+                    ++found_there;
+                    named_small += !face.problem.empty();
+                } else {
+                    ++elsewhere;
+                }
+        }
+        qInfo("%d px: found %d of %d, said to be too small %d, false alarms %d", face_px, found_there,
+              pictures, named_small, elsewhere);
+        QVERIFY(found_there <= pictures); // no face twice
+        QVERIFY(elsewhere <= 1);
+        if (face_px >= 40)
+            QVERIFY(found_there >= pictures * 9 / 10);
+    }
+};
+
+QTEST_GUILESS_MAIN(DetectionRateTest)
+#include "detection_rate_test.moc"

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/face_extractor.hpp"
+#include "faces/model_catalog.hpp"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <fstream>
+
+using namespace tp;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr PluggableModel yunet{"yunet", "yunet.onnx", "a YuNet face detector"};
+
+std::string error_of(const ExtractorChoice& choice) { return FaceExtractor::create(choice).error(); }
+
+} // namespace
+
+class ModelCatalogTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    fs::path touched(const char* name, const std::string& content = "not a net") const {
+        const fs::path file = fs::path(folder_.path().toStdString()) / name;
+        fs::create_directories(file.parent_path());
+        std::ofstream(file) << content;
+        return file;
+    }
+
+private slots:
+    void init() {
+        qunsetenv("TOUCHPHOTO_MODELS");
+        qputenv("XDG_DATA_HOME", (folder_.path() + "/data").toUtf8());
+    }
+
+    void embedded_needs_no_file() {
+        const auto extractor = FaceExtractor::create();
+        QVERIFY2(extractor.ok(), extractor.error().c_str());
+    }
+    void names_are_looked_up_in_the_users_folders() {
+        const fs::path shared = touched("data/touchphoto/models/yunet.onnx");
+        QCOMPARE(*find_model("yunet", yunet), shared);
+        const fs::path own = touched("mine/yunet.onnx");
+        qputenv("TOUCHPHOTO_MODELS", (folder_.path() + "/mine").toUtf8());
+        QCOMPARE(*find_model("yunet", yunet), own);
+        fs::remove(own);
+        QCOMPARE(*find_model("yunet", yunet), shared);
+        fs::remove(shared);
+        const std::string error = find_model("yunet", yunet).error();
+        QVERIFY2(error.find("not installed") != std::string::npos, error.c_str());
+        QVERIFY2(error.find("mine") != std::string::npos, error.c_str());
+    }
+    void paths_are_taken_as_they_are() {
+        const fs::path file = touched("some.onnx");
+        QCOMPARE(*find_model(file.string(), yunet), file);
+    }
+    void wrong_choices_are_sentences_data() {
+        QTest::addColumn<QString>("choice");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("unknown name") << "magic"
+                                      << "There is no model named \"magic\"";
+        QTest::newRow("no name") << ""
+                                 << "There is no model named \"\"";
+        QTest::newRow("missing file") << "/nowhere/net.onnx"
+                                      << "There is no model file";
+        QTest::newRow("folder") << folder_.path() << "There is no model file";
+        QTest::newRow("not ONNX") << QString::fromStdString(touched("text.onnx").string()) << "can be used";
+        QTest::newRow("empty file") << QString::fromStdString(touched("empty.onnx", "").string())
+                                    << "can be used";
+        QTest::newRow("another net") << QString(TP_SOURCE_DIR "/resources/models/eye.onnx") << "can be used";
+    }
+    void wrong_choices_are_sentences() {
+        QFETCH(QString, choice);
+        QFETCH(QString, says);
+        for (const std::string& error :
+             {error_of({choice.toStdString(), "embedded"}), error_of({"embedded", choice.toStdString()})})
+            QVERIFY2(QString::fromStdString(error).contains(says), error.c_str());
+    }
+};
+
+QTEST_GUILESS_MAIN(ModelCatalogTest)
+#include "model_catalog_test.moc"

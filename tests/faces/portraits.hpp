@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "faces/face.hpp"
+#include "faces/picture.hpp"
+
+#include <opencv2/core/persistence.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Photographs of people that lie beside the repository, not in it.
+namespace portraits {
+
+inline std::filesystem::path folder() { return std::filesystem::path(TP_SHARED_DIR) / "faces"; }
+inline bool present() { return std::filesystem::exists(folder() / "photos/london_truth.json"); }
+
+struct Portrait {
+    std::filesystem::path photo;
+    std::vector<tp::Contour> truth; ///< px, placed by hand
+};
+
+/// Every `stride`-th person of the London set whose contours were placed by hand.
+inline std::vector<Portrait> with_truth(int stride) {
+    constexpr const char* names[][2] = {{"eye_on_the_left_of_the_picture", tp::feature::right_eye},
+                                        {"eye_on_the_right_of_the_picture", tp::feature::left_eye},
+                                        {"outer_lip", tp::feature::outer_lip},
+                                        {"inner_lip", tp::feature::inner_lip},
+                                        {"outline", tp::feature::outline}};
+    const cv::FileStorage file((folder() / "photos/london_truth.json").string(),
+                               cv::FileStorage::READ | cv::FileStorage::FORMAT_JSON);
+    std::vector<Portrait> found;
+    int index = 0;
+    for (const cv::FileNode& person : file.root()) {
+        if (index++ % stride != 0)
+            continue;
+        Portrait portrait{folder() / "photos" / person.name(), {}};
+        for (const auto& [key, name] : names) {
+            std::vector<tp::Vec2> points;
+            for (const cv::FileNode& p : person[key])
+                points.emplace_back(p[0].real(), p[1].real());
+            portrait.truth.push_back(
+                tp::contour_through(name, points, std::string(name) != tp::feature::outline));
+        }
+        found.push_back(std::move(portrait));
+    }
+    return found;
+}
+
+/// A frontal portrait, 900 px.
+inline cv::Mat one(const char* name = "london/005_03.jpg") {
+    auto picture = tp::read_picture(folder() / "photos" / name);
+    return picture ? *picture : cv::Mat();
+}
+
+} // namespace portraits

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/scene/scene_builder.hpp"
+
+#include "core/geometry/flatten.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tp {
+
+namespace {
+
+/// The rectangle round every contour of the faces, pixels; empty (max < min) where there is none.
+Rect bounds_of_faces(const std::vector<Face>& faces) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Rect bounds{Vec2(infinity), Vec2(-infinity)};
+    for (const Face& face : faces)
+        for (const Contour& contour : face.contours)
+            for (const Vec2 p : flatten(contour, {0.5, 10.0}).points) {
+                bounds.min = glm::min(bounds.min, p);
+                bounds.max = glm::max(bounds.max, p);
+            }
+    return bounds;
+}
+
+} // namespace
+
+Result<BuiltScene> build_scene(const Extraction& extraction, const SurfaceSize& surface,
+                               std::optional<std::size_t> face) {
+    if (extraction.faces.empty())
+        return Error{extraction.problem.empty() ? "No face was found in this picture." : extraction.problem};
+    if (face && *face >= extraction.faces.size())
+        return Error{"There is no face " + std::to_string(*face + 1) + " in this picture; it has " +
+                     std::to_string(extraction.faces.size()) + "."};
+    const std::vector<Face> subject = face ? std::vector<Face>{extraction.faces[*face]} : extraction.faces;
+
+    const Vec2 half(0.5 * surface.width_mm - surface.margin_mm, 0.5 * surface.height_mm - surface.margin_mm);
+    const Result<Affine> fitted = fit_photo_to_surface(bounds_of_faces(subject), {-half, half});
+    if (!fitted)
+        return Error{fitted.error()};
+
+    BuiltScene built{{surface.width_mm, surface.height_mm, {}}, *fitted};
+    for (std::size_t i = 0; i < subject.size(); ++i)
+        for (const Contour& contour : subject[i].contours) {
+            built.scene.contours.push_back(mapped(contour, *fitted));
+            if (subject.size() > 1)
+                built.scene.contours.back().name = "face " + std::to_string(i + 1) + " " + contour.name;
+        }
+    return built;
+}
+
+} // namespace tp

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/geometry/transform.hpp"
+#include "core/guidance/scene.hpp"
+#include "faces/face.hpp"
+
+#include <optional>
+
+namespace tp {
+
+/// The touch surface on which a photograph is felt.
+struct SurfaceSize {
+    double width_mm = 200.0; ///< a 10-inch tablet held across
+    double height_mm = 150.0;
+    double margin_mm = 8.0; ///< left free on every side: the pull of a line reaches 2d = 8 mm beyond it
+};
+
+/// A photograph's faces as a finger can feel them, and where the photograph lies under the finger.
+struct BuiltScene {
+    Scene scene;             ///< contours in the surface frame, mm
+    Affine photo_to_surface; ///< pixels of the upright picture → mm
+};
+
+/// Fits the subject into the surface: the face with index `face`, or all faces together. Contours are named
+/// as in `feature`, with several faces in the scene "face 1 left_eye" and so on. An error where there is no
+/// face or no such face, or where the surface leaves no room inside its margin.
+Result<BuiltScene> build_scene(const Extraction& extraction, const SurfaceSize& surface = {},
+                               std::optional<std::size_t> face = std::nullopt);
+
+} // namespace tp

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/scene/scene_builder.hpp"
+#include "core/geometry/flatten.hpp"
+
+#include <QTest>
+
+using namespace tp;
+
+namespace {
+
+Face face_at(double x, double y, double size) {
+    Face face;
+    face.contours = {
+        contour_through(feature::left_eye,
+                        {{x + 0.6 * size, y}, {x + 0.9 * size, y}, {x + 0.75 * size, y + 5}}, true),
+        contour_through(feature::outline, {{x, y}, {x + 0.5 * size, y + size}, {x + size, y}}, false)};
+    return face;
+}
+
+Extraction photo(std::vector<Face> faces) {
+    Extraction extraction;
+    extraction.width = 1000;
+    extraction.height = 800;
+    extraction.faces = std::move(faces);
+    return extraction;
+}
+
+Rect bounds_of(const Scene& scene) {
+    std::vector<Vec2> all;
+    for (const Contour& contour : scene.contours)
+        for (const Vec2 p : flatten(contour).points)
+            all.push_back(p);
+    return tp::bounds_of(all);
+}
+
+} // namespace
+
+class SceneBuilderTest : public QObject {
+    Q_OBJECT
+private slots:
+    void fills_the_surface_inside_its_margin_and_keeps_it_upright() {
+        const auto built = build_scene(photo({face_at(100, 200, 300)}), {200.0, 150.0, 8.0});
+        QVERIFY(built.ok());
+        const Rect box = bounds_of(built->scene);
+        QVERIFY(std::abs(box.height() - 134.0) < 1e-9);
+        QVERIFY(length(box.centre()) < 1e-9);
+        QCOMPARE(built->scene.contours[0].name, std::string("left_eye"));
+        const Vec2 eye = flatten(built->scene.contours[0]).points.front();
+        QVERIFY(eye.y > 60.0); // the eyes are above the chin on the surface too, where y points up
+        QVERIFY(eye.x > 0.0);  // and the person's left eye stays on the right of the picture
+        QVERIFY(length(built->photo_to_surface({100 + 0.6 * 300, 200}) - eye) < 1e-9);
+    }
+
+    void several_faces_share_the_surface_and_are_told_apart_by_name() {
+        const Extraction two = photo({face_at(500, 100, 400), face_at(0, 300, 200)});
+        const auto both = build_scene(two);
+        QCOMPARE(both->scene.contours.size(), std::size_t(4));
+        QCOMPARE(both->scene.contours[0].name, std::string("face 1 left_eye"));
+        QCOMPARE(both->scene.contours[3].name, std::string("face 2 outline"));
+        const auto second = build_scene(two, {}, 1);
+        QCOMPARE(second->scene.contours.size(), std::size_t(2));
+        QCOMPARE(second->scene.contours[1].name, std::string("outline"));
+        QVERIFY(bounds_of(second->scene).height() > 133.0);
+    }
+
+    void says_what_is_missing() {
+        QVERIFY(!build_scene(photo({})).error().empty());
+        Extraction told = photo({});
+        told.problem = "The file is empty.";
+        QCOMPARE(build_scene(told).error(), std::string("The file is empty."));
+        QVERIFY(build_scene(photo({face_at(0, 0, 100)}), {}, 1).error().find("no face 2") !=
+                std::string::npos);
+        QVERIFY(!build_scene(photo({face_at(0, 0, 100)}), {10.0, 10.0, 8.0}).error().empty());
+        QVERIFY(!build_scene(photo({Face{}})).error().empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(SceneBuilderTest)
+#include "scene_builder_test.moc"

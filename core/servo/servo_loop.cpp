@@ -13,15 +13,16 @@ namespace tp {
 namespace {
 
 /// Real-time priority and a timer slack of 1 ns where the system allows them; without them the loop still
-/// runs, only later. The watchdog stands above the loop that it watches.
-void prefer_real_time(int level) noexcept {
+/// runs, only later. The watchdog stands above the loop that it watches. True where the priority was given.
+bool prefer_real_time(int level) noexcept {
 #if defined(__linux__)
     prctl(PR_SET_TIMERSLACK, 1UL);
     sched_param priority{};
     priority.sched_priority = level;
-    sched_setscheduler(0, SCHED_FIFO, &priority);
+    return sched_setscheduler(0, SCHED_FIFO, &priority) == 0;
 #else
     static_cast<void>(level);
+    return false;
 #endif
 }
 
@@ -73,16 +74,22 @@ void ServoLoop::stop() noexcept {
 }
 
 void ServoLoop::run() noexcept {
-    prefer_real_time(20);
+    real_time_.store(prefer_real_time(20));
     double due = clock_.now();
     last_tick_ = due;
     while (!quit_.load(std::memory_order_relaxed)) {
+        const double begun = clock_.now();
+        lateness_.record(begun - due);
         tick();
-        due += period_;
         const double now = clock_.now();
-        worst_lateness_ = std::max(worst_lateness_, now - due);
-        if (now > due + period_)
-            due = now; // a late loop goes on from now: ticks are not made up for in a burst
+        compute_.record(now - begun);
+        due += period_;
+        if (now >
+            due) { // a late loop goes on with the next whole period: ticks are not made up for in a burst
+            const double missed = std::floor((now - due) / period_) + 1.0;
+            missed_periods_.fetch_add(static_cast<std::uint64_t>(missed), std::memory_order_relaxed);
+            due += missed * period_;
+        }
         clock_.sleep_until(due);
     }
 }
@@ -209,7 +216,7 @@ void ServoLoop::tick() noexcept {
     view.nearest_y = guidance.nearest.y;
     view.gain = chain_.gain();
     view.tour_progress = tour_ ? tour_->progress() : 0.0;
-    view.worst_lateness = worst_lateness_;
+    view.worst_lateness = lateness_.max();
     view.ticks = ticks_;
     view.scene = current_ ? current_->number : 0;
     view.contour = guidance.contour;

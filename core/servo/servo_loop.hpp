@@ -9,6 +9,7 @@
 #include "core/servo/force_device.hpp"
 #include "core/servo/safety_chain.hpp"
 #include "core/servo/snapshot.hpp"
+#include "core/servo/timing_statistics.hpp"
 #include "core/servo/velocity_filter.hpp"
 #include "core/servo/watchdog.hpp"
 
@@ -67,6 +68,13 @@ public:
     void check() noexcept { watchdog_.check(clock_.now()); }
     ServoSnapshot snapshot() const noexcept { return snapshot_.latest(); }
 
+    /// How late ticks began, how long they took, how many periods had no tick, and whether the system gave
+    /// the thread real-time priority. Of the thread that start() makes; readable at any moment.
+    const TimingStatistics& lateness() const noexcept { return lateness_; }
+    const TimingStatistics& compute() const noexcept { return compute_; }
+    std::uint64_t missed_periods() const noexcept { return missed_periods_.load(std::memory_order_relaxed); }
+    bool real_time() const noexcept { return real_time_.load(std::memory_order_relaxed); }
+
 private:
     struct Held {
         std::uint64_t number = 0;
@@ -93,6 +101,10 @@ private:
     std::atomic<double> max_force_;
     Published<ServoSnapshot> snapshot_;
     Watchdog watchdog_;
+    TimingStatistics lateness_;
+    TimingStatistics compute_;
+    std::atomic<std::uint64_t> missed_periods_{0};
+    std::atomic<bool> real_time_{false};
 
     // Only the thread that hands over scenes.
     std::vector<std::unique_ptr<const Held>> held_;
@@ -111,7 +123,6 @@ private:
     double fade_left_ = 0.0;
     Vec2 rendered_{0.0}; ///< N, surface frame, before the chain
     double last_tick_ = 0.0;
-    double worst_lateness_ = 0.0;
     std::uint64_t ticks_ = 0;
     bool engaged_before_ = false;
 };

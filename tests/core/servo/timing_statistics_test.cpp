@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/servo/timing_statistics.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using tp::TimingStatistics;
+
+class TimingStatisticsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void quantiles_are_at_most_a_bucket_too_high() {
+        std::mt19937 random(9);
+        std::lognormal_distribution<double> durations(-9.0, 1.5);
+        TimingStatistics statistics;
+        std::vector<double> all;
+        for (int i = 0; i < 20000; ++i) {
+            all.push_back(durations(random));
+            statistics.record(all.back());
+        }
+        std::sort(all.begin(), all.end());
+        for (const double q : {0.01, 0.5, 0.99, 0.999}) {
+            const double truth = all[static_cast<std::size_t>(std::ceil(q * 20000.0)) - 1];
+            QVERIFY(statistics.quantile(q) >= truth * (1.0 - 1e-12));
+            QVERIFY(statistics.quantile(q) <= truth * 1.045);
+        }
+        QCOMPARE(statistics.max(), all.back());
+        QCOMPARE(statistics.quantile(1.0), all.back());
+        QCOMPARE(statistics.count(), std::uint64_t(20000));
+    }
+
+    void nothing_recorded_and_hostile_values() {
+        TimingStatistics statistics;
+        QCOMPARE(statistics.quantile(0.5), 0.0);
+        for (const double value : {-1.0, std::nan(""), 0.0})
+            statistics.record(value);
+        QCOMPARE(statistics.max(), 0.0);
+        QCOMPARE(statistics.quantile(0.99), 0.0);
+        statistics.record(std::numeric_limits<double>::infinity());
+        statistics.record(1e9);
+        QCOMPARE(statistics.count(), std::uint64_t(5));
+    }
+};
+
+QTEST_APPLESS_MAIN(TimingStatisticsTest)
+#include "timing_statistics_test.moc"

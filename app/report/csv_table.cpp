@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/report/csv_table.hpp"
+
+#include <QSaveFile>
+#include <QString>
+
+namespace tp {
+
+namespace {
+
+QByteArray field(const std::string& text) {
+    QByteArray bytes = QByteArray::fromStdString(text);
+    if (bytes.contains(',') || bytes.contains('"') || bytes.contains('\n'))
+        bytes = '"' + bytes.replace('"', "\"\"") + '"';
+    return bytes;
+}
+
+} // namespace
+
+std::string cell(double value, int digits) { return QString::number(value, 'g', digits).toStdString(); }
+
+Result<std::filesystem::path> CsvTable::write(const std::filesystem::path& file) const {
+    QSaveFile out(QString::fromStdString(file.string()));
+    const auto problem = [&] {
+        return Error{std::string("The table ") + file.string() +
+                     " cannot be written: " + out.errorString().toStdString() + "."};
+    };
+    if (!out.open(QIODevice::WriteOnly))
+        return problem();
+    for (const auto& row : rows_) {
+        QByteArray line;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            line += (i == 0 ? QByteArray() : QByteArray(",")) + field(row[i]);
+        out.write(line + '\n');
+    }
+    if (!out.commit())
+        return problem();
+    return file;
+}
+
+} // namespace tp

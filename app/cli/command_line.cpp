@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/command_line.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace tp {
+
+void say_problem(const std::string& sentence, const std::string& about) {
+    say(about.empty() ? sentence : about + ": " + sentence);
+}
+
+void say(const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }
+
+int wrong_usage(const QString& verb, const std::string& sentence) {
+    say(sentence + " See touchphoto-lab " + verb.toStdString() + " --help.");
+    return exit_usage;
+}
+
+VerbLine::VerbLine(const QString& verb, const QString& about) : verb_(verb) {
+    parser_.setApplicationDescription(about);
+    parser_.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Shows this help.")});
+}
+
+VerbLine& VerbLine::option(const QString& name, const QString& about, const QString& value,
+                           const QString& preset) {
+    parser_.addOption({name, about, value, preset});
+    return *this;
+}
+
+VerbLine& VerbLine::argument(const QString& name, const QString& about, const QString& syntax) {
+    parser_.addPositionalArgument(name, about, syntax);
+    return *this;
+}
+
+std::optional<int> VerbLine::parse(const QStringList& words, int least, int most) {
+    const bool understood = parser_.parse(QStringList{QStringLiteral("touchphoto-lab ") + verb_} + words);
+    if (understood && has(QStringLiteral("help"))) {
+        // QCommandLineParser names the program by its file; the verb belongs behind it.
+        QString text = parser_.helpText();
+        text.replace(
+            0, text.indexOf(QLatin1Char('\n')),
+            QStringLiteral("Usage: touchphoto-lab %1 [options] %2")
+                .arg(verb_, text.section(QLatin1Char('\n'), 0, 0).section(QStringLiteral("[options] "), 1)));
+        std::fputs(qPrintable(text), stdout);
+        return exit_done;
+    }
+    if (!understood)
+        return wrong_usage(verb_, parser_.errorText().toStdString());
+    const auto count = static_cast<int>(arguments().size());
+    if (count < least)
+        return wrong_usage(verb_, "An argument is missing.");
+    if (count > most)
+        return wrong_usage(verb_,
+                           "Too many arguments, from \"" + arguments().at(most).toStdString() + "\" on.");
+    return std::nullopt;
+}
+
+Result<double> VerbLine::positive(const QString& name) const {
+    bool is_number = false;
+    const double value = text(name).toDouble(&is_number);
+    if (!is_number || !std::isfinite(value) || !(value > 0.0))
+        return Error{"--" + name.toStdString() + " needs a number above zero, not \"" +
+                     text(name).toStdString() + "\"."};
+    return value;
+}
+
+} // namespace tp

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <QCommandLineParser>
+#include <QStringList>
+
+#include <optional>
+#include <string>
+
+namespace tp {
+
+/// How a verb ends, for a shell.
+enum ExitCode {
+    exit_done = 0,
+    exit_bad_input = 1, ///< one clear sentence was written to stderr
+    exit_usage = 2
+};
+
+/// One sentence to stderr, with `about` (a file's name, say) before it.
+void say_problem(const std::string& sentence, const std::string& about = {});
+/// A line of progress or news to stderr; stdout is for machines.
+void say(const std::string& line);
+
+/// The parser of one verb: options, `--help`, and what is left as arguments.
+class VerbLine {
+public:
+    /// `verb` as typed; `about` in a sentence or two.
+    VerbLine(const QString& verb, const QString& about);
+
+    VerbLine& option(const QString& name, const QString& about, const QString& value = {},
+                     const QString& preset = {});
+    VerbLine& argument(const QString& name, const QString& about, const QString& syntax = {});
+
+    /// Parses; where that ends the verb (help asked for, or wrong usage) the exit code to end with.
+    std::optional<int> parse(const QStringList& words, int least_arguments, int most_arguments);
+    QStringList arguments() const { return parser_.positionalArguments(); }
+    bool has(const QString& name) const { return parser_.isSet(name); }
+    QString text(const QString& name) const { return parser_.value(name); }
+    /// A number above zero; otherwise the sentence that says which option is wrong.
+    Result<double> positive(const QString& name) const;
+
+private:
+    QString verb_;
+    QCommandLineParser parser_;
+};
+
+/// Says what is wrong with the usage, on stderr; returns exit_usage.
+int wrong_usage(const QString& verb, const std::string& sentence);
+
+} // namespace tp

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/face_json.hpp"
+
+#include "core/geometry/flatten.hpp"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <cmath>
+
+namespace tp {
+
+namespace {
+
+constexpr FlattenTolerance dense{0.02, 2.0}; ///< px; far below what a net or a finger can tell
+
+double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
+
+QJsonValue text_or_null(const std::string& text) {
+    return text.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(QString::fromStdString(text));
+}
+
+QJsonArray points(const Contour& contour) {
+    QJsonArray array;
+    for (const Vec2 p : flatten(contour, dense).points)
+        array.append(QJsonArray{rounded(p.x), rounded(p.y)});
+    return array;
+}
+
+QJsonObject json(const Face& face) {
+    QJsonObject contours;
+    for (const Contour& contour : face.contours)
+        contours.insert(QString::fromStdString(contour.name), points(contour));
+    const Rect& box = face.box;
+    return {{"box",
+             QJsonArray{rounded(box.min.x), rounded(box.min.y), rounded(box.width()), rounded(box.height())}},
+            {"score", rounded(face.score)},
+            {"contours", contours},
+            {"problem", text_or_null(face.problem)}};
+}
+
+} // namespace
+
+QByteArray json_line(const std::string& photo, const Extraction& extraction) {
+    QJsonArray faces;
+    for (const Face& face : extraction.faces)
+        faces.append(json(face));
+    const ExtractionTimes& ms = extraction.milliseconds;
+    const QJsonObject line{{"photo", QString::fromStdString(photo)},
+                           {"width", extraction.width},
+                           {"height", extraction.height},
+                           {"milliseconds", QJsonObject{{"decode", rounded(ms.decode)},
+                                                        {"detect", rounded(ms.detect)},
+                                                        {"landmarks", rounded(ms.landmarks)},
+                                                        {"contours", rounded(ms.contours)}}},
+                           {"faces", faces},
+                           {"problem", text_or_null(extraction.problem)}};
+    return QJsonDocument(line).toJson(QJsonDocument::Compact);
+}
+
+} // namespace tp

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/command_line.hpp"
+#include "app/cli/face_json.hpp"
+#include "app/cli/verbs.hpp"
+#include "app/picture/overlay.hpp"
+#include "app/picture/picture_file.hpp"
+#include "core/svg/contour_sheet.hpp"
+#include "faces/face_extractor.hpp"
+#include "faces/picture.hpp"
+
+#include <QDir>
+#include <QHash>
+
+#include <cstdio>
+
+namespace tp {
+
+namespace {
+
+/// All faces of one photograph as a sheet in its pixels, as build_scene names them.
+ContourSheet sheet_of(const Extraction& extraction) {
+    ContourSheet sheet{static_cast<double>(extraction.width),
+                       static_cast<double>(extraction.height),
+                       ContourSheet::Unit::pixel,
+                       {}};
+    for (std::size_t i = 0; i < extraction.faces.size(); ++i)
+        for (Contour contour : extraction.faces[i].contours) {
+            if (extraction.faces.size() > 1)
+                contour.name = "face " + std::to_string(i + 1) + " " + contour.name;
+            sheet.contours.push_back(std::move(contour));
+        }
+    return sheet;
+}
+
+/// File names for results, one a photograph, also where photographs in different folders share a name.
+class OutputNames {
+public:
+    QString next(const QString& photo) {
+        const QString base = QFileInfo(photo).fileName();
+        const int before = seen_[base]++;
+        return before == 0 ? base : QStringLiteral("%1-%2").arg(base).arg(before + 1);
+    }
+
+private:
+    QHash<QString, int> seen_;
+};
+
+class FacesVerb {
+public:
+    explicit FacesVerb(const VerbLine& line) : line_(line) {}
+
+    int run() {
+        for (const char* name : {"svg", "overlay"})
+            if (line_.has(name) && !QDir().mkpath(line_.text(name))) {
+                say_problem("The folder cannot be made.", line_.text(name).toStdString());
+                return exit_bad_input;
+            }
+        auto extractor =
+            FaceExtractor::create({line_.text("detector").toStdString(), line_.text("model").toStdString()});
+        if (!extractor) {
+            say_problem(extractor.error());
+            return exit_bad_input;
+        }
+        const QStringList photos = line_.arguments();
+        int result = exit_done;
+        for (qsizetype i = 0; i < photos.size(); ++i) {
+            if (photos.size() > 1)
+                say(QStringLiteral("%1 of %2: %3")
+                        .arg(i + 1)
+                        .arg(photos.size())
+                        .arg(photos[i])
+                        .toStdString());
+            if (!one(*extractor, photos[i]))
+                result = exit_bad_input;
+        }
+        return result;
+    }
+
+private:
+    /// False where something has to be said about this photograph; the others of the batch go on.
+    bool one(FaceExtractor& extractor, const QString& photo) {
+        const Extraction found = extractor.extract(photo.toStdString());
+        if (line_.has("json"))
+            std::printf("%s\n", json_line(photo.toStdString(), found).constData());
+        else
+            std::printf("%s: %zu face%s\n", qPrintable(photo), found.faces.size(),
+                        found.faces.size() == 1 ? "" : "s");
+        std::fflush(stdout);
+        bool good = found.problem.empty();
+        if (!good)
+            say_problem(found.problem, photo.toStdString());
+        const QString name = names_.next(photo);
+        if (line_.has("svg") && !found.faces.empty()) {
+            const auto written = write_sheet((line_.text("svg") + "/" + name + ".contours.svg").toStdString(),
+                                             sheet_of(found));
+            good = told(written.error()) && good;
+        }
+        if (line_.has("overlay") && found.width > 0) {
+            const auto picture = read_picture(photo.toStdString());
+            if (picture) {
+                const auto written =
+                    write_image((line_.text("overlay") + "/" + name + ".overlay.png").toStdString(),
+                                draw_overlay(*picture, found));
+                good = told(written.error()) && good;
+            }
+        }
+        return good;
+    }
+
+    static bool told(const std::string& problem) {
+        if (!problem.empty())
+            say_problem(problem);
+        return problem.empty();
+    }
+
+    const VerbLine& line_;
+    OutputNames names_;
+};
+
+} // namespace
+
+int faces_verb(const QStringList& words) {
+    VerbLine line("faces",
+                  "Finds the faces of photographs and the contours of their eyes, lips and outline.\n"
+                  "With --json a line of JSON a photograph; without, a line to read. A photograph about\n"
+                  "which there is something to say is named on stderr; the others are done all the same.");
+    line.option("json", "Writes a line of JSON for each photograph.")
+        .option("svg", "Writes the contours as PHOTO.contours.svg, in pixels of the upright picture.",
+                "folder")
+        .option("overlay", "Writes the photograph with its contours as PHOTO.overlay.png.", "folder")
+        .option("detector", "Finds the faces: embedded, yunet, or an ONNX file.", "name", "embedded")
+        .option("model", "Finds the contours: embedded, mesh, or an ONNX file.", "name", "embedded")
+        .argument("PHOTO", "JPEG, PNG or WebP.", "PHOTO...");
+    if (const auto ended = line.parse(words, 1, 1'000'000))
+        return *ended;
+    return FacesVerb(line).run();
+}
+
+} // namespace tp

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/guidance_options.hpp"
+#include "app/cli/verbs.hpp"
+#include "app/picture/field_picture.hpp"
+#include "app/picture/picture_file.hpp"
+
+namespace tp {
+
+int field_verb(const QStringList& words) {
+    VerbLine line("field",
+                  "Draws the force field of a scene: the size of the force as colour, arrows along it, the\n"
+                  "contours, a scale in newtons and millimetres.");
+    line.option("scene", "The scene.", "SCENE.svg")
+        .option("out", "Where the picture goes; its ending says which kind.", "FIELD.png")
+        .option("scale", "Pixels a millimetre.", "px/mm", "5");
+    add_guidance_options(line);
+    if (const auto ended = line.parse(words, 0, 0))
+        return *ended;
+    if (!line.has("scene") || !line.has("out"))
+        return wrong_usage("field", "--scene SCENE.svg and --out FIELD.png are both needed.");
+    const auto options = guidance_options(line);
+    const auto scale = line.positive("scale");
+    if (!options || !scale)
+        return wrong_usage("field", options ? scale.error() : options.error());
+    const auto loaded = load_scene(line.text("scene"), *options);
+    if (!loaded) {
+        say_problem(loaded.error(), line.text("scene").toStdString());
+        return exit_bad_input;
+    }
+    const auto written = write_image(line.text("out").toStdString(),
+                                     draw_force_field(*loaded->haptic, loaded->scene.surface(), *scale));
+    if (!written) {
+        say_problem(written.error());
+        return exit_bad_input;
+    }
+    return exit_done;
+}
+
+} // namespace tp

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/guidance_options.hpp"
+
+#include "core/svg/contour_sheet.hpp"
+
+namespace tp {
+
+void add_guidance_options(VerbLine& line) {
+    line.option("law", "How the force is computed: exact, or published (Algorithm 1 of the paper).", "name",
+                "exact")
+        .option("stiffness", "K, the slope of the pull.", "N/mm", "0.2")
+        .option("range", "d, the distance of the strongest pull; none beyond twice that.", "mm", "4");
+}
+
+Result<GuidanceOptions> guidance_options(const VerbLine& line) {
+    const auto law = law_named(line.text("law").toStdString());
+    if (!law)
+        return Error{"--law is exact or published, not \"" + line.text("law").toStdString() + "\"."};
+    const Result<double> stiffness = line.positive("stiffness");
+    if (!stiffness)
+        return Error{stiffness.error()};
+    const Result<double> range = line.positive("range");
+    if (!range)
+        return Error{range.error()};
+    return GuidanceOptions{*law, {*stiffness, *range}};
+}
+
+Result<LoadedScene> load_scene(const QString& file, const GuidanceOptions& options) {
+    const Result<ContourSheet> sheet = read_sheet(file.toStdString());
+    if (!sheet)
+        return Error{sheet.error()};
+    LoadedScene loaded{scene_from_sheet(*sheet), nullptr};
+    auto haptic = make_haptic_scene(loaded.scene, options.profile, options.law);
+    if (!haptic)
+        return Error{haptic.error()};
+    loaded.haptic = std::move(haptic).value();
+    return loaded;
+}
+
+} // namespace tp

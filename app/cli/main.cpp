@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/verbs.hpp"
+
+#include <QCoreApplication>
+#include <QGuiApplication>
+
+#include <cstdio>
+
+namespace {
+
+/// stderr holds the verbs' sentences; Qt's own remarks about the machine would be taken for them.
+void only_what_is_fatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type == QtFatalMsg)
+        std::fprintf(stderr, "%s\n", qPrintable(message));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    qInstallMessageHandler(only_what_is_fatal);
+    // Text in pictures needs fonts, which need a platform; a shell has no window.
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QGuiApplication application(argc, argv);
+    return tp::run_lab(QCoreApplication::arguments().mid(1));
+}

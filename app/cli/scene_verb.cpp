@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/command_line.hpp"
+#include "app/cli/verbs.hpp"
+#include "app/scene/scene_builder.hpp"
+#include "core/svg/contour_sheet.hpp"
+#include "faces/face_extractor.hpp"
+
+namespace tp {
+
+int scene_verb(const QStringList& words) {
+    const SurfaceSize usual;
+    VerbLine line("scene", "Writes the scene that the Explore page would render for a photograph.");
+    line.option("out", "Where the scene goes.", "SCENE.svg")
+        .option("width", "Width of the touch surface.", "mm", QString::number(usual.width_mm))
+        .option("height", "Height of the touch surface.", "mm", QString::number(usual.height_mm))
+        .option("face", "Fits this face (1 is the largest) instead of all of them.", "number")
+        .argument("PHOTO", "JPEG, PNG or WebP.");
+    if (const auto ended = line.parse(words, 1, 1))
+        return *ended;
+    if (!line.has("out"))
+        return wrong_usage("scene", "--out SCENE.svg is missing.");
+    const Result<double> width = line.positive("width");
+    const Result<double> height = line.positive("height");
+    if (!width || !height)
+        return wrong_usage("scene", width ? height.error() : width.error());
+    std::optional<std::size_t> face;
+    if (line.has("face")) {
+        const int number = line.text("face").toInt();
+        if (number < 1)
+            return wrong_usage("scene", "--face needs a number from 1 on.");
+        face = static_cast<std::size_t>(number - 1);
+    }
+
+    auto extractor = FaceExtractor::create();
+    if (!extractor) {
+        say_problem(extractor.error());
+        return exit_bad_input;
+    }
+    const std::string photo = line.arguments().first().toStdString();
+    const Extraction found = extractor->extract(photo);
+    const auto built = build_scene(found, {*width, *height, usual.margin_mm}, face);
+    if (!built) {
+        say_problem(built.error(), photo);
+        return exit_bad_input;
+    }
+    if (!found.problem.empty())
+        say_problem(found.problem, photo);
+    const auto written = write_sheet(line.text("out").toStdString(), sheet_from_scene(built->scene));
+    if (!written) {
+        say_problem(written.error());
+        return exit_bad_input;
+    }
+    return found.problem.empty() ? exit_done : exit_bad_input;
+}
+
+} // namespace tp

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/verbs.hpp"
+
+#include "app/cli/command_line.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace tp {
+
+namespace {
+
+struct Verb {
+    const char* name;
+    const char* about;
+    int (*run)(const QStringList& words);
+};
+
+constexpr std::array<Verb, 7> verbs{{
+    {"faces", "find the faces of photographs and their contours", faces_verb},
+    {"scene", "write the scene that the Explore page would render for a photograph", scene_verb},
+    {"force", "answer the force at places read from stdin", force_verb},
+    {"field", "draw the force field of a scene", field_verb},
+    {"servo", "measure how punctual the servo loop is on this machine", servo_verb},
+    {"stability", "measure how stable the guidance is", stability_verb},
+    {"trace", "let a simulated finger explore a scene in simulated time", trace_verb},
+}};
+
+void list_verbs(FILE* where) {
+    std::fputs("touchphoto-lab VERB [options] …\n\n", where);
+    for (const Verb& verb : verbs)
+        std::fprintf(where, "  %-10s %s\n", verb.name, verb.about);
+    std::fputs(
+        "\ntouchphoto-lab VERB --help says more about one. Results go to stdout, everything else to stderr.\n"
+        "Exit codes: 0 done, 1 bad input, 2 wrong usage.\n",
+        where);
+}
+
+} // namespace
+
+int run_lab(const QStringList& words) {
+    if (words.isEmpty()) {
+        list_verbs(stderr);
+        return exit_usage;
+    }
+    const QString first = words.first();
+    if (first == "--help" || first == "-h" || first == "help") {
+        list_verbs(stdout);
+        return exit_done;
+    }
+    if (first == "--version") {
+        std::printf("touchphoto-lab %s\n", TOUCHPHOTO_VERSION);
+        return exit_done;
+    }
+    for (const Verb& verb : verbs)
+        if (first == verb.name)
+            return verb.run(words.mid(1));
+    say_problem("There is no verb \"" + first.toStdString() + "\". touchphoto-lab --help lists them.");
+    return exit_usage;
+}
+
+} // namespace tp

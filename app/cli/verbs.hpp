@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QStringList>
+
+namespace tp {
+
+/// The verbs of touchphoto-lab; each takes the words after its name and returns an ExitCode.
+int faces_verb(const QStringList& words);
+int field_verb(const QStringList& words);
+int force_verb(const QStringList& words);
+int scene_verb(const QStringList& words);
+int servo_verb(const QStringList& words);
+int stability_verb(const QStringList& words);
+int trace_verb(const QStringList& words);
+
+/// Runs the verb that the words begin with, or shows the list of verbs.
+int run_lab(const QStringList& words);
+
+} // namespace tp

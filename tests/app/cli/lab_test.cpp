@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+// touchphoto-lab as a shell sees it.
+#include "core/guidance/exact_law.hpp"
+#include "core/svg/contour_sheet.hpp"
+
+#include <QDir>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace tp;
+
+namespace {
+
+struct Run {
+    int code = -1;
+    QByteArray out;
+    QByteArray err;
+};
+
+Run lab(const QStringList& words, const QByteArray& input = {}) {
+    QProcess process;
+    process.start(QStringLiteral(TP_LAB), words);
+    process.write(input);
+    process.closeWriteChannel();
+    if (!process.waitForFinished(240'000) || process.exitStatus() != QProcess::NormalExit)
+        return {-1, process.readAllStandardOutput(), process.readAllStandardError() + "\ncrashed or hung"};
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+/// One sentence on one line, and nothing a person cannot read.
+bool is_one_sentence(const QByteArray& text) {
+    return text.endsWith(".\n") && text.count('\n') == 1 && text.size() > 20;
+}
+
+const QString sample = QStringLiteral(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg");
+const QString two_people = QStringLiteral(TP_SOURCE_DIR "/resources/samples/ben_and_clara.jpg");
+
+} // namespace
+
+class LabTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+
+    QString path(const QString& name) const { return folder_.filePath(name); }
+
+    QString write(const QString& name, const QByteArray& bytes) const {
+        QFile file(path(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+            qFatal("cannot write %s", qPrintable(file.fileName()));
+        return file.fileName();
+    }
+
+    QString scene() const {
+        return write(
+            "scene.svg",
+            "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60'>"
+            "<path id='line' d='M 10 30 L 90 30'/><circle id='ring' cx='50' cy='30' r='20'/></svg>");
+    }
+
+private slots:
+    void initTestCase() { QVERIFY(folder_.isValid()); }
+
+    void usage_is_code_2_with_a_sentence_data() {
+        QTest::addColumn<QStringList>("words");
+        QTest::newRow("nothing") << QStringList{};
+        QTest::newRow("no such verb") << QStringList{"fly"};
+        QTest::newRow("no such option") << QStringList{"faces", "--wings", "a.jpg"};
+        QTest::newRow("no photograph") << QStringList{"faces"};
+        QTest::newRow("no scene") << QStringList{"force"};
+        QTest::newRow("no such law") << QStringList{"force", "--scene", "a.svg", "--law", "magnetic"};
+        QTest::newRow("no number") << QStringList{"force", "--scene", "a.svg", "--stiffness", "soft"};
+        QTest::newRow("below zero") << QStringList{"force", "--scene", "a.svg", "--range", "-4"};
+        QTest::newRow("no output") << QStringList{"scene", "a.jpg"};
+        QTest::newRow("two photographs") << QStringList{"scene", "a.jpg", "b.jpg", "--out", "c.svg"};
+        QTest::newRow("no folder") << QStringList{"trace", "--scene", "a.svg"};
+        QTest::newRow("face zero") << QStringList{"scene", "a.jpg", "--out", "c.svg", "--face", "0"};
+    }
+    void usage_is_code_2_with_a_sentence() {
+        QFETCH(QStringList, words);
+        const Run run = lab(words);
+        QCOMPARE(run.code, 2);
+        QVERIFY(run.out.isEmpty());
+        QVERIFY(!run.err.isEmpty());
+    }
+
+    void help_is_there_for_every_verb_data() {
+        QTest::addColumn<QString>("verb");
+        for (const char* verb : {"faces", "scene", "force", "field", "trace"})
+            QTest::newRow(verb) << verb;
+    }
+    void help_is_there_for_every_verb() {
+        QFETCH(QString, verb);
+        const Run run = lab({verb, "--help"});
+        QCOMPARE(run.code, 0);
+        QVERIFY(run.out.startsWith("Usage: touchphoto-lab " + verb.toUtf8()));
+        QVERIFY(run.err.isEmpty());
+        QVERIFY(lab({"--help"}).out.contains(verb.toUtf8()));
+    }
+
+    void faces_as_json() {
+        const Run run = lab({"faces", "--json", sample, two_people});
+        QCOMPARE(run.code, 0);
+        const QList<QByteArray> lines = run.out.trimmed().split('\n');
+        QCOMPARE(lines.size(), 2);
+        QVERIFY(run.err.contains("1 of 2"));
+        const QJsonObject one = QJsonDocument::fromJson(lines[0]).object();
+        QCOMPARE(one["photo"].toString(), sample);
+        QCOMPARE(one["width"].toInt(), 900);
+        QCOMPARE(one["height"].toInt(), 1100);
+        QVERIFY(one["problem"].isNull());
+        for (const char* step : {"decode", "detect", "landmarks", "contours"})
+            QVERIFY(one["milliseconds"][step].isDouble());
+        QCOMPARE(one["faces"].toArray().size(), 1);
+        const QJsonObject face = one["faces"].toArray()[0].toObject();
+        QCOMPARE(face["box"].toArray().size(), 4);
+        QVERIFY(face["score"].toDouble() > 0.3 && face["score"].toDouble() <= 1.0);
+        for (const char* name : {"left_eye", "right_eye", "outer_lip", "inner_lip", "outline"}) {
+            const QJsonArray points = face["contours"][name].toArray();
+            QVERIFY(points.size() >= 30);
+            QVERIFY(points.first() != points.last());
+        }
+        QCOMPARE(QJsonDocument::fromJson(lines[1])["faces"].toArray().size(), 2);
+    }
+
+    void one_bad_photograph_does_not_cost_the_others() {
+        const QString text = write("letter.jpg", "Dear Anna, here is the picture.");
+        const Run run = lab({"faces", "--json", path("missing.jpg"), sample, text, folder_.path()});
+        QCOMPARE(run.code, 1);
+        const QList<QByteArray> lines = run.out.trimmed().split('\n');
+        QCOMPARE(lines.size(), 4);
+        QCOMPARE(QJsonDocument::fromJson(lines[1])["faces"].toArray().size(), 1);
+        for (const int bad : {0, 2, 3}) {
+            const QJsonObject line = QJsonDocument::fromJson(lines[bad]).object();
+            QVERIFY(line["problem"].toString().endsWith('.'));
+            QCOMPARE(line["faces"].toArray().size(), 0);
+        }
+        for (const QString& photo : {path("missing.jpg"), text, folder_.path()})
+            QVERIFY(run.err.contains(photo.toUtf8() + ": "));
+    }
+
+    void bad_photographs_end_in_one_sentence_data() {
+        QTest::addColumn<QString>("photo");
+        QFile file(sample);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray whole = file.readAll();
+        QTest::newRow("missing") << path("nowhere.jpg");
+        QTest::newRow("folder") << folder_.path();
+        QTest::newRow("empty") << write("empty.jpg", "");
+        QTest::newRow("text") << write("text.jpg", "This is not a picture at all.");
+        QTest::newRow("truncated") << write("truncated.jpg", whole.left(whole.size() / 2));
+        QTest::newRow("only a header") << write("header.jpg", whole.left(200));
+        QImage dot(1, 1, QImage::Format_RGB32);
+        dot.fill(Qt::red);
+        QVERIFY(dot.save(path("dot.png")));
+        QTest::newRow("one pixel") << path("dot.png");
+        QImage plain(640, 480, QImage::Format_RGB32);
+        plain.fill(Qt::gray);
+        QVERIFY(plain.save(path("plain.png")));
+        QTest::newRow("no face") << path("plain.png");
+    }
+    void bad_photographs_end_in_one_sentence() {
+        QFETCH(QString, photo);
+        for (const QStringList& words : {QStringList{"faces", "--json", photo},
+                                         QStringList{"scene", photo, "--out", path("none.svg")}}) {
+            const Run run = lab(words);
+            QCOMPARE(run.code, 1);
+            QVERIFY2(is_one_sentence(run.err), run.err.constData());
+        }
+        QVERIFY(!QFile::exists(path("none.svg")));
+    }
+
+    void contours_and_overlay_are_written_for_each_photograph() {
+        const QString out = path("results");
+        const Run run = lab({"faces", "--svg", out, "--overlay", out, sample, two_people});
+        QCOMPARE(run.code, 0);
+        const auto sheet =
+            read_sheet((out + "/ben_and_clara.jpg.contours.svg").toStdString(), ContourSheet::Unit::pixel);
+        QVERIFY(sheet.ok());
+        QCOMPARE(sheet->contours.size(), std::size_t(10));
+        QCOMPARE(sheet->width, 900.0);
+        QCOMPARE(QImage(out + "/anna_smiling.jpg.overlay.png").size(), QSize(900, 1100));
+    }
+
+    void force_answers_each_line() {
+        const Run run = lab({"force", "--scene", scene()}, "-40 2\n0,\t0\n\n0 -22\r\n0 200\n");
+        QCOMPARE(run.err, QByteArray());
+        QCOMPARE(run.code, 0);
+        const QList<QByteArray> lines = run.out.trimmed().split('\n');
+        QCOMPARE(lines.size(), 4);
+        QCOMPARE(lines[0], QByteArray("0 -0.4 2 line"));
+        QCOMPARE(lines[1], QByteArray("0 0 0 line"));
+        const QList<QByteArray> ring = lines[2].split(' ');
+        QCOMPARE(ring[3], QByteArray("ring"));
+        QVERIFY(std::abs(ring[1].toDouble() - 0.4) < 0.003);
+        QVERIFY(std::abs(ring[2].toDouble() - 2.0) < 0.011);
+        QVERIFY(lines[3].startsWith("0 0 180"));
+    }
+
+    void force_obeys_law_and_parameters() {
+        QCOMPARE(
+            lab({"force", "--scene", scene(), "--stiffness", "0.5", "--range", "2"}, "-40 1\n-40 3\n-40 5")
+                .out,
+            QByteArray("0 -0.5 1 line\n0 -0.5 3 line\n0 0 5 line\n"));
+        QVERIFY(lab({"force", "--scene", scene(), "--law", "published"}, "-39 2\n").code == 0);
+    }
+
+    void force_says_which_line_it_cannot_read() {
+        const Run run = lab({"force", "--scene", scene()}, "1 2\n3 four\n5 6\n");
+        QCOMPARE(run.code, 1);
+        QVERIFY(run.err.contains("Line 2"));
+        QCOMPARE(run.out.count('\n'), 1);
+        QCOMPARE(lab({"force", "--scene", path("none.svg")}, "1 2\n").code, 1);
+        QCOMPARE(lab({"force", "--scene", write("bad.svg", "<svg")}, "1 2\n").code, 1);
+        QVERIFY(is_one_sentence(lab({"force", "--scene", write("bad.svg", "<svg")}, "1 2\n").err));
+    }
+
+    void scene_fits_the_surface_and_field_and_trace_use_it() {
+        const QString file = path("anna.svg");
+        QCOMPARE(lab({"scene", sample, "--out", file, "--width", "120", "--height", "160"}).code, 0);
+        const auto sheet = read_sheet(file.toStdString());
+        QVERIFY(sheet.ok());
+        QCOMPARE(sheet->width, 120.0);
+        QCOMPARE(sheet->height, 160.0);
+        QCOMPARE(sheet->contours.size(), std::size_t(5));
+        const Scene anna = scene_from_sheet(*sheet);
+        for (const Polyline& line : flatten(anna).lines)
+            for (const Vec2 p : line.points)
+                QVERIFY(anna.surface().contains(p));
+
+        QCOMPARE(lab({"field", "--scene", file, "--out", path("field.png")}).code, 0);
+        QCOMPARE(QImage(path("field.png")).width(), 600);
+
+        QCOMPARE(lab({"trace", "--scene", file, "--out", path("traced"), "--seconds", "20"}).code, 0);
+        QFile csv(path("traced/trace.csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        const QList<QByteArray> rows = csv.readAll().trimmed().split('\n');
+        QCOMPARE(rows[0], QByteArray("t,x,y,fx,fy,distance,contour"));
+        QVERIFY(rows.size() > 1900 && rows.size() < 2100);
+        QVERIFY(!QImage(path("traced/trace.png")).isNull());
+
+        // The force in the trace is the law's own, up to the damping of a slow finger.
+        const ExactLaw law(flatten(anna), {});
+        double worst = 0.0;
+        for (qsizetype i = 200; i < rows.size(); ++i) { // after the gain has ramped up
+            const QList<QByteArray> cells = rows[i].split(',');
+            QCOMPARE(cells.size(), 7);
+            const Vec2 finger(cells[1].toDouble(), cells[2].toDouble());
+            worst = std::max(worst,
+                             length(Vec2(cells[3].toDouble(), cells[4].toDouble()) - law.at(finger).force));
+        }
+        qInfo("largest difference between the trace and the law: %.3f N", worst);
+        QVERIFY(worst < 0.45);
+    }
+};
+
+QTEST_GUILESS_MAIN(LabTest)
+#include "lab_test.moc"

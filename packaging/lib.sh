@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+# Shared by the scripts beside it; sourced, with $root set to the top of the project.
+
+# say WORDS…: one line about what is going on, apart from what the tools print.
+say() { printf '\n== %s\n' "$*" >&2; }
+
+# fail SENTENCE: says why and ends.
+fail() { printf '\n!! %s\n' "$*" >&2; exit 1; }
+
+# packages LIST…: the names in packaging/packages/LIST.txt.
+packages() {
+    local list
+    for list in "$@"; do
+        sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/packaging/packages/$list.txt"
+    done
+}
+
+# missing_packages LIST…: those of them that are not installed.
+missing_packages() {
+    local name
+    packages "$@" | while read -r name; do
+        [ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || printf '%s\n' "$name"
+    done
+}
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        sudo "$@"
+    else
+        fail "Packages must be installed and there is no sudo. As root: apt-get install $(missing_packages build run test | tr '\n' ' ')"
+    fi
+}
+
+# install_packages LIST…: installs what is missing; costs nothing when nothing is.
+install_packages() {
+    command -v apt-get >/dev/null ||
+        fail "This is not a Debian system. Install by other means what packaging/packages names, then use cmake --preset release."
+    local missing
+    missing=$(missing_packages "$@")
+    [ -z "$missing" ] && return
+    say "Installing $(printf '%s\n' "$missing" | wc -l) Debian packages: $(printf '%s' "$missing" | tr '\n' ' ')"
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q
+    # shellcheck disable=SC2086 # one word a package
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
+}
+
+# configure PRESET [OPTION…]: once; later only where an option changes.
+configure() {
+    local preset=$1
+    shift
+    say "Configuring build/$preset"
+    (cd "$root" && cmake --preset "$preset" "$@" >"$root/build-$preset.log" 2>&1) || {
+        cat "$root/build-$preset.log" >&2
+        fail "The configuration of build/$preset failed; the lines above say why."
+    }
+    mv "$root/build-$preset.log" "$root/build/$preset/configure.log"
+}
+
+# build PRESET [TARGET…]
+build() {
+    local preset=$1
+    shift
+    say "Building build/$preset (the first time takes some minutes)"
+    if [ "$#" -gt 0 ]; then
+        cmake --build "$root/build/$preset" --target "$@"
+    else
+        cmake --build "$root/build/$preset"
+    fi
+}

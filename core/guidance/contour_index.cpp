@@ -3,73 +3,123 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 namespace tp {
 
 namespace {
 
-/// Place of each name in the alphabet; equal names share one.
-std::vector<int> ranks_of(const std::vector<std::string>& names) {
-    std::vector<std::string> sorted = names;
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<int> ranks;
-    ranks.reserve(names.size());
-    for (const std::string& name : names)
-        ranks.push_back(
-            static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), name) - sorted.begin()));
-    return ranks;
+/// Up to here a distance computed in double is true to 1e-10 mm, and squares are far from overflow.
+constexpr double double_suffices_mm = 1e5;
+
+/// What the cells may take, bytes: a face stays below a mebibyte in all, a million segments below a hundred.
+constexpr std::size_t small_scene_bytes = std::size_t(512) << 10;
+constexpr std::size_t large_scene_bytes = std::size_t(46) << 20;
+
+/// What a search within `reach` begins with; a little above, so that what lies on the edge is found.
+template <typename Real>
+Real square_above(double reach) {
+    return Real(reach) * Real(reach) * Real(1.0 + 1e-12);
 }
 
-bool before(Vec2 a, Vec2 b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
+/// Contours in the order that breaks ties: by name, then by place in the scene.
+std::vector<int> by_name(const std::vector<std::string>& names, std::size_t count) {
+    std::vector<int> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    const auto name = [&](int c) -> const std::string& { return names[static_cast<std::size_t>(c)]; };
+    std::stable_sort(order.begin(), order.end(), [&](int l, int r) { return name(l) < name(r); });
+    return order;
+}
+
+SegmentSet segments_of(const FlatScene& scene, const std::vector<int>& contours) {
+    SegmentSet set;
+    std::size_t count = 0;
+    for (const Polyline& line : scene.lines)
+        count += line.segment_count();
+    set.segments.reserve(count);
+    set.owners.reserve(count);
+    for (std::size_t owner = 0; owner < contours.size(); ++owner) {
+        const Polyline& line = scene.lines[static_cast<std::size_t>(contours[owner])];
+        for (std::size_t i = 0; i < line.segment_count(); ++i) {
+            const Vec2 a = line.segment_start(i);
+            const Vec2 b = line.segment_end(i);
+            if (!is_finite(a) || !is_finite(b))
+                continue;
+            set.segments.emplace_back(a, b);
+            set.owners.push_back(static_cast<int>(owner));
+            set.longest = std::max(set.longest, std::abs(b.x - a.x) + std::abs(b.y - a.y));
+        }
+    }
+    return set;
+}
 
 } // namespace
 
-ContourIndex::ContourIndex(const FlatScene& scene) {
-    const std::vector<int> ranks = ranks_of(scene.names);
-    for (std::size_t c = 0; c < scene.lines.size(); ++c) {
-        const Polyline& line = scene.lines[c];
-        for (std::size_t i = 0; i < line.segment_count(); ++i) {
-            Vec2 a = line.segment_start(i);
-            Vec2 b = line.segment_end(i);
-            if (!is_finite(a) || !is_finite(b))
-                continue;
-            if (before(b, a))
-                std::swap(a, b);
-            segments_.push_back({a, b, static_cast<int>(c), ranks[c]});
-        }
-    }
+ContourIndex::ContourIndex(const FlatScene& scene, double band_mm)
+    : contours_(by_name(scene.names, scene.lines.size())), band_(band_mm) {
+    set_ = segments_of(scene, contours_);
+    sort_along_hilbert_curve(set_);
+    tree_ = SegmentTree(set_);
+    wide_ = !(set_.longest < double_suffices_mm);
+    // A face stays below a mebibyte, a million segments below a hundred.
+    const std::size_t most_cell_bytes = std::min(small_scene_bytes + 400 * set_.size(), large_scene_bytes);
+    if (!wide_)
+        grid_ = CellGrid(set_, tree_, band_, most_cell_bytes);
 }
 
-template <typename Measure>
-Nearest ContourIndex::scan(Vec2 p, Measure measure) const noexcept {
-    Nearest best;
-    double best_measure = std::numeric_limits<double>::infinity();
-    int best_rank = 0;
-    for (const Segment& segment : segments_) {
-        const Vec2 q = nearest_on_segment(segment.a, segment.b, p);
-        const double here = measure(p - q);
-        if (here < best_measure || (here == best_measure && std::tie(q.x, q.y, segment.name_rank) <
-                                                               std::tie(best.point.x, best.point.y, best_rank))) {
-            best_measure = here;
-            best_rank = segment.name_rank;
-            best.point = q;
-            best.contour = segment.contour;
-        }
-    }
-    if (best.found())
-        best.distance = length(p - best.point);
-    return best;
+template <typename Real>
+Nearest ContourIndex::answer(const Closest<Real>& closest) const noexcept {
+    Nearest nearest;
+    if (closest.segment == Closest<Real>::none)
+        return nearest;
+    nearest.distance = static_cast<double>(std::sqrt(closest.squared));
+    nearest.point = point_on(set_.segments[closest.segment], closest.parameter);
+    nearest.contour = contours_[static_cast<std::size_t>(set_.owners[closest.segment])];
+    return nearest;
+}
+
+Nearest ContourIndex::careful(Vec2 p, double reach) const noexcept {
+    Closest<long double> closest;
+    closest.squared = square_above<long double>(reach);
+    tree_.search(set_, p, closest);
+    const Nearest found = answer(closest);
+    return found.distance <= reach ? found : Nearest{};
+}
+
+Nearest ContourIndex::from_tree(Vec2 p, double reach) const noexcept {
+    if (!is_finite(p))
+        return {};
+    if (wide_)
+        return careful(p, reach);
+    Closest<double> closest;
+    closest.squared = square_above<double>(reach);
+    tree_.search(set_, p, closest);
+    if (!(reach < double_suffices_mm || closest.squared < double_suffices_mm * double_suffices_mm))
+        return careful(p, reach);
+    const Nearest found = answer(closest);
+    return found.distance <= reach ? found : Nearest{};
 }
 
 Nearest ContourIndex::nearest(Vec2 p) const noexcept {
-    if (!is_finite(p))
+    const CellGrid::Cell cell = grid_.at(p);
+    if (cell.candidates.empty())
+        return from_tree(p, std::numeric_limits<double>::infinity());
+    return answer(closest_of(set_, cell.candidates, p));
+}
+
+Nearest ContourIndex::nearest_within(Vec2 p, double reach) const noexcept {
+    const CellGrid::Cell cell = grid_.at(p);
+    if (cell.beyond_band && reach <= band_)
         return {};
-    const Nearest best = scan(p, [](Vec2 v) { return glm::dot(v, v); });
-    // Squares overflow beyond 1e154 mm and lose their digits below 1e-145 mm; hypot does neither, but is slow.
-    if (best.distance < 1e150 && (best.distance > 1e-140 || best.distance == 0.0))
-        return best;
-    return scan(p, [](Vec2 v) { return length(v); });
+    if (cell.candidates.empty())
+        return from_tree(p, reach);
+    const Closest<double> closest = closest_of(set_, cell.candidates, p);
+    if (!(std::sqrt(closest.squared) <= reach))
+        return {};
+    return answer(closest);
+}
+
+std::size_t ContourIndex::bytes() const {
+    return sizeof(*this) + set_.bytes() + tree_.bytes() + grid_.bytes() + contours_.capacity() * sizeof(int);
 }
 
 } // namespace tp

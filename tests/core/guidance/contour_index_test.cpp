@@ -1,50 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "brute_force.hpp"
 #include "core/guidance/contour_index.hpp"
 #include "scenes.hpp"
 
 #include <QTest>
 
-#include <algorithm>
-
 using namespace tp;
 using namespace tp::testing;
-
-namespace {
-
-/// Distance in extended precision by another route: the perpendicular where its foot lies inside, else an
-/// end.
-double truth(const FlatScene& scene, Vec2 p) {
-    using Wide = long double;
-    Wide best = std::numeric_limits<Wide>::infinity();
-    for (const Polyline& line : scene.lines)
-        for (std::size_t i = 0; i < line.segment_count(); ++i) {
-            const Vec2 a = line.segment_start(i);
-            const Vec2 b = line.segment_end(i);
-            const Wide ux = Wide(b.x) - Wide(a.x), uy = Wide(b.y) - Wide(a.y);
-            const Wide ax = Wide(p.x) - Wide(a.x), ay = Wide(p.y) - Wide(a.y);
-            const Wide bx = Wide(p.x) - Wide(b.x), by = Wide(p.y) - Wide(b.y);
-            best = std::min({best, std::hypot(ax, ay), std::hypot(bx, by)});
-            if (ux * ax + uy * ay > 0 && ux * bx + uy * by < 0)
-                best = std::min(best, std::abs(ux * ay - uy * ax) / std::hypot(ux, uy));
-        }
-    return static_cast<double>(best);
-}
-
-FlatScene shuffled(FlatScene scene, std::mt19937& random) {
-    std::vector<std::size_t> order(scene.lines.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = i;
-    std::shuffle(order.begin(), order.end(), random);
-    FlatScene result;
-    for (const std::size_t i : order) {
-        result.names.push_back(scene.names[i]);
-        result.lines.push_back(scene.lines[i]);
-        std::reverse(result.lines.back().points.begin(), result.lines.back().points.end());
-    }
-    return result;
-}
-
-} // namespace
 
 class ContourIndexTest : public QObject {
     Q_OBJECT
@@ -58,7 +20,7 @@ private slots:
                 const Vec2 p = random_point(random);
                 const Nearest nearest = index.nearest(p);
                 QVERIFY(nearest.found());
-                QVERIFY(std::abs(nearest.distance - truth(scene, p)) < 1e-9);
+                QVERIFY(std::abs(nearest.distance - true_distance(scene, p)) < 1e-9);
                 QVERIFY(std::abs(length(nearest.point - p) - nearest.distance) < 1e-9);
                 const Polyline& line = scene.lines[static_cast<std::size_t>(nearest.contour)];
                 QVERIFY(distance_to(line, nearest.point) < 1e-9);

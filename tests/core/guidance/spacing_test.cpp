@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/guidance/spacing.hpp"
+#include "scenes.hpp"
+
+#include <QTest>
+
+using namespace tp;
+using namespace tp::testing;
+
+namespace {
+
+FlatScene two_lines(double gap) {
+    return {{"upper", "lower"}, {{{{-20, gap}, {20, gap}}, false}, {{{-30, 0}, {5, 0}, {30, 0}}, false}}};
+}
+
+Contour eye(double opening) {
+    const Polyline line = ellipse({3, 2}, 14, 0.5 * opening, 200);
+    return contour_through("left_eye", line.points, true);
+}
+
+} // namespace
+
+class SpacingTest : public QObject {
+    Q_OBJECT
+private slots:
+    void two_lines_a_gap_apart_leave_half_the_gap_of_force() {
+        const auto pairs = closeness(two_lines(4.0), {0.2, 4.0});
+        QCOMPARE(pairs.size(), std::size_t(1));
+        QCOMPARE(pairs[0].gap, 4.0);
+        QVERIFY(std::abs(pairs[0].peak - 0.4) < 1e-12);
+        QVERIFY(pairs[0].tellable);
+        QVERIFY(!closeness(two_lines(0.7), {})[0].tellable);
+        QVERIFY(closeness(two_lines(8.0), {0.2, 4.0}).empty());
+    }
+
+    void equals_brute_force_and_sorts_the_narrowest_first() {
+        std::mt19937 random(11);
+        for (int round = 0; round < 100; ++round) {
+            const FlatScene scene = random_scene(random, 20.0);
+            const auto pairs = closeness(scene, {0.2, 4.0});
+            for (std::size_t i = 1; i < pairs.size(); ++i)
+                QVERIFY(pairs[i - 1].gap <= pairs[i].gap);
+            for (const Closeness& pair : pairs) {
+                const Polyline& a = scene.lines[static_cast<std::size_t>(pair.first)];
+                const Polyline& b = scene.lines[static_cast<std::size_t>(pair.second)];
+                QVERIFY(distance_to(a, pair.where) < 1e-9);
+                QVERIFY(std::abs(distance_to(b, pair.where) - pair.gap) < 1e-9);
+                for (const Vec2 p : resampled(a, 500).points)
+                    QVERIFY(distance_to(b, p) >= pair.gap - 1e-9);
+            }
+        }
+    }
+
+    void crossing_contours_have_no_gap() {
+        const FlatScene cross{{"a", "b"}, {{{{-5, -5}, {5, 5}}, false}, {{{-5, 5}, {5, -5}}, false}}};
+        const auto pairs = closeness(cross, {});
+        QCOMPARE(pairs[0].gap, 0.0);
+        QVERIFY(length(pairs[0].where) < 1e-12);
+        QVERIFY(!pairs[0].tellable);
+    }
+
+    void a_shut_eye_becomes_one_line_and_an_open_one_stays() {
+        const auto line = thinned(eye(0.8));
+        QVERIFY(line.has_value());
+        QVERIFY(!line->closed);
+        QCOMPARE(line->name, std::string("left_eye"));
+        const Polyline flat = flatten(*line);
+        QVERIFY(std::abs(length_of(flat) - 28.0) < 0.3);
+        for (const Vec2 p : flat.points)
+            QVERIFY(std::abs(p.y - 2.0) < 0.05);
+        QVERIFY(!thinned(eye(1.2)).has_value());
+        QVERIFY(!thinned(eye(10.0)).has_value());
+    }
+
+    void a_bent_shut_eye_keeps_its_bend() {
+        std::vector<Vec2> points;
+        for (int x = -15; x <= 15; ++x)
+            points.emplace_back(x, 0.02 * x * x + 0.3);
+        for (int x = 14; x >= -14; --x)
+            points.emplace_back(x, 0.02 * x * x - 0.3);
+        const auto line = thinned(contour_through("eye", points, true));
+        QVERIFY(line.has_value());
+        for (const Vec2 p : flatten(*line).points)
+            QVERIFY(std::abs(p.y - 0.02 * p.x * p.x) < 0.35); // half the eye's thickness, at its ends
+    }
+
+    void open_and_degenerate_contours_are_left_alone() {
+        QVERIFY(!thinned(contour_through("outline", {{0, 0}, {10, 0}, {20, 0.1}}, false)).has_value());
+        QVERIFY(!thinned(contour_through("dot", {{1, 1}}, true)).has_value());
+        QVERIFY(!thinned(Contour{"nothing", {}, true}).has_value());
+    }
+};
+
+QTEST_APPLESS_MAIN(SpacingTest)
+#include "spacing_test.moc"

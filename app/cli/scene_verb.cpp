@@ -2,10 +2,26 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/scene/scene_builder.hpp"
+#include "core/guidance/spacing.hpp"
 #include "core/svg/contour_sheet.hpp"
 #include "faces/face_extractor.hpp"
 
+#include <cstdio>
+
 namespace tp {
+
+namespace {
+
+void print_spacing(const Scene& scene) {
+    const FlatScene flat = flatten(scene);
+    std::printf("gap_mm,peak_n,tellable,first,second\n");
+    for (const Closeness& pair : closeness(flat, TentProfile{}))
+        std::printf("%.3f,%.3f,%d,%s,%s\n", pair.gap, pair.peak, pair.tellable ? 1 : 0,
+                    flat.names[static_cast<std::size_t>(pair.first)].c_str(),
+                    flat.names[static_cast<std::size_t>(pair.second)].c_str());
+}
+
+} // namespace
 
 int scene_verb(const QStringList& words) {
     const SurfaceSize usual;
@@ -13,6 +29,9 @@ int scene_verb(const QStringList& words) {
     line.option("out", "Where the scene goes.", "SCENE.svg")
         .option("width", "Width of the touch surface.", "mm", QString::number(usual.width_mm))
         .option("height", "Height of the touch surface.", "mm", QString::number(usual.height_mm))
+        .option("spacing",
+                "Writes to stdout which contours come close to each other: gap in mm, the strongest pull\n"
+                "left between them in N, whether a finger can tell them apart, and their names.")
         .option("face", "Fits this face (1 is the largest) instead of all of them.", "number")
         .argument("PHOTO", "JPEG, PNG or WebP.");
     if (const auto ended = line.parse(words, 1, 1))
@@ -50,6 +69,8 @@ int scene_verb(const QStringList& words) {
         say_problem(written.error());
         return exit_bad_input;
     }
+    if (line.has("spacing"))
+        print_spacing(built->scene);
     return found.problem.empty() ? exit_done : exit_bad_input;
 }
 

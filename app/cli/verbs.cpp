@@ -16,13 +16,14 @@ struct Verb {
     int (*run)(const QStringList& words);
 };
 
-constexpr std::array<Verb, 7> verbs{{
+constexpr std::array<Verb, 8> verbs{{
     {"faces", "find the faces of photographs and their contours", faces_verb},
     {"scene", "write the scene that the Explore page would render for a photograph", scene_verb},
     {"force", "answer the force at places read from stdin", force_verb},
     {"field", "draw the force field of a scene", field_verb},
     {"servo", "measure how punctual the servo loop is on this machine", servo_verb},
     {"stability", "measure how stable the guidance is", stability_verb},
+    {"bench", "measure how fast the nearest contour is found, beside other methods", bench_verb},
     {"trace", "let a simulated finger explore a scene in simulated time", trace_verb},
 }};
 

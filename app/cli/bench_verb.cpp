@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/bench/nearest_bench.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/cli/verbs.hpp"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+#include <QSysInfo>
+
+#include <cmath>
+#include <cstdio>
+
+namespace tp {
+
+namespace {
+
+/// Not one of the methods of the file: it shows in the table what the bound by the band is worth.
+constexpr const char* any_distance = "ours_any_distance";
+
+QString machine() {
+    QString processor = QSysInfo::currentCpuArchitecture();
+    QFile about(QStringLiteral("/proc/cpuinfo"));
+    if (about.open(QIODevice::ReadOnly))
+        for (const QByteArray& line : about.readAll().split('\n'))
+            if (line.startsWith("model name")) {
+                processor = QString::fromUtf8(line.mid(line.indexOf(':') + 1)).simplified();
+                break;
+            }
+    return processor + QStringLiteral(", ") + QSysInfo::prettyProductName();
+}
+
+QJsonValue finite(double value) { return std::isfinite(value) ? QJsonValue(value) : QJsonValue(); }
+
+QJsonObject json_of(const std::vector<BenchRow>& rows) {
+    QJsonArray list;
+    for (const BenchRow& row : rows)
+        if (row.method != any_distance)
+            list.append(QJsonObject{{"scene", QString::fromStdString(row.scene)},
+                                    {"segments", static_cast<qint64>(row.segments)},
+                                    {"queries", QString::fromStdString(row.queries)},
+                                    {"method", QString::fromStdString(row.method)},
+                                    {"ns_median", row.ns_median},
+                                    {"ns_p999", row.ns_p999},
+                                    {"build_ms", row.build_ms},
+                                    {"bytes", static_cast<qint64>(row.bytes)},
+                                    {"max_error_mm", finite(row.max_error_mm)}});
+    return {{"machine", machine()}, {"rows", list}};
+}
+
+void print(const std::vector<BenchRow>& rows) {
+    std::printf("%-5s %8s %-10s %-18s %10s %8s %10s %10s %11s %10s\n", "scene", "segments", "queries",
+                "method", "ns median", "x ours", "ns p99.9", "build ms", "KiB", "error mm");
+    double ours = 0.0;
+    for (const BenchRow& row : rows) {
+        if (row.method == "ours")
+            ours = row.ns_median;
+        std::printf("%-5s %8zu %-10s %-18s %10.1f %8.2f %10.1f %10.2f %11.1f %10.2g\n", row.scene.c_str(),
+                    row.segments, row.queries.c_str(), row.method.c_str(), row.ns_median,
+                    row.ns_median / ours, row.ns_p999, row.build_ms, static_cast<double>(row.bytes) / 1024.0,
+                    row.max_error_mm);
+    }
+    std::printf(
+        "\nours answers within the band of the default profile (8 mm), which is what the servo asks;\n"
+        "ours_any_distance answers everywhere, as all the others do. One core, one run; %s.\n",
+        qPrintable(machine()));
+}
+
+int bench_guidance(const QStringList& words) {
+    VerbLine line("bench guidance",
+                  "Measures how fast the nearest contour is found on closed curves in 200 x 200 mm, along a\n"
+                  "hand's path of 0.1 mm per sample and at random places, beside Boost.Geometry's R-tree,\n"
+                  "nanoflann (nearest vertex), a plain loop and the published algorithm.");
+    line.option("json", "Where the figures go.", "FILE")
+        .option("quick", "Fewer sizes and rounds; ends within 45 s.");
+    if (const auto ended = line.parse(words, 0, 0))
+        return *ended;
+    const auto rows = run_nearest_bench(line.has("quick") ? BenchPlan::quick() : BenchPlan::whole(), say);
+    print(rows);
+    if (!line.has("json"))
+        return exit_done;
+    QSaveFile file(line.text("json"));
+    const bool written = file.open(QIODevice::WriteOnly) &&
+                         file.write(QJsonDocument(json_of(rows)).toJson()) > 0 && file.commit();
+    if (!written) {
+        say_problem("The figures cannot be written: " + file.errorString().toStdString() + ".");
+        return exit_bad_input;
+    }
+    return exit_done;
+}
+
+} // namespace
+
+int bench_verb(const QStringList& words) {
+    if (!words.isEmpty() && words.first() == QLatin1String("guidance"))
+        return bench_guidance(words.mid(1));
+    if (!words.isEmpty() &&
+        (words.first() == QLatin1String("--help") || words.first() == QLatin1String("-h"))) {
+        std::puts("touchphoto-lab bench guidance [--json FILE] [--quick]");
+        return exit_done;
+    }
+    return wrong_usage("bench", "What is to be measured? There is: guidance.");
+}
+
+} // namespace tp

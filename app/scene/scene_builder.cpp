@@ -2,6 +2,7 @@
 #include "app/scene/scene_builder.hpp"
 
 #include "core/geometry/flatten.hpp"
+#include "core/guidance/spacing.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -42,7 +43,8 @@ Result<BuiltScene> build_scene(const Extraction& extraction, const SurfaceSize& 
     BuiltScene built{{surface.width_mm, surface.height_mm, {}}, *fitted};
     for (std::size_t i = 0; i < subject.size(); ++i)
         for (const Contour& contour : subject[i].contours) {
-            built.scene.contours.push_back(mapped(contour, *fitted));
+            const Contour felt = mapped(contour, *fitted);
+            built.scene.contours.push_back(thinned(felt).value_or(felt));
             if (subject.size() > 1)
                 built.scene.contours.back().name = "face " + std::to_string(i + 1) + " " + contour.name;
         }

@@ -63,6 +63,20 @@ private slots:
         QVERIFY(bounds_of(second->scene).height() > 133.0);
     }
 
+    void shut_lips_become_one_line() {
+        Face face = face_at(100, 200, 300);
+        std::vector<Vec2> shut;
+        for (int x = 0; x <= 100; ++x)
+            shut.emplace_back(200 + x, 400.0 - 0.01 * x * (100 - x) / 25.0);
+        for (int x = 99; x >= 1; --x)
+            shut.emplace_back(200 + x, 400.0 + 0.01 * x * (100 - x) / 25.0);
+        face.contours.push_back(contour_through(feature::inner_lip, shut, true));
+        const auto built = build_scene(photo({face}));
+        QVERIFY(built->scene.contours[0].closed); // an eye that is open stays
+        QVERIFY(!built->scene.contours[2].closed);
+        QCOMPARE(built->scene.contours[2].name, std::string("inner_lip"));
+    }
+
     void says_what_is_missing() {
         QVERIFY(!build_scene(photo({})).error().empty());
         Extraction told = photo({});

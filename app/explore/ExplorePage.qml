@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import QtQuick.Layouts
+import TouchPhoto.Controls
+import TouchPhoto.Explore
+
+// The page: the touch surface, and beside it (below it on a tall window) the words and the buttons.
+FocusScope {
+    id: page
+
+    required property ExploreSession session
+    required property var announcer
+    readonly property bool wide: width > 1.15 * height
+
+    focus: true
+
+    function openDialog() {
+        const first = !dialog.active
+        dialog.active = true
+        if (dialog.status === Loader.Error) {
+            session.tellProblem("The file dialog is not installed. Drop a photograph on this window instead.")
+            return
+        }
+        if (first)
+            dialog.item.currentFolder = session.picturesFolder()
+        dialog.item.open()
+    }
+
+    Keys.onPressed: (event) => {
+        const step = event.modifiers & Qt.ShiftModifier ? 10 : 2
+        event.accepted = true
+        switch (event.key) {
+        case Qt.Key_Left: session.nudge(-step, 0); break
+        case Qt.Key_Right: session.nudge(step, 0); break
+        case Qt.Key_Up: session.nudge(0, -step); break
+        case Qt.Key_Down: session.nudge(0, step); break
+        case Qt.Key_Space: session.toggleTour(); break
+        case Qt.Key_Escape: session.stopOrStart(); break
+        case Qt.Key_Return:
+        case Qt.Key_Enter:
+        case Qt.Key_E: session.engage(); break
+        case Qt.Key_W: session.whereAmI(); break
+        case Qt.Key_F: session.nextFace(); break
+        case Qt.Key_V: session.voiceOn = !session.voiceOn; break
+        case Qt.Key_O: page.openDialog(); break
+        default: event.accepted = false
+        }
+    }
+
+    Rectangle {
+        anchors.fill: parent
+        color: Theme.ground
+    }
+
+    GridLayout {
+        anchors.fill: parent
+        anchors.margins: 2 * Theme.gap
+        columns: page.wide ? 2 : 1
+        columnSpacing: 2 * Theme.gap
+        rowSpacing: 2 * Theme.gap
+
+        ColumnLayout {
+            Layout.fillWidth: true
+            Layout.fillHeight: true
+            Layout.preferredHeight: 3
+            spacing: Theme.gap
+
+            Item {
+                Layout.fillWidth: true
+                Layout.fillHeight: true
+                SurfaceView {
+                    objectName: "surface"
+                    session: page.session
+                    anchors.centerIn: parent
+                    readonly property real aspect: page.session.surfaceWidth / page.session.surfaceHeight
+                    width: Math.min(parent.width, parent.height * aspect)
+                    height: width / aspect
+                    focus: true
+                }
+            }
+            KeyHelp { Layout.fillWidth: true }
+        }
+        SidePanel {
+            session: page.session
+            Layout.fillHeight: true
+            Layout.fillWidth: !page.wide
+            Layout.preferredHeight: 2
+            Layout.preferredWidth: page.wide ? 360 * Theme.textScale : -1
+            onOpenAsked: page.openDialog()
+        }
+    }
+
+    DropArea {
+        anchors.fill: parent
+        onDropped: (drop) => {
+            if (drop.hasUrls)
+                page.session.open(drop.urls[0])
+        }
+    }
+
+    Loader {
+        id: dialog
+        active: false
+        source: "OpenDialog.qml"
+    }
+    Connections {
+        target: dialog.item
+        function onChosen(file) { page.session.open(file) }
+    }
+
+    TpNotification { announcer: page.announcer }
+}

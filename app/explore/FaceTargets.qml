@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Explore
+
+// Faces and their features where they lie, for a screen reader: its hit test finds them, a press goes there. They
+// take no mouse and no touch.
+Item {
+    id: targets
+
+    required property ExploreSession session
+    required property real pixelsPerMm
+
+    Repeater {
+        model: targets.session.faces
+        delegate: Item {
+            id: face
+            required property var modelData
+            required property int index
+
+            x: modelData.rect.x * targets.pixelsPerMm
+            y: modelData.rect.y * targets.pixelsPerMm
+            width: modelData.rect.width * targets.pixelsPerMm
+            height: modelData.rect.height * targets.pixelsPerMm
+            Accessible.role: Accessible.Button
+            Accessible.name: modelData.name
+            Accessible.description: "Fits this face into the surface"
+            Accessible.onPressAction: targets.session.chooseFace(face.index)
+
+            Repeater {
+                model: face.modelData.features
+                delegate: Item {
+                    required property var modelData
+
+                    x: modelData.rect.x * targets.pixelsPerMm - face.x
+                    y: modelData.rect.y * targets.pixelsPerMm - face.y
+                    width: modelData.rect.width * targets.pixelsPerMm
+                    height: modelData.rect.height * targets.pixelsPerMm
+                    Accessible.role: Accessible.Button
+                    Accessible.name: modelData.name
+                    Accessible.description: "Sets the finger down there"
+                    Accessible.onPressAction: targets.session.goToFeature(modelData.index)
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import QtQuick.Shapes
+import TouchPhoto.Controls
+import TouchPhoto.Explore
+
+// The hand as a ring, the finger as a disc, the spring between them, and the force on the finger as an arrow.
+Item {
+    id: marks
+
+    required property ExploreSession session
+    required property real pixelsPerMm
+
+    readonly property real millimetresPerNewton: 24
+    readonly property point finger: session.finger
+    readonly property point pointer: session.pointer
+    readonly property point force: session.force
+    readonly property real fingerX: finger.x * pixelsPerMm
+    readonly property real fingerY: finger.y * pixelsPerMm
+    readonly property real pointerX: pointer.x * pixelsPerMm
+    readonly property real pointerY: pointer.y * pixelsPerMm
+    readonly property real arrowLength: session.newtons * millimetresPerNewton * pixelsPerMm
+    readonly property real arrowAngle: Math.atan2(force.y, force.x) * 180 / Math.PI
+    readonly property bool arrowShown: session.newtons > 0.02
+
+    Rectangle { // the spring
+        readonly property real dx: marks.fingerX - marks.pointerX
+        readonly property real dy: marks.fingerY - marks.pointerY
+        x: marks.pointerX
+        y: marks.pointerY - height / 2
+        width: Math.hypot(dx, dy)
+        height: 3
+        color: Theme.text
+        antialiasing: true
+        transformOrigin: Item.Left
+        rotation: Math.atan2(dy, dx) * 180 / Math.PI
+    }
+    Rectangle { // the hand
+        x: marks.pointerX - width / 2
+        y: marks.pointerY - height / 2
+        width: 28
+        height: 28
+        radius: 14
+        color: "transparent"
+        border.width: 6
+        border.color: "#b0080c12"
+        Rectangle {
+            anchors.fill: parent
+            anchors.margins: 1.5
+            radius: width / 2
+            color: "transparent"
+            border.width: 3
+            border.color: Theme.text
+        }
+    }
+    Item { // the force
+        x: marks.fingerX
+        y: marks.fingerY
+        visible: marks.arrowShown
+        rotation: marks.arrowAngle
+        transformOrigin: Item.TopLeft
+        Shape {
+            ShapePath {
+                fillColor: Theme.accent
+                strokeColor: "#c0080c12"
+                strokeWidth: 2
+                joinStyle: ShapePath.RoundJoin
+                PathPolyline {
+                    readonly property real tip: Math.max(18, marks.arrowLength)
+                    path: [Qt.point(0, -3), Qt.point(tip - 16, -3), Qt.point(tip - 16, -10), Qt.point(tip, 0),
+                           Qt.point(tip - 16, 10), Qt.point(tip - 16, 3), Qt.point(0, 3), Qt.point(0, -3)]
+                }
+            }
+        }
+    }
+    Rectangle { // the finger
+        x: marks.fingerX - width / 2
+        y: marks.fingerY - height / 2
+        width: 18
+        height: 18
+        radius: 9
+        color: Theme.finger
+        border.width: 2
+        border.color: "#0a0e13"
+    }
+    Rectangle { // how strong
+        readonly property real away: Math.max(18, marks.arrowLength) + 34
+        readonly property real angle: marks.arrowAngle * Math.PI / 180
+        x: Math.max(0, Math.min(marks.width - width, marks.fingerX + away * Math.cos(angle) - width / 2))
+        y: Math.max(0, Math.min(marks.height - height, marks.fingerY + away * Math.sin(angle) - height / 2))
+        width: newtons.width + 14
+        height: newtons.height + 6
+        radius: 6
+        visible: marks.arrowShown
+        color: "#d00a0e13"
+        Text {
+            id: newtons
+            anchors.centerIn: parent
+            text: marks.session.newtons.toFixed(2) + " N"
+            font.pixelSize: Theme.smallSize
+            font.bold: true
+            color: Theme.accent
+            Accessible.ignored: true
+        }
+    }
+}

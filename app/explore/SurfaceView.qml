@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Controls
+import TouchPhoto.Explore
+
+// The photograph as it lies under the finger: picture, lines, faces and features for a screen reader, the hand.
+FocusScope {
+    id: surface
+
+    required property ExploreSession session
+    readonly property real pixelsPerMm: width / session.surfaceWidth
+    readonly property rect photoRect: session.photoRect
+
+    activeFocusOnTab: true
+    Accessible.role: Accessible.Canvas
+    Accessible.name: "Touch surface"
+    Accessible.description: "Arrow keys move the hand, Tab goes from feature to feature, Space starts the guided tour."
+    Accessible.focusable: true
+
+    Keys.onTabPressed: (event) => event.accepted = session.stepFeature(1)
+    Keys.onBacktabPressed: (event) => event.accepted = session.stepFeature(-1)
+
+    Rectangle {
+        anchors.fill: parent
+        color: Theme.panel
+        radius: Theme.radius
+    }
+    PhotoItem {
+        anchors.fill: parent
+        image: surface.session.photo
+        place: Qt.rect(surface.photoRect.x * surface.pixelsPerMm, surface.photoRect.y * surface.pixelsPerMm,
+                       surface.photoRect.width * surface.pixelsPerMm, surface.photoRect.height * surface.pixelsPerMm)
+        opacity: surface.session.state === ExploreSession.Looking ? 0.3 : 0.9
+    }
+    ContoursItem {
+        anchors.fill: parent
+        session: surface.session
+        pixelsPerMm: surface.pixelsPerMm
+        lineColor: Theme.line
+        highlightColor: Theme.accent
+    }
+    FaceTargets {
+        anchors.fill: parent
+        session: surface.session
+        pixelsPerMm: surface.pixelsPerMm
+    }
+    FingerMarks {
+        anchors.fill: parent
+        clip: true
+        visible: surface.session.state === ExploreSession.Ready
+        session: surface.session
+        pixelsPerMm: surface.pixelsPerMm
+    }
+    TpText {
+        anchors.centerIn: parent
+        width: parent.width - 8 * Theme.gap
+        visible: surface.session.state === ExploreSession.Empty
+        text: "No photograph yet. Press O, or drop one here."
+        horizontalAlignment: Text.AlignHCenter
+        font.pixelSize: Theme.headingSize
+    }
+
+    MouseArea {
+        anchors.fill: parent
+        hoverEnabled: true
+        preventStealing: true
+        onEntered: surface.session.touchDown(mouseX / surface.pixelsPerMm, mouseY / surface.pixelsPerMm)
+        onPressed: (mouse) => {
+            surface.forceActiveFocus(Qt.MouseFocusReason)
+            if (mouse.source !== Qt.MouseEventNotSynthesized)
+                surface.session.touchDown(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
+        }
+        onPositionChanged: (mouse) => surface.session.moveTo(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
+    }
+    FocusRing { target: surface }
+}

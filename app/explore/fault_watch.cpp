@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/explore/fault_watch.hpp"
+
+namespace tp {
+
+bool FaultWatch::must_tell(Fault fault, double now) {
+    if (fault != seen_) {
+        seen_ = fault;
+        since_ = now;
+    }
+    if (fault == told_ && fault != Fault::none)
+        last_there_ = now;
+    else if (now - last_there_ > gone_s)
+        told_ = Fault::none;
+    if (fault != shown_)
+        shown_ = fault == told_ ? fault : Fault::none;
+    if (fault == Fault::none || fault == told_)
+        return false;
+    if (!disables(fault) && now - since_ < lasts_s)
+        return false;
+    told_ = shown_ = fault;
+    last_there_ = now;
+    return true;
+}
+
+} // namespace tp

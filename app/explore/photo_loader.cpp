@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/explore/photo_loader.hpp"
+
+#include "app/picture/overlay.hpp"
+#include "faces/face_extractor.hpp"
+#include "faces/picture.hpp"
+
+#include <QFileInfo>
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+namespace tp {
+
+namespace {
+
+constexpr double longest_shown_px = 2400.0;
+
+QImage for_the_screen(const cv::Mat& picture) {
+    const double share = longest_shown_px / std::max(picture.cols, picture.rows);
+    if (share >= 1.0)
+        return to_image(picture);
+    cv::Mat small;
+    cv::resize(picture, small,
+               cv::Size(std::max(1, static_cast<int>(std::lround(share * picture.cols))),
+                        std::max(1, static_cast<int>(std::lround(share * picture.rows)))),
+               0.0, 0.0, cv::INTER_AREA);
+    return to_image(small);
+}
+
+LoadedPhoto read_and_find(const QString& file, std::unique_ptr<FaceExtractor>& extractor) {
+    LoadedPhoto photo;
+    photo.name = QFileInfo(file).fileName();
+    const Result<cv::Mat> picture = read_picture(file.toStdString());
+    if (!picture) {
+        photo.extraction.problem = picture.error();
+        return photo;
+    }
+    photo.image = for_the_screen(*picture);
+    if (!extractor) {
+        Result<FaceExtractor> made = FaceExtractor::create();
+        if (!made) {
+            photo.extraction.problem = made.error();
+            return photo;
+        }
+        extractor = std::make_unique<FaceExtractor>(std::move(made).value());
+    }
+    photo.extraction = extractor->extract(*picture);
+    return photo;
+}
+
+} // namespace
+
+PhotoLoader::PhotoLoader() : worker_(new QObject) {
+    thread_.setObjectName("photo");
+    worker_->moveToThread(&thread_);
+    connect(&thread_, &QThread::finished, worker_, &QObject::deleteLater);
+    thread_.start();
+}
+
+PhotoLoader::~PhotoLoader() {
+    ++newest_;
+    thread_.quit();
+    thread_.wait();
+}
+
+void PhotoLoader::load(const QString& file) {
+    const quint64 request = ++newest_;
+    QMetaObject::invokeMethod(worker_, [this, request, file] { work(request, file); });
+}
+
+void PhotoLoader::work(quint64 request, const QString& file) {
+    if (request != newest_)
+        return;
+    auto photo = std::make_shared<LoadedPhoto>();
+    try {
+        *photo = read_and_find(file, extractor_);
+    } catch (const std::exception&) { // out of memory, mostly
+        photo->extraction = {};
+        photo->extraction.problem =
+            "This picture could not be worked on. It may be too large for this computer.";
+    }
+    QMetaObject::invokeMethod(this, [this, request, photo] {
+        if (request == newest_)
+            emit loaded(photo);
+    });
+}
+
+} // namespace tp

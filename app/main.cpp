@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/explore/demonstration.hpp"
+#include "app/explore/explore_window.hpp"
+#include "audio/spoken_voice.hpp"
+
+#include <QCommandLineParser>
+#include <QFile>
+#include <QGuiApplication>
+#include <QTemporaryDir>
+
+#include <cstdio>
+
+namespace {
+
+/// The photograph asked for, else the sample that the program carries; empty where there is neither.
+QString photo_to_open(const QStringList& arguments, const QTemporaryDir& folder) {
+    if (!arguments.isEmpty())
+        return arguments.front();
+    const QString copy = folder.filePath("sample portrait.jpg");
+    return QFile::copy(":/samples/portrait.jpg", copy) ? copy : QString();
+}
+
+/// Takes the picture when the finger has arrived, and ends the program.
+void take_picture(tp::Demonstration& demonstration, QQuickView& window, const QString& file) {
+    QObject::connect(&demonstration, &tp::Demonstration::finished, &window, [&window, file] {
+        const bool saved = window.grabWindow().save(file);
+        if (!saved)
+            std::fprintf(stderr, "The picture could not be written to %s.\n", qUtf8Printable(file));
+        QCoreApplication::exit(saved ? 0 : 1);
+    });
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QGuiApplication app(argc, argv);
+    QCoreApplication::setApplicationName("touchphoto");
+    QCoreApplication::setApplicationVersion(TOUCHPHOTO_VERSION);
+
+    QCommandLineParser options;
+    options.setApplicationDescription("Feel the face in a photograph.");
+    options.addHelpOption();
+    options.addVersionOption();
+    options.addPositionalArgument("photo", "The photograph to open; without one, a sample portrait.",
+                                  "[photo]");
+    const QCommandLineOption voice_option("voice", "Whether the program speaks: on (default) or off.",
+                                          "on|off", "on");
+    const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.",
+                                            "file");
+    options.addOptions({voice_option, picture_option});
+    options.process(app);
+    const QString voice_wish = options.value(voice_option);
+    if (voice_wish != "on" && voice_wish != "off") {
+        std::fprintf(stderr, "--voice is \"on\" or \"off\".\n");
+        return 2;
+    }
+
+    tp::SpokenVoice voice;
+    tp::NotificationAnnouncer announcer;
+    tp::ExploreSettings settings;
+    settings.voice_on = voice_wish == "on" && !options.isSet(picture_option);
+    tp::ExploreSession session(voice, announcer, settings);
+    tp::ExploreWindow window(session, announcer);
+    if (window.status() == QQuickView::Error)
+        return 1; // Qt has said why
+    window.show();
+
+    const QTemporaryDir folder;
+    if (const QString photo = photo_to_open(options.positionalArguments(), folder); !photo.isEmpty())
+        session.open_file(photo);
+    std::optional<tp::Demonstration> demonstration;
+    if (options.isSet(picture_option))
+        take_picture(demonstration.emplace(session), window, options.value(picture_option));
+    return QGuiApplication::exec();
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audio/recording_voice.hpp"
+
+namespace tp {
+
+void RecordingVoice::set_state(State state) {
+    state_ = state;
+    emit state_changed();
+}
+
+void RecordingVoice::say(const QString& text, Priority priority) {
+    said_ << text;
+    last_priority_ = priority;
+}
+
+} // namespace tp

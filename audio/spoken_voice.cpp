@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audio/spoken_voice.hpp"
+
+namespace tp {
+
+SpokenVoice::SpokenVoice(QObject* parent) : Voice(parent), queue_(speech_) {
+    connect(&speech_, &SystemSpeech::found, this, [this] { became(State::ready); });
+    connect(&speech_, &SystemSpeech::lost, this, [this] { became(State::starting); });
+    connect(&speech_, &SystemSpeech::none_left, this, [this] { became(State::missing); });
+    connect(&speech_, &SystemSpeech::finished, this, [this](quint64 id) { queue_.finished(id); });
+}
+
+void SpokenVoice::say(const QString& text, Priority priority) {
+    if (state_ == State::missing)
+        return;
+    if (state_ == State::asleep) {
+        became(State::starting);
+        speech_.start();
+    }
+    queue_.say(text, priority);
+}
+
+void SpokenVoice::became(State state) {
+    if (state == state_)
+        return;
+    state_ = state;
+    if (state == State::missing)
+        queue_.clear();
+    queue_.open(state == State::ready);
+    emit state_changed();
+}
+
+} // namespace tp

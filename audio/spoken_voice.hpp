@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "audio/speech_queue.hpp"
+#include "audio/system_speech.hpp"
+#include "audio/voice.hpp"
+
+namespace tp {
+
+/// The voice that people hear: the queue before the system's speech engine. Nothing is started until
+/// something is said.
+class SpokenVoice final : public Voice {
+    Q_OBJECT
+public:
+    explicit SpokenVoice(QObject* parent = nullptr);
+
+    State state() const override { return state_; }
+    void say(const QString& text, Priority priority) override;
+    void stop() override { queue_.stop(); }
+    void set_rate(double rate) override { speech_.set_rate(rate); }
+    void set_recording_plays(bool plays) override { queue_.set_recording_plays(plays); }
+
+private:
+    void became(State state);
+
+    State state_ = State::asleep;
+    SystemSpeech speech_;
+    SpeechQueue queue_;
+};
+
+} // namespace tp

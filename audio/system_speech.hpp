@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "audio/speech_engine.hpp"
+
+#include <QObject>
+#include <QString>
+#include <QThread>
+#include <QTimer>
+
+namespace tp {
+
+class SpeechWorker;
+
+/// The speech engine of this system (Qt TextToSpeech: speech-dispatcher, then flite), each tried on a thread
+/// of its own, because finding one takes seconds and one that hangs may hang for ever. An engine that does
+/// not answer in time, or turns out to be mute, is left behind and the next one tried.
+class SystemSpeech final : public QObject, public SpeechEngine {
+    Q_OBJECT
+public:
+    SystemSpeech();
+    /// Leaves an engine that hangs where it hangs rather than keep the program from ending.
+    ~SystemSpeech() override;
+
+    /// Looks for an engine; `found` or `none_left` follows. Once only.
+    void start();
+    void speak(quint64 id, const QString& text) override;
+    void cancel() override;
+    void set_rate(double rate);
+
+signals:
+    void found();
+    /// The engine that was found is no longer used; another is looked for.
+    void lost();
+    void none_left();
+    void finished(quint64 id);
+
+private:
+    void try_next();
+    void leave_behind();
+
+    QThread* thread_ = nullptr;
+    SpeechWorker* worker_ = nullptr; ///< lives on thread_, whose end deletes it
+    int next_ = 0;                   ///< engine to be tried when this one fails
+    QTimer too_long_;
+    double rate_ = 0.0;
+};
+
+} // namespace tp

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/controls/controls_module.hpp"
+
+#include <QAccessible>
+#include <QQuickItem>
+#include <QQuickView>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace {
+
+QQuickItem* item(QQuickView& view, const char* name) {
+    return view.rootObject()->findChild<QQuickItem*>(name);
+}
+
+QAccessibleInterface* accessible(QQuickView& view, const char* name) {
+    return QAccessible::queryAccessibleInterface(item(view, name));
+}
+
+/// What a screen reader does when its user presses, toggles and so on.
+void act(QAccessibleInterface* interface, const QString& action) {
+    interface->actionInterface()->doAction(action);
+}
+
+/// WCAG 2.2: relative luminance of an sRGB colour, and the ratio of two.
+double luminance(const QColor& colour) {
+    const auto linear = [](double c) {
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+double contrast(const QColor& a, const QColor& b) {
+    const double la = luminance(a);
+    const double lb = luminance(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+} // namespace
+
+class ControlsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QAccessible::setActive(true);
+        tp::register_controls();
+    }
+    void init() {
+        view_ = std::make_unique<QQuickView>(QUrl::fromLocalFile(QFINDTESTDATA("Gallery.qml")));
+        QCOMPARE(view_->status(), QQuickView::Ready);
+        view_->show();
+        view_->requestActivate();
+        QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    }
+    void cleanup() { view_.reset(); }
+
+    void every_control_has_role_name_and_a_target_of_64_pixels() {
+        struct Expected {
+            const char* object;
+            const char* name;
+            QAccessible::Role role;
+        };
+        for (const Expected& expected : {Expected{"button", "A button", QAccessible::Button},
+                                         Expected{"toggle", "A toggle", QAccessible::CheckBox},
+                                         Expected{"slider", "A slider", QAccessible::Slider}}) {
+            QAccessibleInterface* control = accessible(*view_, expected.object);
+            QVERIFY2(control != nullptr, expected.object);
+            QCOMPARE(control->role(), expected.role);
+            QCOMPARE(control->text(QAccessible::Name), QString(expected.name));
+            QVERIFY(control->state().focusable);
+            QVERIFY(item(*view_, expected.object)->height() >= 64.0);
+            QVERIFY(item(*view_, expected.object)->width() >= 64.0);
+        }
+        QCOMPARE(accessible(*view_, "button")->text(QAccessible::Description), QString("What it does"));
+    }
+
+    void words_have_roles() {
+        QStringList headings;
+        for (QQuickItem* child : view_->rootObject()->childItems())
+            if (QAccessibleInterface* words = QAccessible::queryAccessibleInterface(child);
+                words != nullptr && words->role() == QAccessible::Heading)
+                headings << words->text(QAccessible::Name);
+        QCOMPARE(headings, QStringList("A heading"));
+    }
+
+    void a_button_is_pressed_by_mouse_key_and_screen_reader() {
+        QQuickItem* button = item(*view_, "button");
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, button->mapToScene({10, 10}).toPoint());
+        QCOMPARE(presses(), 1);
+        button->forceActiveFocus();
+        QTest::keyClick(view_.get(), Qt::Key_Space);
+        QTest::keyClick(view_.get(), Qt::Key_Return);
+        QTest::keyClick(view_.get(), Qt::Key_Enter);
+        QCOMPARE(presses(), 4);
+        act(accessible(*view_, "button"), QAccessibleActionInterface::pressAction());
+        QCOMPARE(presses(), 5);
+    }
+
+    void a_disabled_button_is_not_pressed_by_anybody() {
+        QQuickItem* button = item(*view_, "disabled");
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, button->mapToScene({10, 10}).toPoint());
+        act(accessible(*view_, "disabled"), QAccessibleActionInterface::pressAction());
+        QCOMPARE(presses(), 0);
+    }
+
+    void a_toggle_is_thrown_by_mouse_key_and_screen_reader() {
+        QQuickItem* toggle = item(*view_, "toggle");
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, toggle->mapToScene({20, 20}).toPoint());
+        QVERIFY(wanted());
+        act(accessible(*view_, "toggle"), QAccessibleActionInterface::toggleAction());
+        QVERIFY(!wanted());
+        toggle->forceActiveFocus();
+        QTest::keyClick(view_.get(), Qt::Key_Space);
+        QVERIFY(wanted());
+        QVERIFY(accessible(*view_, "toggle")->state().checked);
+        QTest::keyClick(view_.get(), Qt::Key_Return);
+        QVERIFY(!wanted());
+    }
+
+    void a_toggle_follows_the_program() {
+        view_->rootObject()->setProperty("wanted", true);
+        QVERIFY(item(*view_, "toggle")->property("checked").toBool());
+        act(accessible(*view_, "toggle"), QAccessibleActionInterface::toggleAction());
+        view_->rootObject()->setProperty("wanted", true);
+        QVERIFY(item(*view_, "toggle")->property("checked").toBool());
+    }
+
+    void a_slider_tells_its_bounds_and_is_set_by_key_and_screen_reader() {
+        QAccessibleValueInterface* value = accessible(*view_, "slider")->valueInterface();
+        QVERIFY(value != nullptr);
+        QCOMPARE(value->minimumValue().toDouble(), 0.0);
+        QCOMPARE(value->maximumValue().toDouble(), 1.0);
+        QCOMPARE(value->currentValue().toDouble(), 0.5);
+        value->setCurrentValue(0.8);
+        QCOMPARE(picked(), 0.8);
+        item(*view_, "slider")->forceActiveFocus();
+        QTest::keyClick(view_.get(), Qt::Key_Left);
+        QVERIFY(std::abs(picked() - 0.7) < 1e-9);
+        act(accessible(*view_, "slider"), QAccessibleActionInterface::increaseAction());
+        QVERIFY(std::abs(picked() - 0.8) < 1e-9);
+    }
+
+    void every_text_keeps_seven_to_one() {
+        const QObject* theme = view_->rootObject()->property("theme").value<QObject*>();
+        QVERIFY(theme != nullptr);
+        const auto colour = [&](const char* name) { return theme->property(name).value<QColor>(); };
+        for (const char* ground : {"ground", "panel", "raised"})
+            for (const char* text : {"text", "quiet", "accent", "finger"})
+                QVERIFY2(contrast(colour(text), colour(ground)) >= 7.0,
+                         qPrintable(QString("%1 on %2: %3")
+                                        .arg(text, ground)
+                                        .arg(contrast(colour(text), colour(ground)))));
+        QVERIFY(contrast(colour("accentText"), colour("accent")) >= 7.0);
+        QVERIFY(contrast(colour("edge"), colour("ground")) >=
+                3.0); // what shows where a control is (WCAG 1.4.11)
+    }
+
+    void tab_goes_from_control_to_control() {
+        item(*view_, "button")->forceActiveFocus();
+        QTest::keyClick(view_.get(), Qt::Key_Tab);
+        QVERIFY(item(*view_, "toggle")->hasActiveFocus()); // the disabled one is passed over
+        QTest::keyClick(view_.get(), Qt::Key_Tab);
+        QVERIFY(item(*view_, "slider")->hasActiveFocus());
+    }
+
+private:
+    int presses() const { return view_->rootObject()->property("presses").toInt(); }
+    bool wanted() const { return view_->rootObject()->property("wanted").toBool(); }
+    double picked() const { return view_->rootObject()->property("picked").toDouble(); }
+
+    std::unique_ptr<QQuickView> view_;
+};
+
+QTEST_MAIN(ControlsTest)
+#include "controls_test.moc"

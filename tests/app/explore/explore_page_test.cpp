@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/explore/explore_window.hpp"
+#include "explore_bench.hpp"
+
+#include <QAccessible>
+#include <QMimeData>
+#include <QPointingDevice>
+#include <QQuickItem>
+#include <QSet>
+#include <QTest>
+
+using namespace tp;
+
+namespace {
+
+QStringList warnings;
+
+void remember_warnings(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("Using QCharRef");
+    if ((type == QtWarningMsg || type == QtCriticalMsg) && !of_the_test_machine)
+        warnings << text;
+}
+
+struct Page {
+    RecordingVoice voice;
+    NotificationAnnouncer announcer;
+    ExploreSession session{voice, announcer, patient_settings()};
+    ExploreWindow window{session, announcer};
+
+    Page() {
+        session.show(drawn_photo());
+        window.show();
+        window.requestActivate();
+    }
+    bool exposed() { return QTest::qWaitForWindowExposed(&window); }
+
+    QQuickItem* surface() const { return window.rootObject()->findChild<QQuickItem*>("surface"); }
+    /// Sheet frame → window.
+    QPoint pixel(QPointF place) const {
+        const double scale = surface()->width() / session.surfaceWidth();
+        return surface()->mapToScene(scale * place).toPoint();
+    }
+    /// A place 5 mm inside of the outline's left side, and one higher up.
+    QPointF beside(double higher = 0.0) const {
+        const QPointF corner = session.frame().from_surface(session.felt().lines[outline].points[1]);
+        return corner + QPointF(5.0, -30.0 - higher);
+    }
+    static constexpr int left_eye = 0;
+    static constexpr int outline = 3;
+};
+
+/// Every interface below `root`, in reading order.
+void collect(QAccessibleInterface* root, QList<QAccessibleInterface*>& into) {
+    if (root == nullptr || root->state().invisible)
+        return;
+    into << root;
+    for (int i = 0; i < root->childCount(); ++i)
+        collect(root->child(i), into);
+}
+
+QAccessibleInterface* named(QQuickWindow& window, const QString& name) {
+    QList<QAccessibleInterface*> all;
+    collect(QAccessible::queryAccessibleInterface(&window), all);
+    for (QAccessibleInterface* one : all)
+        if (one->text(QAccessible::Name) == name)
+            return one;
+    return nullptr;
+}
+
+} // namespace
+
+class ExplorePageTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QAccessible::setActive(true);
+        qInstallMessageHandler(remember_warnings);
+    }
+    void init() { warnings.clear(); }
+    void cleanup() { QCOMPARE(warnings, QStringList()); } // QML warnings above all
+
+    void it_loads_and_shows_the_photograph_and_the_lines() {
+        Page page;
+        QVERIFY(page.exposed());
+        QCOMPARE(page.window.status(), QQuickView::Ready);
+        QCOMPARE(page.window.title(), QString("drawn.png – TouchPhoto"));
+        const QImage picture = page.window.grabWindow();
+        QSet<QRgb> colours;
+        for (int y = 0; y < picture.height(); y += 3)
+            for (int x = 0; x < picture.width(); x += 3)
+                colours << picture.pixel(x, y);
+        QVERIFY(colours.size() > 50);
+    }
+
+    void an_empty_page_loads_too() {
+        RecordingVoice voice;
+        NotificationAnnouncer announcer;
+        ExploreSession session(voice, announcer, patient_settings());
+        ExploreWindow window(session, announcer);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(named(window, "No photograph yet. Press O, or drop one here.") != nullptr);
+    }
+
+    void it_loads_on_a_tall_window() {
+        Page page;
+        page.window.resize(600, 1000);
+        QVERIFY(page.exposed());
+        QTRY_VERIFY(page.surface()->width() > 400.0);
+        QVERIFY(!page.window.grabWindow().isNull());
+    }
+
+    void the_mouse_moves_the_hand_and_the_line_draws_the_finger() {
+        Page page;
+        QVERIFY(page.exposed());
+        QTest::mouseMove(&page.window, page.pixel(page.beside(20.0)));
+        QTest::mouseMove(&page.window, page.pixel(page.beside()));
+        QTRY_VERIFY(QLineF(page.session.pointer(), page.beside()).length() < 0.5);
+        const double hand = distance_to_feature(page.session, Page::outline, page.session.pointer());
+        QTRY_VERIFY(distance_to_feature(page.session, Page::outline, page.session.finger()) < hand - 1.0);
+        QTRY_VERIFY(page.session.newtons() > 0.2);
+    }
+
+    void a_touch_moves_the_hand_and_the_line_draws_the_finger() {
+        Page page;
+        QVERIFY(page.exposed());
+        QPointingDevice* screen = QTest::createTouchDevice();
+        QTest::touchEvent(&page.window, screen).press(0, page.pixel(page.beside(20.0)), &page.window);
+        QTRY_VERIFY(QLineF(page.session.pointer(), page.beside(20.0)).length() < 0.5);
+        for (double higher = 19.0; higher >= 0.0; higher -= 1.0)
+            QTest::touchEvent(&page.window, screen).move(0, page.pixel(page.beside(higher)), &page.window);
+        QTRY_VERIFY(QLineF(page.session.pointer(), page.beside()).length() < 0.5);
+        const double hand = distance_to_feature(page.session, Page::outline, page.session.pointer());
+        QTRY_VERIFY(distance_to_feature(page.session, Page::outline, page.session.finger()) < hand - 1.0);
+        QTest::touchEvent(&page.window, screen).release(0, page.pixel(page.beside()), &page.window);
+    }
+
+    void the_feature_under_the_finger_is_spoken_and_shown() {
+        Page page;
+        QVERIFY(page.exposed());
+        page.voice.clear();
+        const QPointF on =
+            page.session.frame().from_surface(page.session.felt().lines[Page::left_eye].points[0]);
+        QTest::mouseMove(&page.window, page.pixel(on + QPointF(0.0, -12.0)));
+        QTest::mouseMove(&page.window, page.pixel(on));
+        QTRY_COMPARE(page.voice.said(), QStringList("left eye"));
+        QVERIFY(named(page.window, "Under the finger: left eye") != nullptr);
+    }
+
+    void arrow_keys_move_the_hand() {
+        Page page;
+        QVERIFY(page.exposed());
+        const QPointF before = page.session.pointer();
+        QTest::keyClick(&page.window, Qt::Key_Right);
+        QTest::keyClick(&page.window, Qt::Key_Down, Qt::ShiftModifier);
+        QTRY_VERIFY(QLineF(page.session.pointer(), before + QPointF(2.0, 10.0)).length() < 1e-9);
+    }
+
+    void tab_goes_through_the_features_then_the_buttons_and_back() {
+        Page page;
+        QVERIFY(page.exposed());
+        page.voice.clear();
+        for (int i = 0; i < 4; ++i)
+            QTest::keyClick(&page.window, Qt::Key_Tab);
+        QCOMPARE(page.voice.said(), QStringList({"left eye", "right eye", "lips", "face outline"}));
+        QVERIFY(page.surface()->hasActiveFocus());
+        QTest::keyClick(&page.window, Qt::Key_Tab);
+        QVERIFY(!page.surface()->hasActiveFocus());
+        QTest::keyClick(&page.window, Qt::Key_Backtab, Qt::ShiftModifier);
+        QVERIFY(page.surface()->hasActiveFocus());
+        QTest::keyClick(&page.window, Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(page.voice.said().back(), QString("face outline"));
+    }
+
+    void space_starts_a_tour_and_it_finishes() {
+        Page page;
+        QVERIFY(page.exposed());
+        QTest::keyClick(&page.window, Qt::Key_Tab);
+        QTest::keyClick(&page.window, Qt::Key_Space);
+        QVERIFY(page.session.touring());
+        QCOMPARE(page.voice.said().back(), QString("Tour round the left eye."));
+        QTRY_VERIFY_WITH_TIMEOUT(!page.session.touring(), 60000);
+        QCOMPARE(page.voice.said().back(), QString("Tour finished."));
+    }
+
+    void escape_gives_zero_force_and_enter_brings_it_back() {
+        Page page;
+        QVERIFY(page.exposed());
+        QTest::mouseMove(&page.window, page.pixel(page.beside()));
+        QTRY_VERIFY(page.session.newtons() > 0.1);
+        QTest::keyClick(&page.window, Qt::Key_Escape);
+        QTRY_COMPARE(page.session.newtons(), 0.0);
+        QVERIFY(!page.session.engaged());
+        QTest::keyClick(&page.window, Qt::Key_Return);
+        QVERIFY(page.session.engaged());
+        QTRY_VERIFY(page.session.newtons() > 0.1);
+    }
+
+    void other_keys() {
+        Page page;
+        QVERIFY(page.exposed());
+        QTest::keyClick(&page.window, Qt::Key_W);
+        QVERIFY(page.voice.said().back().startsWith("The nearest line is the "));
+        QTest::keyClick(&page.window, Qt::Key_V);
+        QVERIFY(!page.session.voiceOn());
+        QTest::keyClick(&page.window, Qt::Key_V);
+        QCOMPARE(page.voice.said().back(), QString("Voice on."));
+    }
+
+    void a_bad_file_is_shown_and_spoken_and_the_page_stays_usable() {
+        Page page;
+        QVERIFY(page.exposed());
+        page.session.open_file("/nowhere/at all.jpg");
+        QVERIFY(named(page.window, "Looking for faces…") != nullptr);
+        QTRY_COMPARE_WITH_TIMEOUT(page.session.state(), ExploreSession::State::Problem, 30000);
+        QVERIFY(page.voice.said().back().contains("at all.jpg"));
+        QVERIFY(named(page.window, page.voice.said().back()) != nullptr);
+        page.session.show(drawn_photo());
+        QTest::keyClick(&page.window, Qt::Key_Tab);
+        QCOMPARE(page.voice.said().back(), QString("left eye"));
+    }
+
+    void everything_that_can_be_operated_has_a_name() {
+        Page page;
+        QVERIFY(page.exposed());
+        QList<QAccessibleInterface*> all;
+        collect(QAccessible::queryAccessibleInterface(&page.window), all);
+        int operable = 0;
+        for (QAccessibleInterface* one : all) {
+            const QStringList actions =
+                one->actionInterface() != nullptr ? one->actionInterface()->actionNames() : QStringList();
+            const bool counts =
+                one->state().focusable || actions.contains(QAccessibleActionInterface::pressAction());
+            if (!counts || one->role() == QAccessible::Window || one->role() == QAccessible::Client)
+                continue;
+            ++operable;
+            QVERIFY2(
+                !one->text(QAccessible::Name).isEmpty(),
+                qPrintable(
+                    QString("role %1 at %2,%3").arg(one->role()).arg(one->rect().x()).arg(one->rect().y())));
+        }
+        QVERIFY(operable >= 11);
+        for (const char* name : {"Guided tour", "Where am I?", "Stop", "Next feature", "Strongest force",
+                                 "Voice", "Open photograph…", "Touch surface", "face", "left eye",
+                                 "right eye", "lips", "face outline", "drawn.png"})
+            QVERIFY2(named(page.window, name) != nullptr, name);
+    }
+
+    void a_screen_reader_presses_features_and_buttons() {
+        Page page;
+        QVERIFY(page.exposed());
+        named(page.window, "lips")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QCOMPARE(page.voice.said().back(), QString("lips"));
+        named(page.window, "Guided tour")
+            ->actionInterface()
+            ->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(page.session.touring());
+        QVERIFY(named(page.window, "End the tour") != nullptr);
+        named(page.window, "Stop")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(!page.session.touring());
+        QVERIFY(named(page.window, "Force on") != nullptr);
+    }
+
+    void with_the_voice_off_a_screen_reader_is_told() {
+        Page page;
+        QVERIFY(page.exposed());
+        page.session.setVoiceOn(false);
+        page.session.goToFeature(Page::left_eye);
+        QCOMPARE(page.announcer.sentence(), QString("left eye"));
+        QTRY_VERIFY(page.announcer.shown());
+    }
+
+    void a_photograph_dropped_on_the_page_is_opened() {
+        Page page;
+        QVERIFY(page.exposed());
+        QMimeData mime;
+        mime.setUrls({QUrl::fromLocalFile("/nowhere/dropped.jpg")});
+        const QPointF middle(page.window.width() / 2.0, page.window.height() / 2.0);
+        QDragEnterEvent enter(middle.toPoint(), Qt::CopyAction, &mime, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&page.window, &enter);
+        QDropEvent drop(middle, Qt::CopyAction, &mime, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&page.window, &drop);
+        QTRY_COMPARE_WITH_TIMEOUT(page.session.state(), ExploreSession::State::Problem, 30000);
+        QVERIFY(page.session.sentence().contains("dropped.jpg"));
+    }
+};
+
+QTEST_MAIN(ExplorePageTest)
+#include "explore_page_test.moc"

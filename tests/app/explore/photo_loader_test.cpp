@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/explore/photo_loader.hpp"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace tp;
+
+namespace {
+const QString samples = TP_SOURCE_DIR "/resources/samples/";
+}
+
+class PhotoLoaderTest : public QObject {
+    Q_OBJECT
+private slots:
+    void a_portrait() {
+        PhotoLoader loader;
+        std::shared_ptr<const LoadedPhoto> got;
+        connect(&loader, &PhotoLoader::loaded, this, [&](auto photo) { got = photo; });
+        loader.load(samples + "anna_smiling.jpg");
+        QTRY_VERIFY_WITH_TIMEOUT(got != nullptr, 60000);
+        QCOMPARE(got->name, QString("anna_smiling.jpg"));
+        QCOMPARE(got->image.size(), QSize(900, 1100));
+        QCOMPARE(got->extraction.faces.size(), 1u);
+    }
+    void only_the_newest_wish_is_answered() {
+        PhotoLoader loader;
+        QStringList answered;
+        connect(&loader, &PhotoLoader::loaded, this, [&](auto photo) { answered << photo->name; });
+        loader.load(samples + "anna_smiling.jpg");
+        loader.load(samples + "ben_angry.jpg");
+        loader.load(samples + "clara_sad.jpg");
+        QTRY_VERIFY_WITH_TIMEOUT(answered.contains("clara_sad.jpg"), 60000);
+        QCOMPARE(answered, QStringList("clara_sad.jpg"));
+    }
+    void no_such_file() {
+        PhotoLoader loader;
+        std::shared_ptr<const LoadedPhoto> got;
+        connect(&loader, &PhotoLoader::loaded, this, [&](auto photo) { got = photo; });
+        loader.load("/nowhere/at all.jpg");
+        QTRY_VERIFY_WITH_TIMEOUT(got != nullptr, 60000);
+        QVERIFY(got->image.isNull());
+        QVERIFY(!got->extraction.problem.empty());
+    }
+    void it_can_go_away_while_it_works() {
+        PhotoLoader loader;
+        loader.load(samples + "anna_smiling.jpg");
+    }
+};
+
+QTEST_GUILESS_MAIN(PhotoLoaderTest)
+#include "photo_loader_test.moc"

@@ -24,9 +24,9 @@ struct BuiltScene {
 };
 
 /// Fits the subject into the surface: the face with index `face`, or all faces together. Contours are named
-/// as in `feature`, with several faces in the scene "face 1 left_eye" and so on. What is too narrow to be told
-/// apart by force, a shut eye or shut lips, becomes one line. An error where there is no
-/// face or no such face, or where the surface leaves no room inside its margin.
+/// as in `feature`, with several faces in the scene "face 1 left_eye" and so on. What is too narrow to be
+/// told apart by force, a shut eye or shut lips, becomes one line. An error where there is no face or no such
+/// face, or where the surface leaves no room inside its margin.
 Result<BuiltScene> build_scene(const Extraction& extraction, const SurfaceSize& surface = {},
                                std::optional<std::size_t> face = std::nullopt);
 

@@ -4,7 +4,9 @@
 namespace tp {
 
 Guidance ExactLaw::at(Vec2 finger) const noexcept {
-    const Nearest nearest = index_.nearest(finger);
+    Nearest nearest = index_.nearest_within(finger, profile_.band());
+    if (!nearest.found()) // no force here; only the distance is wanted
+        nearest = index_.nearest(finger);
     Guidance guidance{Vec2(0.0), nearest.distance, nearest.point, nearest.contour,
                       profile_.energy(nearest.distance)};
     const double magnitude = profile_.force(nearest.distance);

@@ -12,7 +12,8 @@ namespace tp {
 /// On a contour the force is zero without a division.
 class ExactLaw final : public GuidanceLaw {
 public:
-    ExactLaw(const FlatScene& scene, TentProfile profile) : index_(scene, profile.band()), profile_(profile) {}
+    ExactLaw(const FlatScene& scene, TentProfile profile)
+        : index_(scene, profile.band()), profile_(profile) {}
 
     Guidance at(Vec2 finger) const noexcept override;
     /// The potential at `finger`, mJ; outside the band the constant stiffness · range².

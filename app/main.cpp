@@ -63,6 +63,8 @@ int main(int argc, char** argv) {
     tp::ExploreWindow window(session, announcer);
     if (window.status() == QQuickView::Error)
         return 1; // Qt has said why
+    if (!options.isSet(picture_option))
+        window.fit_to_screen();
     window.show();
 
     const QTemporaryDir folder;

@@ -61,8 +61,8 @@ FocusScope {
 
         ColumnLayout {
             Layout.fillWidth: true
-            Layout.fillHeight: true
-            Layout.preferredHeight: 3
+            Layout.fillHeight: page.wide
+            Layout.preferredHeight: page.wide ? -1 : Math.min(0.75 * width, 0.6 * page.height)
             spacing: Theme.gap
 
             Item {
@@ -78,13 +78,15 @@ FocusScope {
                     focus: true
                 }
             }
-            KeyHelp { Layout.fillWidth: true }
+            KeyHelp {
+                Layout.fillWidth: true
+                visible: page.wide
+            }
         }
         SidePanel {
             session: page.session
             Layout.fillHeight: true
             Layout.fillWidth: !page.wide
-            Layout.preferredHeight: 2
             Layout.preferredWidth: page.wide ? 360 * Theme.textScale : -1
             onOpenAsked: page.openDialog()
         }

@@ -10,9 +10,21 @@ FocusScope {
 
     required property ExploreSession session
     readonly property bool ready: session.state === ExploreSession.Ready
+    readonly property Item focused: Window.activeFocusItem
     signal openAsked
 
+    // What the keyboard comes to is brought into view.
+    onFocusedChanged: {
+        for (let item = focused; item; item = item.parent)
+            if (item === column) {
+                const top = focused.mapToItem(column, 0, 0).y
+                flickable.contentY = Math.max(Math.min(flickable.contentY, top - Theme.gap),
+                                              top + focused.height + Theme.gap - flickable.height)
+            }
+    }
+
     Flickable {
+        id: flickable
         anchors.fill: parent
         contentHeight: column.implicitHeight
         clip: contentHeight > height

@@ -3,6 +3,8 @@
 
 #include "app/explore/explore_module.hpp"
 
+#include <QScreen>
+
 namespace tp {
 
 ExploreWindow::ExploreWindow(ExploreSession& session, NotificationAnnouncer& announcer) {
@@ -20,6 +22,11 @@ ExploreWindow::ExploreWindow(ExploreSession& session, NotificationAnnouncer& ann
     setInitialProperties(
         {{"session", QVariant::fromValue(&session)}, {"announcer", QVariant::fromValue(&announcer)}});
     setSource(QUrl("qrc:/qt-project.org/imports/TouchPhoto/Explore/ExplorePage.qml"));
+}
+
+void ExploreWindow::fit_to_screen() {
+    const QSize room = screen()->availableSize();
+    resize(room.height() > room.width() ? room : size().boundedTo(room));
 }
 
 } // namespace tp

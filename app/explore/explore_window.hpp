@@ -14,6 +14,8 @@ class ExploreWindow final : public QQuickView {
 public:
     /// Both must outlive the window.
     ExploreWindow(ExploreSession& session, NotificationAnnouncer& announcer);
+    /// No larger than the screen it is on; the whole of one that is taller than wide.
+    void fit_to_screen();
 };
 
 } // namespace tp

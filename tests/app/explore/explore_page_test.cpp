@@ -110,6 +110,19 @@ private slots:
         QVERIFY(!page.window.grabWindow().isNull());
     }
 
+    void what_the_keyboard_comes_to_is_in_view() {
+        Page page;
+        page.window.resize(600, 700);
+        QVERIFY(page.exposed());
+        for (int i = 0; i < 24; ++i) {
+            QTest::keyClick(&page.window, Qt::Key_Tab);
+            const QQuickItem* focused = page.window.activeFocusItem();
+            const QRectF place = focused->mapRectToScene(focused->boundingRect());
+            QVERIFY2(place.top() >= -1.0 && place.bottom() <= page.window.height() + 1.0,
+                     qPrintable(focused->objectName()));
+        }
+    }
+
     void the_mouse_moves_the_hand_and_the_line_draws_the_finger() {
         Page page;
         QVERIFY(page.exposed());

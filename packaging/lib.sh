@@ -1,5 +1,7 @@
+# shellcheck shell=bash
 # SPDX-License-Identifier: Apache-2.0
 # Shared by the scripts beside it; sourced, with $root set to the top of the project.
+: "${root:?}"
 
 # say WORDS…: one line about what is going on, apart from what the tools print.
 say() { printf '\n== %s\n' "$*" >&2; }

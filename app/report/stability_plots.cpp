@@ -50,7 +50,7 @@ Result<std::filesystem::path> plot_loop_work(const std::filesystem::path& folder
     return write_plot(
         folder / "loop_work",
         {loop_panel(rows, QStringLiteral("Net work round a 3 mm loop"),
-                    {QStringLiteral("largest net work, mJ"), 0.0, 4.0, false}, &LoopWork::max_loop_work_mj),
+                    {QStringLiteral("largest net work, mJ"), 0.0, 6.0, false}, &LoopWork::max_loop_work_mj),
          loop_panel(rows, QStringLiteral("Force error"),
                     {QStringLiteral("largest force error, N"), 0.0, 1.6, false},
                     &LoopWork::max_force_error_n)});

@@ -236,7 +236,7 @@ void ExploreSession::whereAmI() {
         tell(sentence_.isEmpty() ? QString("There is no photograph yet. Press O to open one.") : sentence_,
              Priority::touch);
     else
-        tell(where_am_i(servo_.felt(), servo_.snapshot().finger(), tracker_.current()), Priority::touch);
+        tell(where_am_i(servo_.felt(), servo_.finger(), tracker_.current()), Priority::touch);
 }
 
 // --- tour and force ---
@@ -247,7 +247,7 @@ int ExploreSession::tour_feature() const {
     if (last_feature_ >= 0)
         return last_feature_;
     const std::vector<Polyline>& lines = servo_.felt().lines;
-    const Vec2 finger = servo_.snapshot().finger();
+    const Vec2 finger = servo_.finger();
     const auto nearest =
         std::min_element(lines.begin(), lines.end(), [&](const Polyline& a, const Polyline& b) {
             return distance_to(a, finger) < distance_to(b, finger);
@@ -315,7 +315,8 @@ void ExploreSession::setMaxForce(double newtons) {
 
 void ExploreSession::poll() {
     const ServoSnapshot now = servo_.snapshot();
-    const QPointF finger = frame_.from_surface(now.finger());
+    const Vec2 finger_mm = servo_.finger();
+    const QPointF finger = frame_.from_surface(finger_mm);
     const QPointF force(now.fx, -now.fy);
     const QPointF pointer = touring() ? finger : frame_.from_surface(servo_.pointer());
     const double progress = touring() ? now.tour_progress : 0.0;
@@ -329,7 +330,7 @@ void ExploreSession::poll() {
     watch_faults(now.fault);
     if (servo_.has_led())
         end_tour("Tour finished.");
-    follow_finger(now.finger());
+    follow_finger(finger_mm);
 }
 
 void ExploreSession::follow_finger(Vec2 finger) {

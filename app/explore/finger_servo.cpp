@@ -44,6 +44,12 @@ Vec2 FingerServo::inside(Vec2 p) const { return glm::clamp(p, surface_.min, surf
 void FingerServo::place(Vec2 pointer) {
     pointer_ = inside(pointer);
     device_.place_finger(pointer_);
+    seen_from_ = snapshot().ticks + 2; // a tick under way may have looked before
+}
+
+Vec2 FingerServo::finger() const {
+    const ServoSnapshot now = snapshot();
+    return now.ticks < seen_from_ ? pointer_ : now.finger();
 }
 
 void FingerServo::move(Vec2 pointer) {

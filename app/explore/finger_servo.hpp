@@ -31,6 +31,8 @@ public:
     /// The hand moves there.
     void move(Vec2 pointer);
     Vec2 pointer() const { return pointer_; }
+    /// Where the finger is, mm; where it was set down until the servo has seen that.
+    Vec2 finger() const;
 
     /// Leads the relaxed finger along that contour.
     void lead_along(std::size_t contour);
@@ -58,6 +60,7 @@ private:
     Scene scene_;
     FlatScene felt_;
     Vec2 pointer_{0.0};
+    std::uint64_t seen_from_ = 0;   ///< tick from which on the servo knows where the finger was set down
     std::uint64_t tour_number_ = 0; ///< of the scene that leads; 0: none
     bool engaged_ = false;
 };

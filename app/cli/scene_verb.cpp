@@ -12,6 +12,9 @@ namespace tp {
 
 namespace {
 
+constexpr double smallest_surface_mm = 20.0; // something is left inside the margins
+constexpr double largest_surface_mm = 2000.0;
+
 void print_spacing(const Scene& scene) {
     const FlatScene flat = flatten(scene);
     std::printf("gap_mm,peak_n,tellable,first,second\n");
@@ -42,6 +45,9 @@ int scene_verb(const QStringList& words) {
     const Result<double> height = line.positive("height");
     if (!width || !height)
         return wrong_usage("scene", width ? height.error() : width.error());
+    for (const double side : {*width, *height})
+        if (side < smallest_surface_mm || side > largest_surface_mm)
+            return wrong_usage("scene", "--width and --height of a touch surface are from 20 to 2000 mm.");
     std::optional<std::size_t> face;
     if (line.has("face")) {
         const int number = line.text("face").toInt();

@@ -17,7 +17,6 @@ public:
     void feed(double time, Vec2 position) noexcept;
     /// mm/s
     Vec2 velocity() const noexcept { return velocity_; }
-    void reset() noexcept { started_ = false; }
 
 private:
     double cutoff_;

@@ -78,6 +78,10 @@ private slots:
         QTest::newRow("no output") << QStringList{"scene", "a.jpg"};
         QTest::newRow("two photographs") << QStringList{"scene", "a.jpg", "b.jpg", "--out", "c.svg"};
         QTest::newRow("no folder") << QStringList{"trace", "--scene", "a.svg"};
+        QTest::newRow("surface of nothing")
+            << QStringList{"scene", "a.jpg", "--out", "c.svg", "--width", "10"};
+        QTest::newRow("surface of a kilometre")
+            << QStringList{"scene", "a.jpg", "--out", "c.svg", "--height", "1e6"};
         QTest::newRow("face zero") << QStringList{"scene", "a.jpg", "--out", "c.svg", "--face", "0"};
     }
     void usage_is_code_2_with_a_sentence() {

@@ -37,6 +37,7 @@ SegmentSet segments_of(const FlatScene& scene, const std::vector<int>& contours)
         count += line.segment_count();
     set.segments.reserve(count);
     set.owners.reserve(count);
+    set.numbers.reserve(count);
     for (std::size_t owner = 0; owner < contours.size(); ++owner) {
         const Polyline& line = scene.lines[static_cast<std::size_t>(contours[owner])];
         for (std::size_t i = 0; i < line.segment_count(); ++i) {
@@ -46,6 +47,7 @@ SegmentSet segments_of(const FlatScene& scene, const std::vector<int>& contours)
                 continue;
             set.segments.emplace_back(a, b);
             set.owners.push_back(static_cast<int>(owner));
+            set.numbers.push_back(static_cast<std::uint32_t>(i));
             set.longest = std::max(set.longest, std::abs(b.x - a.x) + std::abs(b.y - a.y));
         }
     }
@@ -74,6 +76,7 @@ Nearest ContourIndex::answer(const Closest<Real>& closest) const noexcept {
     nearest.distance = static_cast<double>(std::sqrt(closest.squared));
     nearest.point = point_on(set_.segments[closest.segment], closest.parameter);
     nearest.contour = contours_[static_cast<std::size_t>(set_.owners[closest.segment])];
+    nearest.segment = set_.numbers[closest.segment];
     return nearest;
 }
 

@@ -11,6 +11,8 @@ struct Nearest {
     double distance = std::numeric_limits<double>::infinity(); ///< mm
     Vec2 point{0.0};                                           ///< mm; meaningless where contour < 0
     int contour = -1;                                          ///< index into FlatScene, -1 for none
+    std::uint32_t segment =
+        0; ///< of the contour's line, one that passes there; meaningless where contour < 0
 
     bool found() const { return contour >= 0; }
 };

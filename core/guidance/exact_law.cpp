@@ -3,16 +3,21 @@
 
 namespace tp {
 
+Guidance pull_towards(const Nearest& nearest, Vec2 finger, const TentProfile& profile) noexcept {
+    Guidance guidance{
+        Vec2(0.0),      nearest.distance, nearest.point, nearest.contour, profile.energy(nearest.distance),
+        nearest.segment};
+    const double magnitude = profile.force(nearest.distance);
+    if (magnitude > 0.0)
+        guidance.force = (magnitude / nearest.distance) * (nearest.point - finger);
+    return guidance;
+}
+
 Guidance ExactLaw::at(Vec2 finger) const noexcept {
     Nearest nearest = index_.nearest_within(finger, profile_.band());
     if (!nearest.found()) // no force here; only the distance is wanted
         nearest = index_.nearest(finger);
-    Guidance guidance{Vec2(0.0), nearest.distance, nearest.point, nearest.contour,
-                      profile_.energy(nearest.distance)};
-    const double magnitude = profile_.force(nearest.distance);
-    if (magnitude > 0.0)
-        guidance.force = (magnitude / nearest.distance) * (nearest.point - finger);
-    return guidance;
+    return pull_towards(nearest, finger, profile_);
 }
 
 } // namespace tp

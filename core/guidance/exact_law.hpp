@@ -7,6 +7,9 @@
 
 namespace tp {
 
+/// The tent towards `nearest`, which lies at `nearest.distance` mm from `finger`; nothing at distance zero.
+Guidance pull_towards(const Nearest& nearest, Vec2 finger, const TentProfile& profile) noexcept;
+
 /// Exact guidance, the default: the tent over the true distance to the nearest point of all contours.
 /// The force is minus the gradient of a continuous potential, so a closed path does no net work.
 /// On a contour the force is zero without a division.

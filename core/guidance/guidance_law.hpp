@@ -3,6 +3,7 @@
 
 #include "core/geometry/vec.hpp"
 
+#include <cstdint>
 #include <limits>
 
 namespace tp {
@@ -14,6 +15,7 @@ struct Guidance {
     Vec2 nearest{0.0};                                         ///< mm, the place pulled towards; see contour
     int contour = -1;                                          ///< index into the FlatScene, -1 for none
     double energy = std::numeric_limits<double>::quiet_NaN();  ///< mJ, potential; NaN for a law that has none
+    std::uint32_t segment = 0; ///< of that contour's line, one that passes at `nearest`
 };
 
 /// A way to turn the finger's place into a force. Stateless, so that any number of threads may ask; `at` is

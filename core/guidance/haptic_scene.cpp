@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/guidance/haptic_scene.hpp"
 
+#include "core/guidance/blended_law.hpp"
+#include "core/guidance/corner_cue.hpp"
 #include "core/guidance/exact_law.hpp"
 #include "core/guidance/published_law.hpp"
 
@@ -16,9 +18,33 @@ std::optional<LawKind> law_named(std::string_view name) {
     return std::nullopt;
 }
 
-Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentProfile profile, LawKind law) {
+namespace {
+
+std::unique_ptr<const GuidanceLaw> make_law(const FlatScene& flat, TentProfile profile, LawKind kind,
+                                            const Continuity& continuity) {
+    if (kind == LawKind::published)
+        return std::make_unique<PublishedLaw>(flat, profile);
+    std::unique_ptr<const GuidanceLaw> law;
+    if (continuity.blend_mm > 0.0)
+        law = std::make_unique<BlendedLaw>(flat, profile, continuity.blend_mm);
+    else
+        law = std::make_unique<ExactLaw>(flat, profile);
+    if (continuity.corner_cue)
+        law = std::make_unique<CornerCueLaw>(std::move(law), flat, profile);
+    return law;
+}
+
+} // namespace
+
+Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentProfile profile, LawKind law,
+                                                       const Continuity& continuity) {
     if (!profile.valid())
         return Error{"Stiffness and range of the guidance must both be numbers above zero."};
+    if (const std::string problem = continuity.problem(); !problem.empty())
+        return Error{problem};
+    if (law == LawKind::published && !continuity.off())
+        return Error{
+            "Hysteresis, blending and corner cue belong to the exact law, not to the published one."};
     auto result = std::make_unique<HapticScene>();
     result->flat = flatten(scene);
     result->profile = profile;
@@ -26,10 +52,8 @@ Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentP
                                      [](const Polyline& line) { return line.points.empty(); });
     if (nothing)
         return Error{"The scene has no line that can be felt."};
-    if (law == LawKind::exact)
-        result->law = std::make_unique<ExactLaw>(result->flat, profile);
-    else
-        result->law = std::make_unique<PublishedLaw>(result->flat, profile);
+    result->law = make_law(result->flat, profile, law, continuity);
+    result->hold_mm = continuity.hold_mm;
     return result;
 }
 

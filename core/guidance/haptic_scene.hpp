@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/guidance/continuity.hpp"
 #include "core/guidance/guidance_law.hpp"
 #include "core/guidance/guided_tour.hpp"
 #include "core/guidance/scene.hpp"
@@ -27,12 +28,15 @@ struct HapticScene {
     FlatScene flat;
     TentProfile profile;
     std::unique_ptr<const GuidanceLaw> law;
+    double hold_mm = 0.0;         ///< hysteresis at switches, which the servo's BranchHold keeps
     std::optional<Polyline> tour; ///< where the finger is to be led; none: it is free
     TourManner tour_manner;
 };
 
-/// An error for a profile that is not valid or a scene without a contour that can be felt.
+/// An error for a profile or widths that are not valid, for softened switches of the published law, which has
+/// none, or for a scene without a contour that can be felt.
 Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentProfile profile = {},
-                                                       LawKind law = LawKind::exact);
+                                                       LawKind law = LawKind::exact,
+                                                       const Continuity& continuity = {});
 
 } // namespace tp

@@ -65,7 +65,8 @@ void sort_along_hilbert_curve(SegmentSet& set) {
             return l.key < r.key;
         if (ends(l.segment) != ends(r.segment))
             return ends(l.segment) < ends(r.segment);
-        return set.owners[l.segment] < set.owners[r.segment];
+        return std::tie(set.owners[l.segment], set.numbers[l.segment]) <
+               std::tie(set.owners[r.segment], set.numbers[r.segment]);
     });
     order.erase(std::unique(order.begin(), order.end(),
                             [&](const Keyed& l, const Keyed& r) {
@@ -77,9 +78,11 @@ void sort_along_hilbert_curve(SegmentSet& set) {
     sorted.longest = set.longest;
     sorted.segments.reserve(order.size() + 1);
     sorted.owners.reserve(order.size());
+    sorted.numbers.reserve(order.size());
     for (const Keyed& keyed : order) {
         sorted.segments.push_back(set.segments[keyed.segment]);
         sorted.owners.push_back(set.owners[keyed.segment]);
+        sorted.numbers.push_back(set.numbers[keyed.segment]);
     }
     sorted.add_filler();
     set = std::move(sorted);

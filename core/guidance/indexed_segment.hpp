@@ -33,8 +33,9 @@ struct IndexedSegment {
 /// stands a filler that is never nearest, for lists that need an even number.
 struct SegmentSet {
     std::vector<IndexedSegment> segments;
-    std::vector<int> owners; ///< one a segment: place of its contour in the order that breaks ties
-    double longest = 0.0;    ///< mm, an upper bound
+    std::vector<int> owners;            ///< one a segment: place of its contour in the order that breaks ties
+    std::vector<std::uint32_t> numbers; ///< one a segment: its number in its contour's line
+    double longest = 0.0;               ///< mm, an upper bound
     /// Squares that differ by less than this factor and this much in mm² may be in the wrong order (see
     /// closest_of): 10 ulp of a distance plus the longest segment, twice over.
     static constexpr double indistinct = 1.0 + 1e-11;
@@ -48,7 +49,8 @@ struct SegmentSet {
         indistinct_square = 4e-18 * longest * longest;
     }
     std::size_t bytes() const {
-        return segments.capacity() * sizeof(IndexedSegment) + owners.capacity() * sizeof(int);
+        return segments.capacity() * sizeof(IndexedSegment) + owners.capacity() * sizeof(int) +
+               numbers.capacity() * sizeof(std::uint32_t);
     }
 };
 

@@ -113,12 +113,17 @@ void ServoLoop::take_new_scene(Vec2 finger) noexcept {
     tour_.reset();
     if (current_->scene && current_->scene->tour && !current_->scene->tour->points.empty())
         tour_.emplace(*current_->scene->tour, finger, current_->scene->tour_manner);
+    hold_.reset();
+    if (current_->scene && current_->scene->hold_mm > 0.0)
+        hold_.emplace(current_->scene->flat, current_->scene->profile, current_->scene->hold_mm);
 }
 
 Guidance ServoLoop::wanted(Vec2 finger, double dt) noexcept {
     if (current_ == nullptr || current_->scene == nullptr)
         return {};
     Guidance guidance = current_->scene->law->at(finger);
+    if (hold_)
+        guidance = hold_->hold(finger, guidance);
     if (tour_)
         guidance.force = tour_->step(finger, chain_.engaged() ? dt : 0.0);
     return guidance;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/transform.hpp"
+#include "core/guidance/branch_hold.hpp"
 #include "core/guidance/guided_tour.hpp"
 #include "core/guidance/haptic_scene.hpp"
 #include "core/servo/clock.hpp"
@@ -119,6 +120,7 @@ private:
     std::optional<DeviceState> state_;
     const Held* current_ = nullptr;
     std::optional<GuidedTour> tour_;
+    std::optional<BranchHold> hold_;
     Vec2 fade_from_{0.0}; ///< N, the force that was rendered when the scene changed
     double fade_left_ = 0.0;
     Vec2 rendered_{0.0}; ///< N, surface frame, before the chain

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every law must keep, whatever the scene.
+#include "core/guidance/corner_cue.hpp"
 #include "core/guidance/haptic_scene.hpp"
 #include "scenes.hpp"
 
@@ -26,25 +27,35 @@ class LawsTest : public QObject {
 private slots:
     void force_data() {
         QTest::addColumn<int>("kind");
-        QTest::newRow("exact") << int(LawKind::exact);
-        QTest::newRow("published") << int(LawKind::published);
+        QTest::addColumn<double>("blend_mm");
+        QTest::addColumn<bool>("corner_cue");
+        QTest::newRow("exact") << int(LawKind::exact) << 0.0 << false;
+        QTest::newRow("blended") << int(LawKind::exact) << 0.5 << false;
+        QTest::newRow("with corner cue") << int(LawKind::exact) << 0.0 << true;
+        QTest::newRow("blended with corner cue") << int(LawKind::exact) << 0.5 << true;
+        QTest::newRow("published") << int(LawKind::published) << 0.0 << false;
     }
 
     void force() {
         QFETCH(int, kind);
+        QFETCH(double, blend_mm);
+        QFETCH(bool, corner_cue);
+        const Continuity continuity{0.0, blend_mm, corner_cue};
+        const double most = 1.0 + (corner_cue ? CornerCueLaw::share_of_peak : 0.0);
         std::mt19937 random(8);
         const TentProfile tent;
         const double hostile[] = {
             0.0, 1e-300, 1e9, 1e308, -1e308, std::nan(""), std::numeric_limits<double>::infinity()};
         for (int round = 0; round < 100; ++round) {
-            const auto made = make_haptic_scene(scene_of(random_scene(random)), tent, LawKind(kind));
+            const auto made =
+                make_haptic_scene(scene_of(random_scene(random)), tent, LawKind(kind), continuity);
             QVERIFY(made.ok());
             const GuidanceLaw& law = *(*made)->law;
             for (int k = 0; k < 100; ++k) {
                 const Guidance at = law.at(random_point(random));
                 QVERIFY(is_finite(at.force));
-                QVERIFY(length(at.force) <= tent.peak() * (1.0 + 1e-12));
-                QVERIFY(at.distance < tent.band() || at.force == Vec2(0.0));
+                QVERIFY(length(at.force) <= most * tent.peak() * (1.0 + 1e-12));
+                QVERIFY(at.distance < tent.band() + blend_mm || at.force == Vec2(0.0));
             }
             for (const double x : hostile)
                 for (const double y : hostile)
@@ -57,6 +68,13 @@ private slots:
         QVERIFY(!make_haptic_scene(face, {-1.0, 4.0}).error().empty());
         QVERIFY(!make_haptic_scene(face, {0.2, std::nan("")}).error().empty());
         QVERIFY(!make_haptic_scene(Scene{}).error().empty());
+        for (const Continuity& bad : {Continuity{-1.0, 0.0, false}, Continuity{0.0, 6.0, false},
+                                      Continuity{std::nan(""), 0.0, false}, Continuity{0.3, 0.3, false}})
+            QVERIFY(make_haptic_scene(face, {}, LawKind::exact, bad).error().ends_with('.'));
+        for (const Continuity& other : {Continuity{0.3, 0.0, false}, Continuity{0.0, 0.0, true}}) {
+            QVERIFY(make_haptic_scene(face, {}, LawKind::exact, other).ok());
+            QVERIFY(make_haptic_scene(face, {}, LawKind::published, other).error().ends_with('.'));
+        }
         QVERIFY(law_named("exact") == LawKind::exact);
         QVERIFY(law_named("published") == LawKind::published);
         QVERIFY(!law_named("magnetic"));

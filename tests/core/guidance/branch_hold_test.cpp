@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/guidance/branch_hold.hpp"
+#include "scenes.hpp"
+
+#include <QTest>
+
+using namespace tp;
+using namespace tp::testing;
+
+namespace {
+
+FlatScene two_level_lines() {
+    FlatScene scene;
+    scene.names = {"upper", "lower"};
+    scene.lines = {{{{-50, 3}, {50, 3}}, false}, {{{-50, -3}, {50, -3}}, false}};
+    return scene;
+}
+
+} // namespace
+
+class BranchHoldTest : public QObject {
+    Q_OBJECT
+private slots:
+    void the_other_line_takes_over_only_when_nearer_by_the_margin() {
+        const FlatScene scene = two_level_lines();
+        const ExactLaw law(scene, {});
+        BranchHold hold(scene, {}, 0.4);
+        const auto contour_at = [&](double y) { return hold.hold({1.0, y}, law.at({1.0, y})).contour; };
+        QCOMPARE(contour_at(1.0), 0);
+        QCOMPARE(contour_at(-0.1), 0); // nearer to the lower one by 0.2 mm
+        QCOMPARE(contour_at(-0.19), 0);
+        QCOMPARE(contour_at(-0.21), 1);
+        QCOMPARE(contour_at(0.19), 1);
+        QCOMPARE(contour_at(0.21), 0);
+        QCOMPARE(hold.switches(), std::uint64_t(2));
+    }
+
+    void a_trembling_finger_clicks_no_more() {
+        const FlatScene scene = two_level_lines();
+        const ExactLaw law(scene, {});
+        BranchHold none(scene, {}, 0.0);
+        BranchHold hold(scene, {}, 0.4);
+        std::mt19937 random(1);
+        std::normal_distribution<double> tremor(0.0, 0.04);
+        for (int i = 0; i < 1000; ++i) {
+            const Vec2 finger(1.0, tremor(random));
+            none.hold(finger, law.at(finger));
+            hold.hold(finger, law.at(finger));
+        }
+        QVERIFY(none.switches() > 300);
+        QCOMPARE(hold.switches(), std::uint64_t(0));
+    }
+
+    void the_lids_of_one_eye_are_two_branches() {
+        const FlatScene eye{{"eye"}, {ellipse({0, 0}, 14, 5, 200)}};
+        const ExactLaw law(eye, {});
+        BranchHold hold(eye, {}, 0.4);
+        hold.hold({0.0, 1.0}, law.at({0.0, 1.0}));
+        const Vec2 below(0.0, -0.15);
+        QVERIFY(law.at(below).force.y < 0.0);
+        QVERIFY(hold.hold(below, law.at(below)).force.y > 0.0);
+        const Vec2 farther(0.0, -0.25);
+        QVERIFY(hold.hold(farther, law.at(farther)).force.y < 0.0);
+    }
+
+    /// On the inner side of an arc every facet has a foot of its own.
+    void one_branch_followed_inside_and_outside_gives_the_exact_force() {
+        for (const int facets : {40, 100, 720}) {
+            const FlatScene ring{{"ring"}, {ellipse({0, 0}, 30, 30, facets)}};
+            const ExactLaw law(ring, {});
+            for (const double radius : {26.0, 29.0, 30.5, 34.0}) {
+                BranchHold hold(ring, {}, 0.4);
+                for (double angle = 0.0; angle < 7.0; angle += 0.003) {
+                    const Vec2 finger(radius * std::cos(angle), radius * std::sin(angle));
+                    const Guidance exact = law.at(finger);
+                    const Guidance held = hold.hold(finger, exact);
+                    QVERIFY(std::abs(held.distance - exact.distance) < 1e-9);
+                }
+                QCOMPARE(hold.switches(), std::uint64_t(0));
+            }
+        }
+    }
+
+    /// What the field gives back round any path is at most what was put in: the energy never jumps up.
+    void a_switch_never_raises_the_energy() {
+        std::mt19937 random(7);
+        for (int round = 0; round < 50; ++round) {
+            const FlatScene scene = random_scene(random, 15.0);
+            const TentProfile tent;
+            const ExactLaw law(scene, tent);
+            BranchHold hold(scene, tent, 0.5);
+            Vec2 finger = random_point(random, 15.0);
+            Vec2 heading = 0.01 * random_point(random, 1.0);
+            std::uint64_t switches = 0;
+            double energy = hold.hold(finger, law.at(finger)).energy;
+            for (int i = 0; i < 5000; ++i) {
+                if (i % 100 == 0)
+                    heading = 0.01 * random_point(random, 1.0);
+                finger += heading;
+                if (std::max(std::abs(finger.x), std::abs(finger.y)) > 20.0)
+                    heading = -heading;
+                const Guidance held = hold.hold(finger, law.at(finger));
+                const double most_work = tent.peak() * length(heading) + 1e-12;
+                QVERIFY(held.energy <= energy + most_work);
+                if (hold.switches() ==
+                    switches) // on one branch it is a potential, which moves no faster down
+                    QVERIFY(held.energy >= energy - most_work - tent.peak() * 0.5);
+                switches = hold.switches();
+                energy = held.energy;
+                QVERIFY(is_finite(held.force) && length(held.force) <= tent.peak() * (1.0 + 1e-12));
+                QVERIFY(held.distance <= law.at(finger).distance + 0.5 + 1e-12 || held.contour < 0);
+            }
+        }
+    }
+
+    void hostile_scenes_and_fingers_end_in_something_finite() {
+        const double nan = std::nan("");
+        FlatScene scene;
+        scene.names = {"specks", "point", "long"};
+        scene.lines = {
+            {std::vector<Vec2>(2000, Vec2(1, 1)), true}, {{{2, 2}}, false}, {{{-1e9, 3}, {1e9, 3}}, false}};
+        const ExactLaw law(scene, {});
+        BranchHold hold(scene, {}, 0.5);
+        for (const Vec2 finger : {Vec2(1, 1), Vec2(1, 2), Vec2(nan, 0), Vec2(2, 2), Vec2(1e9, 3), Vec2(0, 0)})
+            QVERIFY(is_finite(hold.hold(finger, law.at(finger)).force));
+    }
+};
+
+QTEST_APPLESS_MAIN(BranchHoldTest)
+#include "branch_hold_test.moc"

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/guidance/corner_cue.hpp"
+#include "core/guidance/exact_law.hpp"
+#include "scenes.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace tp;
+using namespace tp::testing;
+
+namespace {
+
+FlatScene polygon(int corners, double radius) {
+    return {{"polygon"}, {ellipse({0, 0}, radius, radius, corners)}};
+}
+
+CornerCueLaw cued(const FlatScene& scene, TentProfile tent = {}) {
+    return {std::make_unique<ExactLaw>(scene, tent), scene, tent};
+}
+
+} // namespace
+
+class CornerCueTest : public QObject {
+    Q_OBJECT
+private slots:
+    void polygons_have_their_corners_and_circles_none() {
+        for (const int corners : {3, 4, 5, 6})
+            for (const double radius : {20.0, 50.0, 80.0})
+                QCOMPARE(corners_of(polygon(corners, radius)).size(), std::size_t(corners));
+        for (const int facets : {40, 200, 5000})
+            QCOMPARE(corners_of(polygon(facets, 20.0)).size(), std::size_t(0));
+        // The corner is where it is, however finely its sides are cut.
+        FlatScene square = polygon(4, 30.0);
+        square.lines.front() = resampled(square.lines.front(), 4000);
+        std::vector<Vec2> corners = corners_of(square);
+        QCOMPARE(corners.size(), std::size_t(4));
+        for (const Vec2 corner : corners)
+            QVERIFY(std::abs(length(corner) - 30.0) < 0.05);
+    }
+
+    void eyes_have_two_corners_and_open_ends_are_none() {
+        const std::vector<Vec2> eye = corners_of({{"eye"}, {ellipse({5, 5}, 14, 5, 200)}});
+        QCOMPARE(eye.size(), std::size_t(2));
+        for (const Vec2 corner : eye)
+            QVERIFY(std::abs(std::abs(corner.x - 5.0) - 14.0) < 0.2);
+        QCOMPARE(corners_of({{"line"}, {{{{0, 0}, {10, 0}, {20, 0}}, false}}}).size(), std::size_t(0));
+        QCOMPARE(corners_of({{"bent"}, {{{{0, 0}, {10, 0}, {10, 10}}, false}}}).size(), std::size_t(1));
+    }
+
+    void degenerate_lines_have_no_corners() {
+        const double nan = std::nan("");
+        for (const Polyline& line :
+             {Polyline{{}, true}, Polyline{{{1, 1}}, true}, Polyline{{{1, 1}, {1, 1}, {1, 1}}, true},
+              Polyline{{{0, 0}, {nan, 0}, {5, 5}}, false}, Polyline{{{0, 0}, {1e-12, 0}, {0, 1e-12}}, true},
+              Polyline{{{-1e308, 0}, {1e308, 0}, {1e308, 1e308}}, false}})
+            QCOMPARE(corners_of({{"line"}, {line}}).size(), std::size_t(0));
+    }
+
+    void the_tick_pulls_on_and_then_back() {
+        const FlatScene bent{{"bent"}, {{{{-30, 0}, {0, 0}, {0, 30}}, false}}};
+        const TentProfile tent;
+        const CornerCueLaw law = cued(bent, tent);
+        const ExactLaw plain(bent, tent);
+        double most = 0.0;
+        for (double x = -4.0; x <= 0.0; x += 0.01) { // along the contour towards the corner
+            const Vec2 tick = law.at({x, 0.0}).force - plain.at({x, 0.0}).force;
+            QVERIFY(tick.x >= 0.0);
+            most = std::max(most, tick.x);
+            QVERIFY(x > -law.reach() || tick == Vec2(0.0));
+        }
+        for (double y = 0.1; y < law.reach(); y += 0.1) // and away from it
+            QVERIFY(law.at({0.0, y}).force.y < plain.at({0.0, y}).force.y);
+        const double promised = CornerCueLaw::share_of_peak * tent.peak();
+        QVERIFY(std::abs(most - promised) < 0.001 * promised);
+        QVERIFY(law.at({0.0, 0.0}).force == Vec2(0.0));
+    }
+
+    void a_well_is_a_potential() {
+        std::mt19937 random(9);
+        const CornerCueLaw law = cued(polygon(5, 20.0));
+        const double h = 1e-6;
+        int compared = 0;
+        for (int k = 0; k < 5000; ++k) {
+            const Vec2 p = random_point(random, 26.0);
+            const auto U = [&](double dx, double dy) { return law.at(p + Vec2(dx, dy)).energy; };
+            const Vec2 gradient((U(h, 0) - U(-h, 0)) / (2 * h), (U(0, h) - U(0, -h)) / (2 * h));
+            const Vec2 one_sided((U(h, 0) - U(0, 0)) / h, (U(0, h) - U(0, 0)) / h);
+            if (length(one_sided - gradient) > 1e-4)
+                continue;
+            ++compared;
+            QVERIFY(length(law.at(p).force + gradient) < 1e-3);
+        }
+        QVERIFY(compared > 4000);
+    }
+};
+
+QTEST_APPLESS_MAIN(CornerCueTest)
+#include "corner_cue_test.moc"

@@ -88,14 +88,17 @@ int servo_verb(const QStringList& words) {
     std::printf("%-9s %10s %10s %10s %10s\n", "us", "p50", "p99", "p99.9", "max");
     print_row("lateness", loop.lateness());
     print_row("compute", loop.compute());
-    std::printf("ticks %llu, missed periods %llu, real-time priority %s\n",
+    std::printf("ticks %llu, missed periods %llu, real-time priority %s, memory %s\n",
                 static_cast<unsigned long long>(loop.compute().count()),
                 static_cast<unsigned long long>(loop.missed_periods()),
-                loop.real_time() ? "obtained" : "not obtained");
+                loop.real_time() ? "obtained" : "not obtained",
+                loop.memory_locked() ? "locked" : "not locked");
     if (!loop.real_time())
         say("The system gave no real-time priority; to allow it, give this user an rtprio limit of 21 or "
-            "more in "
-            "/etc/security/limits.d.");
+            "more in /etc/security/limits.d.");
+    if (!loop.memory_locked())
+        say("The system did not let the memory be locked; to allow it, give this user an unlimited memlock "
+            "limit in the same place.");
     return exit_done;
 }
 

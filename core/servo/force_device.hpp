@@ -62,7 +62,8 @@ public:
     /// False where the force could not be delivered.
     virtual bool write(const SafeForce& force) noexcept = 0;
     /// Takes the force away at once and leaves the device open. Any thread, at any moment, also while a write
-    /// of another thread hangs.
+    /// of another thread hangs, and from a signal handler: nothing but what is safe there
+    /// (signal-safety(7): no lock, no allocation).
     virtual void halt() noexcept = 0;
     /// Force off, device released. May be called twice.
     virtual void stop() noexcept = 0;

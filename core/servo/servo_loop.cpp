@@ -1,36 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/servo_loop.hpp"
 
-#include <algorithm>
+#include "core/servo/real_time.hpp"
 
-#if defined(__linux__)
-#include <sched.h>
-#include <sys/prctl.h>
-#endif
+#include <algorithm>
 
 namespace tp {
 
-namespace {
-
-/// Real-time priority and a timer slack of 1 ns where the system allows them; without them the loop still
-/// runs, only later. The watchdog stands above the loop that it watches. True where the priority was given.
-bool prefer_real_time(int level) noexcept {
-#if defined(__linux__)
-    prctl(PR_SET_TIMERSLACK, 1UL);
-    sched_param priority{};
-    priority.sched_priority = level;
-    return sched_setscheduler(0, SCHED_FIFO, &priority) == 0;
-#else
-    static_cast<void>(level);
-    return false;
-#endif
-}
-
-} // namespace
-
 ServoLoop::ServoLoop(ForceDevice& device, const Capabilities& capabilities, Clock& clock,
                      ServoSettings settings)
-    : device_(device), clock_(clock), settings_(settings), period_(1.0 / settings.rate),
+    : device_(device), guard_(device), clock_(clock), settings_(settings), period_(1.0 / settings.rate),
       max_force_(settings.limits.max_force),
       watchdog_(device, {(1.0 + settings.limits.late_periods) / settings.rate, settings.limits.stall,
                          settings.limits.ramp_down}),
@@ -75,6 +54,7 @@ void ServoLoop::stop() noexcept {
 
 void ServoLoop::run() noexcept {
     real_time_.store(prefer_real_time(20));
+    memory_locked_.store(lock_memory());
     double due = clock_.now();
     last_tick_ = due;
     while (!quit_.load(std::memory_order_relaxed)) {
@@ -95,7 +75,7 @@ void ServoLoop::run() noexcept {
 }
 
 void ServoLoop::watch() noexcept {
-    prefer_real_time(21);
+    prefer_real_time(21); // above the loop that it watches
     while (!quit_.load(std::memory_order_relaxed)) {
         check();
         clock_.sleep_until(clock_.now() + 0.001);

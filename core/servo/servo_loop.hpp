@@ -7,6 +7,7 @@
 #include "core/guidance/haptic_scene.hpp"
 #include "core/servo/clock.hpp"
 #include "core/servo/energy_observer.hpp"
+#include "core/servo/exit_guard.hpp"
 #include "core/servo/force_device.hpp"
 #include "core/servo/safety_chain.hpp"
 #include "core/servo/snapshot.hpp"
@@ -70,11 +71,13 @@ public:
     ServoSnapshot snapshot() const noexcept { return snapshot_.latest(); }
 
     /// How late ticks began, how long they took, how many periods had no tick, and whether the system gave
-    /// the thread real-time priority. Of the thread that start() makes; readable at any moment.
+    /// the thread real-time priority and let the memory be locked. Of the thread that start() makes; readable
+    /// at any moment.
     const TimingStatistics& lateness() const noexcept { return lateness_; }
     const TimingStatistics& compute() const noexcept { return compute_; }
     std::uint64_t missed_periods() const noexcept { return missed_periods_.load(std::memory_order_relaxed); }
     bool real_time() const noexcept { return real_time_.load(std::memory_order_relaxed); }
+    bool memory_locked() const noexcept { return memory_locked_.load(std::memory_order_relaxed); }
 
 private:
     struct Held {
@@ -90,6 +93,7 @@ private:
     void drop_scenes_before(std::uint64_t number);
 
     ForceDevice& device_;
+    ExitGuard guard_;
     Clock& clock_;
     ServoSettings settings_;
     double period_;
@@ -106,6 +110,7 @@ private:
     TimingStatistics compute_;
     std::atomic<std::uint64_t> missed_periods_{0};
     std::atomic<bool> real_time_{false};
+    std::atomic<bool> memory_locked_{false};
 
     // Only the thread that hands over scenes.
     std::vector<std::unique_ptr<const Held>> held_;

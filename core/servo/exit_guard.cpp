@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/servo/exit_guard.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <mutex>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <csignal>
+#endif
+
+namespace tp {
+
+namespace {
+
+// Constant-initialised and never destroyed: a signal may come before main and after the statics are gone.
+std::array<std::atomic<ForceDevice*>, 16> guarded{};
+static_assert(std::atomic<ForceDevice*>::is_always_lock_free);
+
+void halt_all() noexcept {
+    for (const std::atomic<ForceDevice*>& slot : guarded)
+        if (ForceDevice* const device = slot.load(std::memory_order_acquire))
+            device->halt();
+}
+
+#if defined(__unix__) || defined(__APPLE__)
+constexpr std::array ways_out{SIGINT,  SIGTERM, SIGHUP, SIGQUIT, SIGABRT,
+                              SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGXCPU};
+std::array<struct sigaction, ways_out.size()> before;
+
+extern "C" void halt_and_go_on(int signal) {
+    halt_all();
+    for (std::size_t i = 0; i < ways_out.size(); ++i)
+        if (ways_out[i] == signal)
+            sigaction(signal, &before[i], nullptr);
+    raise(signal); // blocked until this handler returns; then what stood here before has its turn
+}
+
+void catch_signals() noexcept {
+    for (std::size_t i = 0; i < ways_out.size(); ++i) {
+        struct sigaction ours {};
+        ours.sa_handler = halt_and_go_on;
+        sigemptyset(&ours.sa_mask);
+        ours.sa_flags = SA_ONSTACK;
+        sigaction(ways_out[i], nullptr, &before[i]);
+        if (before[i].sa_handler != SIG_IGN)
+            sigaction(ways_out[i], &ours, nullptr);
+    }
+}
+#else
+void catch_signals() noexcept {}
+#endif
+
+} // namespace
+
+ExitGuard::ExitGuard(ForceDevice& device) noexcept {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        catch_signals();
+        std::atexit(halt_all);
+        std::at_quick_exit(halt_all);
+    });
+    for (std::size_t i = 0; i < guarded.size(); ++i) {
+        ForceDevice* free = nullptr;
+        if (guarded[i].compare_exchange_strong(free, &device)) {
+            slot_ = static_cast<int>(i);
+            return;
+        }
+    }
+}
+
+ExitGuard::~ExitGuard() {
+    if (guarding())
+        guarded[static_cast<std::size_t>(slot_)].store(nullptr, std::memory_order_release);
+}
+
+} // namespace tp

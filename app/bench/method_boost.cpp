@@ -50,11 +50,13 @@ class BoostRtree final : public LoopingMethod<BoostRtree> {
 public:
     explicit BoostRtree(const FlatScene& scene)
         : tree_(segments_of(scene), Parameters(), Indexable(), Equal(), allocator_) {}
-    double answer(Vec2 place) const {
+    Nearest answer(Vec2 place) const {
         const BoostPoint point(place.x, place.y);
         BoostSegment nearest;
         tree_.query(bg::index::nearest(point, 1), &nearest);
-        return bg::distance(point, nearest);
+        return {bg::distance(point, nearest),
+                nearest_on_segment({nearest.first.get<0>(), nearest.first.get<1>()},
+                                   {nearest.second.get<0>(), nearest.second.get<1>()}, place)};
     }
     std::size_t bytes() const override { return *allocator_.held; }
 

@@ -36,11 +36,11 @@ class NearestVertex final : public LoopingMethod<NearestVertex> {
 public:
     explicit NearestVertex(const FlatScene& scene)
         : vertices_(scene), tree_(2, vertices_), bytes_(built(tree_, vertices_)) {}
-    double answer(Vec2 place) const {
+    Nearest answer(Vec2 place) const {
         std::uint32_t nearest = 0;
         double squared = std::numeric_limits<double>::infinity();
         tree_.knnSearch(&place.x, 1, &nearest, &squared);
-        return std::sqrt(squared);
+        return {std::sqrt(squared), vertices_.points[nearest]};
     }
     std::size_t bytes() const override { return bytes_; }
 
@@ -55,16 +55,16 @@ class PublishedKdTree final : public LoopingMethod<PublishedKdTree> {
 public:
     explicit PublishedKdTree(const FlatScene& scene)
         : vertices_(scene), tree_(2, vertices_), bytes_(built(tree_, vertices_)) {}
-    double answer(Vec2 place) const {
+    Nearest answer(Vec2 place) const {
         std::uint32_t nearest[2] = {0, 0};
         double squared[2];
         if (tree_.knnSearch(&place.x, 2, nearest, squared) < 2)
-            return std::numeric_limits<double>::infinity();
+            return {};
         const Vec2 v1 = vertices_.points[nearest[0]];
         const Vec2 v2 = vertices_.points[nearest[1]];
         const Vec2 along = (v2 - v1) / length(v2 - v1);
         const Vec2 foot = v1 + glm::dot(place - v1, along) * along;
-        return length(foot - place);
+        return {length(foot - place), foot};
     }
     std::size_t bytes() const override { return bytes_; }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/bench/nearest_method.hpp"
-#include "core/guidance/contour_index.hpp"
 
 namespace tp {
 
@@ -9,7 +8,7 @@ namespace {
 class AnyDistance final : public LoopingMethod<AnyDistance> {
 public:
     explicit AnyDistance(const FlatScene& scene) : index_(scene) {}
-    double answer(Vec2 place) const { return index_.nearest(place).distance; }
+    Nearest answer(Vec2 place) const { return index_.nearest(place); }
     std::size_t bytes() const override { return index_.bytes(); }
 
 private:
@@ -19,7 +18,7 @@ private:
 class WithinBand final : public LoopingMethod<WithinBand> {
 public:
     explicit WithinBand(const FlatScene& scene) : index_(scene) {}
-    double answer(Vec2 place) const { return index_.nearest_within(place, index_.band_mm()).distance; }
+    Nearest answer(Vec2 place) const { return index_.nearest_within(place, index_.band_mm()); }
     std::size_t bytes() const override { return index_.bytes(); }
     double reach() const override { return index_.band_mm(); }
 

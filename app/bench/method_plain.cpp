@@ -15,17 +15,20 @@ public:
             for (std::size_t i = 0; i < line.segment_count(); ++i)
                 segments_.push_back({line.segment_start(i), line.segment_end(i)});
     }
-    double answer(Vec2 place) const {
+    Nearest answer(Vec2 place) const {
         double best = std::numeric_limits<double>::infinity();
+        Vec2 towards(0.0);
         for (const Segment& segment : segments_) {
             const Vec2 along = segment.b - segment.a;
             const Vec2 to_place = place - segment.a;
             const double squared = glm::dot(along, along);
             const double way = squared > 0.0 ? glm::dot(to_place, along) / squared : 0.0;
             const Vec2 away = to_place - std::min(1.0, std::max(0.0, way)) * along;
-            best = std::min(best, glm::dot(away, away));
+            const double here = glm::dot(away, away);
+            towards = here < best ? away : towards;
+            best = std::min(best, here);
         }
-        return std::sqrt(best);
+        return {std::sqrt(best), place - towards};
     }
     std::size_t bytes() const override { return segments_.capacity() * sizeof(Segment); }
 
@@ -42,7 +45,10 @@ public:
         for (const Polyline& line : scene.lines)
             vertices_ += line.points.size();
     }
-    double answer(Vec2 place) const { return law_.at(place).distance; }
+    Nearest answer(Vec2 place) const {
+        const Guidance guidance = law_.at(place);
+        return {guidance.distance, guidance.nearest};
+    }
     std::size_t bytes() const override { return vertices_ * (sizeof(Vec2) + sizeof(int)); }
 
 private:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/bench/nearest_bench.hpp"
 
+#include "app/bench/bench_clock.hpp"
 #include "app/bench/nearest_method.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <limits>
 
 namespace tp {
@@ -17,26 +17,6 @@ using Clock = std::chrono::steady_clock;
 
 double ns_since(Clock::time_point start) {
     return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-}
-
-/// Processor time since `start`: what other programs take of the core does not count.
-double busy_ns_since(std::clock_t start) {
-    return 1e9 * static_cast<double>(std::clock() - start) / static_cast<double>(CLOCKS_PER_SEC);
-}
-
-/// The value below which the share `rank` of `values` lies.
-double quantile(std::vector<double> values, double rank) {
-    if (values.empty())
-        return 0.0;
-    const auto place = static_cast<std::size_t>(rank * static_cast<double>(values.size() - 1) + 0.5);
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
-    return values[place];
-}
-
-/// Keeps a sum alive for the optimiser.
-void use(double value) {
-    [[maybe_unused]] static volatile double sink = 0.0;
-    sink = value;
 }
 
 long double true_distance(const FlatScene& scene, Vec2 p) {
@@ -69,9 +49,9 @@ Contender build(const std::string& name, const FlatScene& scene, std::size_t seg
     std::vector<double> took;
     for (int turn = 0; turn < (segments > 20'000 ? 1 : 5); ++turn) {
         contender.method.reset();
-        const auto start = std::clock();
+        const BusyClock clock;
         contender.method = NearestMethod::make(name, scene);
-        took.push_back(1e-6 * busy_ns_since(start));
+        took.push_back(1e-6 * clock.ns());
     }
     contender.build_ms = quantile(took, 0.5);
     return contender;
@@ -87,7 +67,7 @@ std::size_t batch_size(const NearestMethod& method, const std::vector<Vec2>& pla
     std::size_t count = 4;
     for (;;) {
         const auto start = Clock::now();
-        use(method.ask(batch_at(places, 0, count)));
+        keep(method.ask(batch_at(places, 0, count)));
         const double took = ns_since(start);
         if (took > 1e5 || count >= 4000)
             return std::clamp<std::size_t>(
@@ -106,7 +86,7 @@ double slow_ns(const Contender& contender, const std::vector<Vec2>& places, doub
     const auto begin = Clock::now();
     for (const Vec2 place : places) {
         const auto start = Clock::now();
-        use(contender.method->distance(place));
+        keep(contender.method->nearest(place).distance);
         single.push_back(std::max(0.0, ns_since(start) - cost));
         if (single.size() > 100 && ns_since(begin) > 1e6 * budget_ms)
             break;
@@ -118,7 +98,7 @@ double largest_error(const NearestMethod& method, const std::vector<Vec2>& place
                      const std::vector<long double>& truths) {
     double worst = 0.0;
     for (std::size_t i = 0; i < truths.size(); ++i) {
-        const double distance = method.distance(places[i * (places.size() / truths.size())]);
+        const double distance = method.nearest(places[i * (places.size() / truths.size())]).distance;
         if (distance == std::numeric_limits<double>::infinity() && truths[i] > method.reach() - 1e-9)
             continue;
         const double error = static_cast<double>(std::abs(distance - truths[i]));
@@ -167,9 +147,9 @@ std::vector<BenchRow> run_nearest_bench(const BenchPlan& plan,
             for (int round = 0; round < plan.rounds; ++round)
                 for (Contender& contender : contenders) {
                     const auto batch = batch_at(places, static_cast<std::size_t>(round), contender.batch);
-                    const auto start = std::clock();
-                    use(contender.method->ask(batch));
-                    contender.ns.push_back(busy_ns_since(start) / static_cast<double>(batch.size()));
+                    const BusyClock clock;
+                    keep(contender.method->ask(batch));
+                    contender.ns.push_back(clock.ns() / static_cast<double>(batch.size()));
                 }
             for (const Contender& it : contenders)
                 rows.push_back({scene.name, size, kind, it.name, quantile(it.ns, 0.5),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/guidance/scene.hpp"
+#include "core/guidance/contour_index.hpp"
 
 #include <array>
 #include <memory>
@@ -10,15 +10,15 @@
 
 namespace tp {
 
-/// A way to the distance of the nearest contour, built for one scene.
+/// A way to the nearest place on the contours of a scene, built for one scene.
 class NearestMethod {
 public:
     virtual ~NearestMethod() = default;
     /// Asks for every place and returns the sum of the answers, so that none can be optimised away. The loop
     /// is the method's own: no method pays for a virtual call per question.
     virtual double ask(std::span<const Vec2> places) const = 0;
-    /// One answer, mm; infinity where the method finds nothing.
-    virtual double distance(Vec2 place) const = 0;
+    /// One answer: distance (infinity where the method finds nothing) and the place it is to.
+    virtual Nearest nearest(Vec2 place) const = 0;
     /// Memory held, bytes.
     virtual std::size_t bytes() const = 0;
     /// Farther away than this, mm, the method need not find anything.
@@ -45,17 +45,17 @@ std::unique_ptr<NearestMethod> make_plain_loop(const FlatScene& scene);
 std::unique_ptr<NearestMethod> make_published_scan(const FlatScene& scene);
 std::unique_ptr<NearestMethod> make_published_kdtree(const FlatScene& scene);
 
-/// What the methods have in common: `ask` as a loop over the method's own inlined `answer`.
+/// What the methods have in common: `ask` as a loop over the method's own inlined `answer`, a Nearest.
 template <typename Self>
 class LoopingMethod : public NearestMethod {
 public:
     double ask(std::span<const Vec2> places) const final {
         double sum = 0.0;
         for (const Vec2 place : places)
-            sum += static_cast<const Self*>(this)->answer(place);
+            sum += static_cast<const Self*>(this)->answer(place).distance;
         return sum;
     }
-    double distance(Vec2 place) const final { return static_cast<const Self*>(this)->answer(place); }
+    Nearest nearest(Vec2 place) const final { return static_cast<const Self*>(this)->answer(place); }
 };
 
 } // namespace tp

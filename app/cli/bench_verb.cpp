@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/bench/accuracy_bench.hpp"
 #include "app/bench/nearest_bench.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/verbs.hpp"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -68,6 +70,16 @@ void print(const std::vector<BenchRow>& rows) {
         qPrintable(machine()));
 }
 
+void print(const std::vector<AccuracyRow>& rows) {
+    std::printf("%-11s %-15s %-16s %10s %6s %8s %10s %11s %11s %11s\n", "scene", "law", "index", "tolerance",
+                "facet", "segments", "ns median", "mean N", "p99 N", "max N");
+    for (const AccuracyRow& row : rows)
+        std::printf("%-11s %-15s %-16s %7.3f mm %5.0f° %8zu %10.1f %11.2e %11.2e %11.2e\n", row.scene.c_str(),
+                    row.law.c_str(), row.index.c_str(), row.tolerance_mm, row.facet_degrees, row.segments,
+                    row.ns_median, row.mean_error_n, row.p99_error_n, row.max_error_n);
+    std::printf("\nOne core, one run; %s.\n", qPrintable(machine()));
+}
+
 int bench_guidance(const QStringList& words) {
     VerbLine line("bench guidance",
                   "Measures how fast the nearest contour is found on closed curves in 200 x 200 mm, along a\n"
@@ -91,17 +103,59 @@ int bench_guidance(const QStringList& words) {
     return exit_done;
 }
 
+int bench_accuracy(const QStringList& words) {
+    VerbLine line(
+        "bench accuracy",
+        "Weighs speed against accuracy: time per force and force error against the curves flattened\n"
+        "to 1e-6 mm, over flattening tolerance, law and index, on a face, a tactile map and a scene\n"
+        "made to be hard. Writes accuracy.csv, accuracy.png and accuracy.svg.");
+    line.option("out", "Folder for the results; made where it is missing.", "DIR")
+        .option("quick", "Fewer tolerances and places, without the map.");
+    if (const auto ended = line.parse(words, 0, 0))
+        return *ended;
+    if (!line.has("out"))
+        return wrong_usage("bench accuracy", "--out DIR is missing.");
+    const QDir folder(line.text("out"));
+    if (!folder.mkpath(".")) {
+        say_problem("The folder cannot be made.", line.text("out").toStdString());
+        return exit_bad_input;
+    }
+    AccuracyPlan plan;
+    if (line.has("quick")) {
+        plan.tolerances_mm = {0.3, 0.03, 0.003};
+        plan.places = 3000;
+    }
+    std::vector<AccuracyRow> rows;
+    for (const AccuracyScene& scene : accuracy_scenes()) {
+        if (line.has("quick") && scene.name == "map")
+            continue;
+        const std::vector<AccuracyRow> its = run_accuracy_bench(scene, plan, say);
+        rows.insert(rows.end(), its.begin(), its.end());
+    }
+    const std::filesystem::path out = folder.path().toStdString();
+    for (const auto& written : {write_accuracy_table(out, rows), plot_accuracy(out, rows)})
+        if (!written) {
+            say_problem(written.error());
+            return exit_bad_input;
+        }
+    print(rows);
+    return exit_done;
+}
+
 } // namespace
 
 int bench_verb(const QStringList& words) {
-    if (!words.isEmpty() && words.first() == QLatin1String("guidance"))
+    const QString what = words.isEmpty() ? QString() : words.first();
+    if (what == QLatin1String("guidance"))
         return bench_guidance(words.mid(1));
-    if (!words.isEmpty() &&
-        (words.first() == QLatin1String("--help") || words.first() == QLatin1String("-h"))) {
-        std::puts("touchphoto-lab bench guidance [--json FILE] [--quick]");
+    if (what == QLatin1String("accuracy"))
+        return bench_accuracy(words.mid(1));
+    if (what == QLatin1String("--help") || what == QLatin1String("-h")) {
+        std::puts("touchphoto-lab bench guidance [--json FILE] [--quick]\n"
+                  "touchphoto-lab bench accuracy --out DIR [--quick]");
         return exit_done;
     }
-    return wrong_usage("bench", "What is to be measured? There is: guidance.");
+    return wrong_usage("bench", "What is to be measured? There are: guidance, accuracy.");
 }
 
 } // namespace tp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
 #include "app/cli/verbs.hpp"
+#include "app/report/continuity_cost.hpp"
 #include "app/report/csv_table.hpp"
 #include "app/report/hard_cases.hpp"
 #include "app/report/loop_work.hpp"
@@ -46,6 +47,16 @@ CsvTable table_of(const std::vector<HardVerdict>& verdicts) {
     return table;
 }
 
+CsvTable table_of(const std::vector<ContinuityCost>& rows) {
+    CsvTable table({"manner", "width_mm", "mean_error_n", "p99_error_n", "max_error_n", "wrong_fraction",
+                    "largest_step_n", "clicks_per_m", "tremor_clicks_per_s", "work_given_mj"});
+    for (const ContinuityCost& row : rows)
+        table.add({row.manner, cell(row.width_mm), cell(row.mean_error_n), cell(row.p99_error_n),
+                   cell(row.max_error_n), cell(row.wrong_fraction), cell(row.largest_step_n),
+                   cell(row.clicks_per_m), cell(row.tremor_clicks_per_s), cell(row.work_given_mj)});
+    return table;
+}
+
 std::vector<std::pair<HandleCase, HandleResult>> release_all(const std::vector<HandleCase>& grid) {
     std::vector<std::pair<HandleCase, HandleResult>> rows;
     for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -56,7 +67,7 @@ std::vector<std::pair<HandleCase, HandleResult>> release_all(const std::vector<H
     return rows;
 }
 
-void print_summary(const std::vector<LoopWork>& loops,
+void print_summary(const std::vector<LoopWork>& loops, const std::vector<ContinuityCost>& continuity,
                    const std::vector<std::pair<HandleCase, HandleResult>>& handles,
                    const std::vector<HardVerdict>& verdicts) {
     std::printf("%-10s %10s %10s %12s %12s %12s\n", "law", "spacing", "wrong", "worst error", "loop work",
@@ -65,6 +76,13 @@ void print_summary(const std::vector<LoopWork>& loops,
         std::printf("%-10s %7.1f mm %8.2f %% %10.3f N %9.4f mJ %10.3f N\n", row.law.c_str(),
                     row.vertex_spacing_mm, 100.0 * row.wrong_fraction, row.max_force_error_n,
                     row.max_loop_work_mj, row.max_force_step_n);
+    std::printf("%-21s %8s %9s %9s %9s %8s %8s %10s %12s %10s\n", "continuity", "width", "mean", "p99", "max",
+                "wrong", "step", "clicks/m", "tremor", "work");
+    for (const ContinuityCost& row : continuity)
+        std::printf("%-21s %5.1f mm %7.4f N %7.4f N %7.3f N %6.2f %% %6.3f N %10.1f %7.1f a s %7.4f mJ\n",
+                    row.manner.c_str(), row.width_mm, row.mean_error_n, row.p99_error_n, row.max_error_n,
+                    100.0 * row.wrong_fraction, row.largest_step_n, row.clicks_per_m, row.tremor_clicks_per_s,
+                    row.work_given_mj);
     for (const bool remedies : {false, true}) {
         int settled = 0;
         int all = 0;
@@ -94,8 +112,9 @@ int stability_verb(const QStringList& words) {
     VerbLine line(
         "stability",
         "Measures how stable the guidance is: net work round loops, released handles over stiffness,\n"
-        "period, delay and damping, and the hard cases by name. Writes loop_work.csv,\n"
-        "released_handle.csv, hard_cases.csv and plots of the first two.");
+        "period, delay and damping, what softening the switches between contours costs, and the hard\n"
+        "cases by name. Writes loop_work.csv, released_handle.csv, continuity.csv, hard_cases.csv and\n"
+        "plots of the first two.");
     line.option("out", "Folder for the results; made where it is missing.", "DIR")
         .option("quick", "A smaller grid, for a first look.");
     if (const auto ended = line.parse(words, 0, 0))
@@ -113,18 +132,22 @@ int stability_verb(const QStringList& words) {
     say("loops");
     const std::vector<LoopWork> loops = measure_loop_work(
         {0.5, 1.0, 2.0, 5.0, 10.0}, quick ? LoopWorkEffort{20'000, 100, 1'885} : LoopWorkEffort{});
+    say("continuity at switches");
+    const std::vector<ContinuityCost> continuity =
+        measure_continuity(quick ? ContinuityEffort{40'000, 100, 2.0} : ContinuityEffort{});
     const auto handles = release_all(handle_grid(quick));
 
     const std::filesystem::path out = folder.path().toStdString();
     for (const auto& written :
          {table_of(verdicts).write(out / "hard_cases.csv"), table_of(loops).write(out / "loop_work.csv"),
+          table_of(continuity).write(out / "continuity.csv"),
           table_of(handles).write(out / "released_handle.csv"), plot_loop_work(out, loops),
           plot_released_handle(out, handles)})
         if (!written) {
             say_problem(written.error());
             return exit_bad_input;
         }
-    print_summary(loops, handles, verdicts);
+    print_summary(loops, continuity, handles, verdicts);
     return exit_done;
 }
 

@@ -7,6 +7,7 @@
 #include <QSaveFile>
 #include <QSvgGenerator>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tp {
@@ -61,9 +62,11 @@ private:
     static std::vector<double> ticks(const PlotAxis& axis) {
         std::vector<double> values;
         if (axis.logarithmic) {
+            const bool narrow = axis.high / axis.low < 2e3;
+            const std::vector<double> steps = narrow ? std::vector{1.0, 2.0, 5.0} : std::vector{1.0};
             for (double decade = std::floor(std::log10(axis.low)); decade <= std::log10(axis.high) + 1e-9;
                  ++decade)
-                for (const double step : {1.0, 2.0, 5.0})
+                for (const double step : steps)
                     values.push_back(step * std::pow(10.0, decade));
         } else {
             const double rough = (axis.high - axis.low) / 5.0;
@@ -117,11 +120,15 @@ private:
     }
 
     void legend() {
-        double y = box_.top() + 10;
+        constexpr double row_height = 19.0;
+        const auto named = std::count_if(panel_.lines.begin(), panel_.lines.end(),
+                                         [](const PlotPanel::Line& line) { return !line.name.isEmpty(); });
+        const double height = row_height * static_cast<double>(named + std::ssize(panel_.dot_names));
+        double y = panel_.legend_at_bottom ? box_.bottom() - 10 - height : box_.top() + 10;
         const auto row = [&](const QString& words) {
             text(QRectF(box_.left() + 42, y - 1, box_.width() - 50, 18), Qt::AlignLeft | Qt::AlignVCenter,
                  words, 13);
-            y += 19;
+            y += row_height;
         };
         for (const PlotPanel::Line& line : panel_.lines)
             if (!line.name.isEmpty()) {

@@ -43,6 +43,7 @@ struct PlotPanel {
     std::vector<Line> lines;
     std::vector<Dot> dots;
     std::vector<std::pair<QString, QColor>> dot_names; ///< legend of the dots
+    bool legend_at_bottom = false;                     ///< else at the top
 };
 
 /// Draws the panels side by side to FILE.png and FILE.svg (`stem` without an ending).

@@ -18,8 +18,6 @@ std::optional<LawKind> law_named(std::string_view name) {
     return std::nullopt;
 }
 
-namespace {
-
 std::unique_ptr<const GuidanceLaw> make_law(const FlatScene& flat, TentProfile profile, LawKind kind,
                                             const Continuity& continuity) {
     if (kind == LawKind::published)
@@ -33,8 +31,6 @@ std::unique_ptr<const GuidanceLaw> make_law(const FlatScene& flat, TentProfile p
         law = std::make_unique<CornerCueLaw>(std::move(law), flat, profile);
     return law;
 }
-
-} // namespace
 
 Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentProfile profile, LawKind law,
                                                        const Continuity& continuity) {

@@ -33,6 +33,10 @@ struct HapticScene {
     TourManner tour_manner;
 };
 
+/// The law that these choices name; profile and continuity must be valid.
+std::unique_ptr<const GuidanceLaw> make_law(const FlatScene& flat, TentProfile profile, LawKind kind,
+                                            const Continuity& continuity = {});
+
 /// An error for a profile or widths that are not valid, for softened switches of the published law, which has
 /// none, or for a scene without a contour that can be felt.
 Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentProfile profile = {},

@@ -21,10 +21,14 @@ private slots:
                 const auto method = NearestMethod::make(name, scene.flat);
                 for (const auto& places : {hand_path(500), random_places(500)})
                     for (const Vec2 place : places) {
-                        const double truth = plain->distance(place);
-                        const double distance = method->distance(place);
-                        QVERIFY(truth > method->reach() ? std::isinf(distance)
-                                                        : std::abs(distance - truth) < 1e-9);
+                        const double truth = plain->nearest(place).distance;
+                        const Nearest nearest = method->nearest(place);
+                        if (truth > method->reach()) {
+                            QVERIFY(std::isinf(nearest.distance));
+                            continue;
+                        }
+                        QVERIFY(std::abs(nearest.distance - truth) < 1e-9);
+                        QVERIFY(std::abs(length(nearest.point - place) - truth) < 1e-9);
                     }
             }
         }
@@ -36,7 +40,7 @@ private slots:
         const auto tree = NearestMethod::make("published_kdtree", scene.flat);
         int equal = 0;
         for (const Vec2 place : random_places(2000))
-            equal += std::abs(scan->distance(place) - tree->distance(place)) < 1e-9 ? 1 : 0;
+            equal += std::abs(scan->nearest(place).distance - tree->nearest(place).distance) < 1e-9 ? 1 : 0;
         QVERIFY(equal > 1990); // of equally near vertices the two may take different ones
     }
 

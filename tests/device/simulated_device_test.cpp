@@ -16,8 +16,8 @@ struct Bench {
 
     explicit Bench(SimulatedPlant plant = {}, ServoSettings settings = {})
         : device(200.0, 150.0, plant), loop(device, can, clock, settings) {}
-    void render(const Contour& contour, TentProfile profile = {}) {
-        auto made = make_haptic_scene(Scene{200.0, 150.0, {contour}}, profile);
+    void render(const Contour& contour, TentProfile profile = {}, const Continuity& continuity = {}) {
+        auto made = make_haptic_scene(Scene{200.0, 150.0, {contour}}, profile, LawKind::exact, continuity);
         loop.render(std::move(made).value());
         loop.engage();
     }
@@ -62,6 +62,46 @@ double swing_of_released_handle(double stiffness, int delay, double mass, double
 class SimulatedDeviceTest : public QObject {
     Q_OBJECT
 private slots:
+    /// The well of a corner cue adds its own stiffness to the tent's: the worst place for a released handle.
+    void a_handle_released_beside_a_ticking_corner_comes_to_rest_data() {
+        QTest::addColumn<double>("blend_mm");
+        QTest::addColumn<double>("hold_mm");
+        QTest::newRow("corner cue") << 0.0 << 0.0;
+        QTest::newRow("with blending") << 0.4 << 0.0;
+        QTest::newRow("with hysteresis") << 0.0 << 0.4;
+    }
+    void a_handle_released_beside_a_ticking_corner_comes_to_rest() {
+        QFETCH(double, blend_mm);
+        QFETCH(double, hold_mm);
+        const Contour bent = contour_through("bent", {{-60, 0}, {0, 0}, {0, 60}}, false);
+        for (const double stiffness : {0.2, 0.5})
+            for (const double mass : {0.05, 0.2})
+                for (const Vec2 start :
+                     {Vec2(0.7, -0.9), Vec2(-1.0, 0.3), Vec2(3.0, -4.0), Vec2(-2.0, 2.0)}) {
+                    SimulatedPlant plant;
+                    plant.mass = mass;
+                    plant.damping = 0.05;
+                    plant.hand_stiffness = 0.0;
+                    plant.hand_damping = 0.0;
+                    plant.quantum = 0.02;
+                    plant.delay_ticks = 2;
+                    Bench bench(plant);
+                    bench.render(bent, {stiffness, 4.0}, {hold_mm, blend_mm, true});
+                    bench.device.place_finger({40.0, -40.0}); // out of reach until the force is let in
+                    bench.run(0.6);
+                    bench.device.place_finger(start);
+                    bench.run(6.0);
+                    const Vec2 rest = bench.finger();
+                    double swing = 0.0;
+                    for (int i = 0; i < 1000; ++i) {
+                        bench.run(0.001);
+                        swing = std::max(swing, length(bench.finger() - rest));
+                    }
+                    QVERIFY2(swing < 0.1,
+                             qPrintable(QString("K %1 m %2: %3 mm").arg(stiffness).arg(mass).arg(swing)));
+                }
+    }
+
     void the_finger_follows_the_pointer() {
         Bench bench;
         bench.device.place_finger({10.0, 20.0});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/report/continuity_cost.hpp"
 #include "app/report/csv_table.hpp"
 #include "app/report/loop_work.hpp"
 #include "app/report/plot.hpp"
@@ -41,6 +42,28 @@ private slots:
         QVERIFY(!bare.settled);
         QVERIFY(bare.amplitude_mm > 0.5);
         QVERIFY(std::abs(handle.bound() - 0.5) < 1e-12); // DEVICES.md: K = 0.2 N/mm, T = 1 ms, n = 2
+    }
+
+    void softening_a_switch_buys_smoothness_for_accuracy() {
+        const std::vector<ContinuityCost> rows = measure_continuity({40'000, 100, 2.0});
+        const auto of = [&](const std::string& manner, double width) {
+            for (const ContinuityCost& row : rows)
+                if (row.manner == manner && row.width_mm == width)
+                    return row;
+            qFatal("no row of %s", manner.c_str());
+        };
+        const ContinuityCost exact = of("exact", 0.0);
+        QCOMPARE(exact.max_error_n, 0.0);
+        QVERIFY(exact.largest_step_n > 1.0 && exact.tremor_clicks_per_s > 100.0);
+        for (const ContinuityCost& row : rows)
+            QVERIFY(row.work_given_mj < 0.02); // what is left is the error of the quadrature
+        QVERIFY(of("hold", 0.5).tremor_clicks_per_s < 1.0);
+        QVERIFY(of("hold", 0.5).mean_error_n > of("hold", 0.3).mean_error_n);
+        QVERIFY(of("hold", 0.3).mean_error_n > 0.0);
+        QVERIFY(of("blend", 0.3).largest_step_n < 0.5 * exact.largest_step_n);
+        QVERIFY(of("blend", 1.0).largest_step_n < of("blend", 0.5).largest_step_n);
+        QVERIFY(of("blend", 1.0).mean_error_n > of("blend", 0.5).mean_error_n);
+        QVERIFY(of("corner_cue", 2.0).max_error_n > 0.1 && of("corner_cue", 2.0).mean_error_n < 0.005);
     }
 
     void the_grid_covers_what_the_report_promises() {

@@ -9,7 +9,10 @@ void add_guidance_options(VerbLine& line) {
     line.option("law", "How the force is computed: exact, or published (Algorithm 1 of the paper).", "name",
                 "exact")
         .option("stiffness", "K, the slope of the pull.", "N/mm", "0.2")
-        .option("range", "d, the distance of the strongest pull; none beyond twice that.", "mm", "4");
+        .option("range", "d, the distance of the strongest pull; none beyond twice that.", "mm", "4")
+        .option("blend", "Turns the force over a disc of this radius where the nearest contour changes.",
+                "mm")
+        .option("corner-cue", "A short tick at corners.");
 }
 
 Result<GuidanceOptions> guidance_options(const VerbLine& line) {
@@ -22,7 +25,15 @@ Result<GuidanceOptions> guidance_options(const VerbLine& line) {
     const Result<double> range = line.positive("range");
     if (!range)
         return Error{range.error()};
-    return GuidanceOptions{*law, {*stiffness, *range}};
+    GuidanceOptions options{*law, {*stiffness, *range}, {}};
+    if (line.has("blend")) {
+        const Result<double> blend = line.positive("blend");
+        if (!blend)
+            return Error{blend.error()};
+        options.continuity.blend_mm = *blend;
+    }
+    options.continuity.corner_cue = line.has("corner-cue");
+    return options;
 }
 
 Result<LoadedScene> load_scene(const QString& file, const GuidanceOptions& options) {
@@ -30,7 +41,7 @@ Result<LoadedScene> load_scene(const QString& file, const GuidanceOptions& optio
     if (!sheet)
         return Error{sheet.error()};
     LoadedScene loaded{scene_from_sheet(*sheet), nullptr};
-    auto haptic = make_haptic_scene(loaded.scene, options.profile, options.law);
+    auto haptic = make_haptic_scene(loaded.scene, options.profile, options.law, options.continuity);
     if (!haptic)
         return Error{haptic.error()};
     loaded.haptic = std::move(haptic).value();

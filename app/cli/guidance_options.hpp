@@ -8,12 +8,13 @@
 
 namespace tp {
 
-/// The options that every verb with a force has: --law, --stiffness, --range.
+/// The options that every verb with a force has: --law, --stiffness, --range, --blend, --corner-cue.
 void add_guidance_options(VerbLine& line);
 
 struct GuidanceOptions {
     LawKind law = LawKind::exact;
     TentProfile profile;
+    Continuity continuity;
 };
 Result<GuidanceOptions> guidance_options(const VerbLine& line);
 

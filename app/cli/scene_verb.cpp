@@ -18,10 +18,19 @@ constexpr double largest_surface_mm = 2000.0;
 void print_spacing(const Scene& scene) {
     const FlatScene flat = flatten(scene);
     std::printf("gap_mm,peak_n,tellable,first,second\n");
-    for (const Closeness& pair : closeness(flat, TentProfile{}))
+    const TentProfile profile;
+    const std::vector<Closeness> pairs = closeness(flat, profile);
+    for (const Closeness& pair : pairs)
         std::printf("%.3f,%.3f,%d,%s,%s\n", pair.gap, pair.peak, pair.tellable ? 1 : 0,
                     flat.names[static_cast<std::size_t>(pair.first)].c_str(),
                     flat.names[static_cast<std::size_t>(pair.second)].c_str());
+    if (const auto better = proposed_profile(pairs, profile)) {
+        char sentence[160];
+        std::snprintf(sentence, sizeof sentence,
+                      "With --range %.1f --stiffness %.2f fewer pulls would meet between the contours.",
+                      better->range, better->stiffness);
+        say(sentence);
+    }
 }
 
 } // namespace
@@ -34,7 +43,8 @@ int scene_verb(const QStringList& words) {
         .option("height", "Height of the touch surface.", "mm", QString::number(usual.height_mm))
         .option("spacing",
                 "Writes to stdout which contours come close to each other: gap in mm, the strongest pull\n"
-                "left between them in N, whether a finger can tell them apart, and their names.")
+                "left between them in N, whether a finger can tell them apart, and their names. Proposes\n"
+                "another range and stiffness to stderr where that would help.")
         .option("face", "Fits this face (1 is the largest) instead of all of them.", "number")
         .argument("PHOTO", "JPEG, PNG or WebP.");
     if (const auto ended = line.parse(words, 1, 1))

@@ -93,13 +93,20 @@ int trace_verb(const QStringList& words) {
         "in the surface frame, N) and trace.png, the force field with the finger's way.");
     line.option("scene", "The scene.", "SCENE.svg")
         .option("out", "Folder for the results; made where it is missing.", "DIR")
-        .option("seconds", "Longest simulated time.", "s", "600");
+        .option("seconds", "Longest simulated time.", "s", "600")
+        .option("hold", "Stays with a contour until another is nearer by this much.", "mm");
     add_guidance_options(line);
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
     if (!line.has("scene") || !line.has("out"))
         return wrong_usage("trace", "--scene SCENE.svg and --out DIR are both needed.");
-    const auto options = guidance_options(line);
+    auto options = guidance_options(line);
+    if (options && line.has("hold")) {
+        const auto hold = line.positive("hold");
+        if (!hold)
+            return wrong_usage("trace", hold.error());
+        options->continuity.hold_mm = *hold;
+    }
     const auto longest = line.positive("seconds");
     if (!options || !longest)
         return wrong_usage("trace", options ? longest.error() : options.error());
@@ -114,7 +121,8 @@ int trace_verb(const QStringList& words) {
         return exit_bad_input;
     }
 
-    const auto to_draw = make_haptic_scene(loaded->scene, options->profile, options->law);
+    const auto to_draw =
+        make_haptic_scene(loaded->scene, options->profile, options->law, options->continuity);
     const std::vector<std::string> names = loaded->haptic->flat.names;
     const Trace trace = explore(loaded->scene, std::move(loaded->haptic), *longest);
     std::vector<Vec2> way;

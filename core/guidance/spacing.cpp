@@ -90,6 +90,20 @@ std::vector<Closeness> closeness(const FlatScene& scene, const TentProfile& prof
     return pairs;
 }
 
+std::optional<TentProfile> proposed_profile(const std::vector<Closeness>& pairs, const TentProfile& profile) {
+    constexpr double shortest_range_mm = 2.0;
+    constexpr double stiffest_n_per_mm = 0.5;
+    const auto narrowest =
+        std::find_if(pairs.begin(), pairs.end(), [](const Closeness& pair) { return pair.tellable; });
+    if (narrowest == pairs.end())
+        return std::nullopt;
+    const double range = std::max(0.25 * narrowest->gap, shortest_range_mm);
+    if (!(range < profile.range))
+        return std::nullopt;
+    const double stiffness = std::min(profile.peak() / range, std::max(stiffest_n_per_mm, profile.stiffness));
+    return TentProfile{stiffness, range};
+}
+
 std::optional<Contour> thinned(const Contour& contour, double gap) {
     if (!contour.closed)
         return std::nullopt;

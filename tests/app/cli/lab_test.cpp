@@ -75,6 +75,7 @@ private slots:
         QTest::newRow("no such law") << QStringList{"force", "--scene", "a.svg", "--law", "magnetic"};
         QTest::newRow("no number") << QStringList{"force", "--scene", "a.svg", "--stiffness", "soft"};
         QTest::newRow("below zero") << QStringList{"force", "--scene", "a.svg", "--range", "-4"};
+        QTest::newRow("blended by nothing") << QStringList{"force", "--scene", "a.svg", "--blend", "0"};
         QTest::newRow("no output") << QStringList{"scene", "a.jpg"};
         QTest::newRow("two photographs") << QStringList{"scene", "a.jpg", "b.jpg", "--out", "c.svg"};
         QTest::newRow("no folder") << QStringList{"trace", "--scene", "a.svg"};
@@ -211,6 +212,35 @@ private slots:
                 .out,
             QByteArray("0 -0.5 1 line\n0 -0.5 3 line\n0 0 5 line\n"));
         QVERIFY(lab({"force", "--scene", scene(), "--law", "published"}, "-39 2\n").code == 0);
+        const Run softened =
+            lab({"force", "--scene", scene(), "--blend", "0.5", "--corner-cue"}, "-40 2\n0 10\n0 9.9\n");
+        QCOMPARE(softened.code, 0);
+        const QList<QByteArray> lines = softened.out.trimmed().split('\n');
+        QVERIFY(std::abs(lines[0].split(' ')[1].toDouble() + 0.4) < 1e-9); // beside a line nothing changes
+        // Half-way between line and ring, 10 mm from both, there is no force for either to lose.
+        QCOMPARE(lines[1].split(' ')[0], QByteArray("0"));
+    }
+
+    void two_answers_to_one_jump_are_refused() {
+        const Run both =
+            lab({"trace", "--scene", scene(), "--out", path("both"), "--hold", "0.4", "--blend", "0.4"});
+        QCOMPARE(both.code, 1);
+        QVERIFY(both.err.contains("choose one"));
+        QCOMPARE(
+            lab({"field", "--scene", scene(), "--out", path("f.png"), "--law", "published", "--corner-cue"})
+                .code,
+            1);
+        const Run held = lab({"trace", "--scene", scene(), "--out", path("held"), "--hold", "0.4",
+                              "--corner-cue", "--seconds", "5"});
+        QVERIFY2(held.code == 0, held.err.constData());
+    }
+
+    void measuring_needs_to_know_what_and_where() {
+        QCOMPARE(lab({"bench"}).code, 2);
+        QCOMPARE(lab({"bench", "patience"}).code, 2);
+        QCOMPARE(lab({"bench", "accuracy"}).code, 2);
+        QCOMPARE(lab({"bench", "accuracy", "--out", sample + "/folder"}).code, 1);
+        QVERIFY(lab({"bench", "--help"}).out.contains("bench accuracy --out DIR"));
     }
 
     void force_says_which_line_it_cannot_read() {

@@ -33,6 +33,25 @@ private slots:
         QVERIFY(closeness(two_lines(8.0), {0.2, 4.0}).empty());
     }
 
+    void a_shorter_range_is_proposed_where_pulls_would_meet() {
+        const TentProfile usual{0.2, 4.0};
+        const auto proposed = [&](double gap, TentProfile profile) {
+            return proposed_profile(closeness(two_lines(gap), profile), profile);
+        };
+        const auto closer = proposed(7.9, {0.2, 6.0}); // a quarter of it would be below 2 mm
+        QVERIFY(closer);
+        QCOMPARE(closer->range, 2.0);
+        QCOMPARE(closer->stiffness, 0.5); // 0.6 would keep the peak, but was never tried
+        const auto wide = proposed(12.0, {0.1, 8.0});
+        QVERIFY(wide);
+        QCOMPARE(wide->range, 3.0); // bands of 6 mm end where they meet
+        QVERIFY(std::abs(wide->peak() - 0.8) < 1e-12);
+        QVERIFY(!proposed(9.0, usual));      // out of each other's reach
+        QVERIFY(!proposed(0.7, usual));      // not to be told apart anyway
+        QVERIFY(!proposed(4.0, {0.2, 2.0})); // as short as it gets
+        QVERIFY(!proposed_profile({}, usual));
+    }
+
     void equals_brute_force_and_sorts_the_narrowest_first() {
         std::mt19937 random(11);
         for (int round = 0; round < 100; ++round) {

@@ -108,7 +108,7 @@ std::optional<Contour> thinned(const Contour& contour, double gap) {
     if (!contour.closed)
         return std::nullopt;
     const Polyline line = flatten(contour, {0.02, 5.0});
-    if (line.points.size() < 3)
+    if (line.points.size() < 3 || !std::isfinite(length_of(line)))
         return std::nullopt;
     const Polyline even =
         resampled(line, std::min<std::size_t>(400, std::max<std::size_t>(40, line.points.size())));

@@ -57,7 +57,7 @@ public:
         drawing_ = false;
     }
 
-    /// An arc has a radius or an angle that is not finite. (Points that are not are found in the pieces.)
+    /// A place, a radius or an angle is not finite.
     bool infinite() const { return infinite_; }
     /// The limit was met; what came after it is missing.
     bool overfull() const { return overfull_; }
@@ -66,6 +66,7 @@ public:
 private:
     void begin(Vec2 p) {
         current_ = Subpath{p, {}, false};
+        infinite_ = infinite_ || !is_finite(p);
         at_ = p;
         drawing_ = true;
     }
@@ -84,6 +85,7 @@ private:
 
     void append(const Piece& piece) {
         at_ = end_of(piece);
+        infinite_ = infinite_ || !is_finite(piece);
         if (roomy()) // the parser must not be left by an exception: it would leak
             current_.pieces.push_back(piece);
     }

@@ -19,8 +19,8 @@ struct Subpath {
 };
 
 /// What path data (the `d` attribute) draws; every command of the grammar, arcs as cubics within `tolerance`.
-/// A moveto that draws nothing makes no subpath. The error names neither element nor file: "is broken …".
-/// At most `piece_limit` pieces.
+/// Every number finite. A moveto that draws nothing makes no subpath. The error names neither element nor
+/// file: "is broken …". At most `piece_limit` pieces.
 Result<std::vector<Subpath>> subpaths_from(std::string_view path_data, double tolerance,
                                            std::size_t piece_limit);
 

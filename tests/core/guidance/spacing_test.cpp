@@ -33,6 +33,12 @@ private slots:
         QVERIFY(closeness(two_lines(8.0), {0.2, 4.0}).empty());
     }
 
+    void a_contour_too_long_for_a_double_is_not_thinned() {
+        const Contour endless =
+            contour_through("endless", {{-1.5e308, 0}, {1.5e308, 0}, {1.5e308, 0.1}}, true);
+        QVERIFY(!thinned(endless));
+    }
+
     void a_shorter_range_is_proposed_where_pulls_would_meet() {
         const TentProfile usual{0.2, 4.0};
         const auto proposed = [&](double gap, TentProfile profile) {

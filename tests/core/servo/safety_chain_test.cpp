@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include <limits>
+#include <random>
 #include <set>
 #include <string>
 
@@ -92,6 +93,46 @@ private slots:
             const Vec2 force = bench.tick();
             QVERIFY(length(force - last) <= 40.0 * 0.001 + 1e-12);
             last = force;
+        }
+    }
+
+    /// Whatever law, device, clock and person do: finite, within the limit, and never rising or turning
+    /// faster than the rate limit.
+    void any_input_keeps_the_limits() {
+        std::mt19937_64 random(5);
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        const auto one_of = [&](const std::vector<double>& values) {
+            return values[static_cast<std::size_t>(random() % values.size())];
+        };
+        const double nan = std::nan("");
+        const double inf = std::numeric_limits<double>::infinity();
+        for (int round = 0; round < 200; ++round) {
+            Bench bench;
+            Vec2 last(0.0);
+            double felt = 0.0;
+            for (int i = 0; i < 2000; ++i) {
+                const bool wild = random() % 50 == 0;
+                const double size = wild ? one_of({nan, inf, 1e308, -1e300, 1e-320, 0.0}) : 2.0;
+                bench.input.force = {size * unit(random), size * unit(random)};
+                const double far = random() % 200 == 0 ? one_of({nan, 1e9, 300.0}) : 50.0;
+                bench.input.position = {far * unit(random), far * unit(random)};
+                bench.input.velocity = {unit(random) * (random() % 200 == 0 ? 1e5 : 100.0), 0.0};
+                bench.input.fresh = random() % 10 != 0;
+                bench.input.device_lost = random() % 1000 == 0;
+                if (random() % 100 == 0)
+                    bench.chain.engage(bench.input.now);
+                if (random() % 300 == 0)
+                    bench.chain.disengage();
+                const double dt = random() % 100 == 0 ? one_of({0.0, 0.0045, 0.03, 0.2, 1e-9}) : 0.001;
+                const Vec2 force = bench.tick(dt);
+                QVERIFY(is_finite(force));
+                QVERIFY(length(force) <= 1.5 + 1e-12);
+                const bool falls = length(force) <= length(last) + 1e-12;
+                QVERIFY(falls || length(force - last) <= 40.0 * std::min(dt, 0.003) + 1e-12);
+                felt = std::max(felt, length(force));
+                last = force;
+            }
+            QVERIFY(round > 0 || felt > 0.01); // or nothing would have been tested
         }
     }
 

@@ -87,6 +87,32 @@ private slots:
         QCOMPARE(bench.loop.snapshot().scene, std::uint64_t(2));
     }
 
+    void with_hysteresis_the_finger_keeps_its_line_until_the_other_is_clearly_nearer() {
+        const Scene two{200.0,
+                        150.0,
+                        {contour_through("upper", {{-80.0, 3.0}, {80.0, 3.0}}, false),
+                         contour_through("lower", {{-80.0, -3.0}, {80.0, -3.0}}, false)}};
+        Bench bench;
+        double y = 1.0;
+        bench.device.place = [&](double) { return Vec2(0.0, y); };
+        auto made = make_haptic_scene(two, {}, LawKind::exact, {0.4, 0.0, false});
+        bench.loop.render(std::move(made).value());
+        bench.loop.engage();
+        bench.run(1.0);
+        QCOMPARE(bench.loop.snapshot().contour, 0);
+        y = -0.15;
+        bench.run(0.5);
+        QCOMPARE(bench.loop.snapshot().contour, 0);
+        QVERIFY(bench.device.last_force().y > 0.5);
+        y = -0.3;
+        bench.run(0.5);
+        QCOMPARE(bench.loop.snapshot().contour, 1);
+        QVERIFY(bench.device.last_force().y < -0.5);
+        bench.loop.render(line_scene(0.0)); // another scene knows of no branch
+        bench.run(0.5);
+        QCOMPARE(bench.loop.snapshot().contour, 0);
+    }
+
     void damps_across_the_line_and_not_along_it() {
         const auto force_at_speed = [](Vec2 velocity) {
             Bench bench;

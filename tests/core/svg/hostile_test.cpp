@@ -1,141 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/svg/contour_sheet.hpp"
+#include "core/svg/path_pieces.hpp"
+#include "path_check.hpp"
 #include "sheet_check.hpp"
+#include "svg_mutants.hpp"
 
 #include <QTest>
 
-#include <algorithm>
-#include <array>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <random>
 #include <string>
 #include <vector>
+
+using tp::test::Mutator;
+using tp::test::Seed;
 
 namespace {
 
 constexpr std::size_t mutated_inputs = 20'000;
 constexpr std::uint64_t seed = 20190709;
-constexpr std::size_t longest_mutant = 16'384;
 
-struct Seed {
-    std::string name;
-    std::string text;
-};
-
-std::vector<Seed> corpus() {
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(TP_SOURCE_DIR "/tests/core/svg/corpus"))
-        files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    std::vector<Seed> seeds;
-    for (const auto& file : files) {
-        std::ifstream stream(file, std::ios::binary);
-        seeds.push_back({file.filename().string(), {std::istreambuf_iterator<char>(stream), {}}});
-    }
-    return seeds;
-}
-
-/// What a blind change of bytes would take long to hit upon.
-constexpr std::array<std::string_view, 44> words = {"<path d=\"M0 0L1 1Z\"/>",
-                                                    "<g transform=\"scale(2)\">",
-                                                    "</g>",
-                                                    "<circle r=\"5\"/>",
-                                                    "<rect width=\"3\" height=\"4\" rx=\"1\"/>",
-                                                    " transform=\"rotate(30 1 2)\"",
-                                                    " transform=\"skewX(89.9999999)\"",
-                                                    " transform=\"matrix(1 0 0 0 0 0)\"",
-                                                    " viewBox=\"0 0 1e300 1e-300\"",
-                                                    " viewBox=\"-5 -5 10 20\"",
-                                                    " preserveAspectRatio=\"none\"",
-                                                    " preserveAspectRatio=\"xMaxYMin slice\"",
-                                                    " width=\"1e308mm\"",
-                                                    " height=\"50%\"",
-                                                    " id=\"a b\"",
-                                                    " data-name=\"a%20b\"",
-                                                    " id=\"a_b\"",
-                                                    " style=\"display:none\"",
-                                                    "display:inline",
-                                                    "1e400",
-                                                    "1e-400",
-                                                    "-0",
-                                                    "nan",
-                                                    "inf",
-                                                    "1e308",
-                                                    "-1e308",
-                                                    "4.9e-324",
-                                                    "A 5 3 20 1 0 9 9",
-                                                    "a1 1 0 0 1 1e-9 0",
-                                                    "A1e-300 1e300 0 1 1 5 5",
-                                                    "z",
-                                                    "m",
-                                                    "T 3 4",
-                                                    "s 1 2 3 4",
-                                                    "C0 0 0 0 0 0",
-                                                    "Q 1e200 1e200 0 0",
-                                                    "&#0;",
-                                                    "&#1;",
-                                                    "&amp;",
-                                                    "&lol;",
-                                                    "]]>",
-                                                    "<![CDATA[",
-                                                    std::string_view("\0", 1),
-                                                    "\xFF"};
-
-class Mutator {
-public:
-    std::string mutant(const std::vector<Seed>& seeds) {
-        std::string text = seeds[below(seeds.size())].text;
-        const std::size_t steps = 1 + below(3);
-        for (std::size_t i = 0; i < steps; ++i)
-            change(text, seeds);
-        text.resize(std::min(text.size(), longest_mutant));
-        return text;
-    }
-
-private:
-    std::size_t below(std::size_t n) { return n == 0 ? 0 : static_cast<std::size_t>(random_() % n); }
-
-    void change(std::string& text, const std::vector<Seed>& seeds) {
-        const std::size_t at = below(text.size() + 1);
-        switch (below(10)) {
-        case 0:
-            if (at < text.size())
-                text[at] = static_cast<char>(random_() & 0xFFu);
-            break;
-        case 1:
-            if (at < text.size())
-                text[at] = static_cast<char>(text[at] ^ static_cast<char>(1u << below(8)));
-            break;
-        case 2:
-            text.erase(at, below(20));
-            break;
-        case 3:
-            text.insert(at, text.substr(at, below(60)));
-            break;
-        case 4: { // another seed's middle
-            const std::string& other = seeds[below(seeds.size())].text;
-            text.insert(at, other.substr(below(other.size()), below(120)));
-            break;
-        }
-        case 5: // in place of a number, most often
-            if (const std::size_t digit = text.find_first_of("0123456789", at); digit != std::string::npos)
-                text.replace(digit, 1, words[below(words.size())]);
-            break;
-        case 6:
-        case 7:
-        case 8:
-            if (const std::size_t digit = text.find_first_of("0123456789", at); digit != std::string::npos)
-                text[digit] = static_cast<char>('0' + below(10));
-            break;
-        default:
-            text.insert(at, words[below(words.size())]);
-        }
-    }
-
-    std::mt19937_64 random_{seed};
-};
+std::vector<Seed> sheets() { return tp::test::corpus(TP_SOURCE_DIR "/tests/core/svg/corpus"); }
 
 } // namespace
 
@@ -145,7 +28,7 @@ class HostileSheets : public QObject {
 private slots:
     void corpus_data() {
         QTest::addColumn<QByteArray>("text");
-        for (const Seed& input : ::corpus())
+        for (const Seed& input : sheets())
             QTest::newRow(input.name.c_str()) << QByteArray::fromStdString(input.text);
     }
     void corpus() {
@@ -154,9 +37,9 @@ private slots:
     }
 
     void mutated_corpus() {
-        const std::vector<Seed> seeds = ::corpus();
+        const std::vector<Seed> seeds = sheets();
         QVERIFY(seeds.size() >= 10);
-        Mutator mutator;
+        Mutator mutator(seed);
         std::size_t read = 0;
         for (std::size_t i = 0; i < mutated_inputs; ++i) {
             const std::string text = mutator.mutant(seeds);
@@ -168,6 +51,23 @@ private slots:
         }
         // Mutants that are all refused would test nothing but the refusal.
         QVERIFY2(read > mutated_inputs / 10, qPrintable(QString::number(read)));
+    }
+
+    void mutated_path_data() {
+        const std::vector<Seed> seeds{
+            {"all commands", "M1 2 3 4h5v6l7 8c1 2 3 4 5 6s1 2 3 4q1 2 3 4t5 6a3 4 5 1 0 7 8z"},
+            {"run together", "M.5.5-1-1e1-2a1 1 0 00.5.5"},
+            {"beyond a double", "M1 1 4 42e4004 1"},
+            {"two strokes", "M0 0 10 0 10 10Z M 20 20 Q 30 30 40 20 T 60 20"}};
+        Mutator mutator(seed);
+        std::size_t drawn = 0;
+        for (std::size_t i = 0; i < mutated_inputs; ++i) {
+            const std::string text = mutator.mutant(seeds);
+            const std::string complaint = tp::test::complaint_about_path(text);
+            QVERIFY2(complaint.empty(), (complaint + ": " + text).c_str());
+            drawn += tp::svg::subpaths_from(text, 1e-3, 1000).ok() ? 1 : 0;
+        }
+        QVERIFY2(drawn > mutated_inputs / 10, qPrintable(QString::number(drawn)));
     }
 
     void groups_nested_100_000_deep() {

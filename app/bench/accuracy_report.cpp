@@ -41,7 +41,7 @@ QString title_of(const std::string& scene) {
 PlotPanel panel_of(const std::string& scene, const std::vector<AccuracyRow>& rows) {
     PlotPanel panel;
     panel.title = title_of(scene) + QStringLiteral(": lower left is better");
-    panel.x = {QStringLiteral("time per force, ns"), 5.0, 1e6, true};
+    panel.x = {QStringLiteral("time per force, ns"), 5.0, 5e5, true};
     panel.y = {QStringLiteral("mean force error, N"), 1e-7, 1.0, true};
     panel.legend_at_bottom = true;
     for (const Method& method : methods()) {

@@ -46,12 +46,12 @@ using namespace tp::testing;
 
 namespace {
 
-std::unique_ptr<const HapticScene> face(bool tour, LawKind law) {
+std::unique_ptr<const HapticScene> face(bool tour, LawKind law, const Continuity& continuity = {}) {
     const FlatScene flat = face_scene(60);
     Scene scene{200.0, 200.0, {}};
     for (std::size_t i = 0; i < flat.lines.size(); ++i)
         scene.contours.push_back(contour_through(flat.names[i], flat.lines[i].points, flat.lines[i].closed));
-    auto made = make_haptic_scene(scene, {}, law);
+    auto made = make_haptic_scene(scene, {}, law, continuity);
     std::unique_ptr<HapticScene> haptic = std::move(made).value();
     if (tour)
         haptic->tour = haptic->flat.lines.front();
@@ -82,10 +82,12 @@ private slots:
         std::atomic<bool> stop{false};
         std::uint64_t swaps = 0;
         std::thread other([&] {
+            const Continuity softened[] = {{}, {0.4, 0.0, true}, {0.0, 0.4, false}};
             for (; !stop; ++swaps) {
-                loop.render(swaps % 5 == 4
-                                ? nullptr
-                                : face(swaps % 3 == 0, swaps % 2 == 0 ? LawKind::exact : LawKind::published));
+                const bool tour = swaps % 3 == 0;
+                loop.render(swaps % 5 == 4   ? nullptr
+                            : swaps % 2 == 1 ? face(tour, LawKind::published)
+                                             : face(tour, LawKind::exact, softened[swaps / 2 % 3]));
                 device.move_pointer({60.0 * std::cos(0.1 * static_cast<double>(swaps)), 30.0});
             }
         });

@@ -54,11 +54,10 @@ private slots:
     }
 
     void mutated_path_data() {
-        const std::vector<Seed> seeds{
-            {"all commands", "M1 2 3 4h5v6l7 8c1 2 3 4 5 6s1 2 3 4q1 2 3 4t5 6a3 4 5 1 0 7 8z"},
-            {"run together", "M.5.5-1-1e1-2a1 1 0 00.5.5"},
-            {"beyond a double", "M1 1 4 42e4004 1"},
-            {"two strokes", "M0 0 10 0 10 10Z M 20 20 Q 30 30 40 20 T 60 20"}};
+        const std::vector<Seed> seeds = tp::test::corpus(TP_SOURCE_DIR "/tests/core/svg/path_corpus");
+        QVERIFY(seeds.size() >= 5);
+        for (const Seed& input : seeds)
+            QCOMPARE(tp::test::complaint_about_path(input.text), std::string());
         Mutator mutator(seed);
         std::size_t drawn = 0;
         for (std::size_t i = 0; i < mutated_inputs; ++i) {

@@ -31,6 +31,7 @@ struct ExtractionTimes {
     double decode = 0.0;
     double detect = 0.0;
     double landmarks = 0.0;
+    double edges = 0.0;
     double contours = 0.0;
 };
 

@@ -3,6 +3,7 @@
 
 #include "faces/contour_fit.hpp"
 #include "faces/contour_nets.hpp"
+#include "faces/edge_fit.hpp"
 #include "faces/embedded_detector.hpp"
 #include "faces/face_problem.hpp"
 #include "faces/mesh_model.hpp"
@@ -51,15 +52,14 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-std::vector<Contour> contours_of(const Landmarks& points) {
-    const auto opening = [](const char* name, const std::vector<Vec2>& around, std::size_t corner) {
-        return fit_contour(name, uncrossed(around, corner), true, {0, corner});
+std::vector<Contour> contours_of(const FaceLines& lines) {
+    const auto opening = [](const char* name, const Opening& edges) {
+        const std::size_t corner = edges.lower.size() - 1;
+        return fit_contour(name, uncrossed(edges.around(), corner), true, {0, corner});
     };
-    return {opening(feature::left_eye, points.left_eye, eye_corner),
-            opening(feature::right_eye, points.right_eye, eye_corner),
-            opening(feature::outer_lip, points.outer_lip, mouth_corner),
-            opening(feature::inner_lip, points.inner_lip, mouth_corner),
-            fit_contour(feature::outline, points.outline, false)};
+    return {opening(feature::left_eye, lines.left_eye), opening(feature::right_eye, lines.right_eye),
+            opening(feature::outer_lip, lines.outer_lip), opening(feature::inner_lip, lines.inner_lip),
+            fit_contour(feature::outline, lines.outline, false)};
 }
 
 struct LocatedFace {
@@ -81,6 +81,7 @@ bool is_same(const LocatedFace& a, const LocatedFace& b) {
 struct FaceExtractor::Parts {
     std::unique_ptr<Detector> detector;
     std::unique_ptr<LandmarkModel> model;
+    bool edges = true;
 
     /// The detected faces that the landmarks confirm, the largest first. Boxes of different size that led to
     /// the same eyes and mouth count once.
@@ -117,10 +118,15 @@ struct FaceExtractor::Parts {
         if (located.empty())
             located = locate(picture, Effort::thorough, result.milliseconds);
         Stopwatch watch;
-        for (const LocatedFace& face : located)
-            result.faces.push_back({face.detection.box, face.detection.score, contours_of(face.points),
+        for (const LocatedFace& face : located) {
+            FaceLines lines = lines_through(face.points);
+            if (edges)
+                lines = on_edges(picture, std::move(lines));
+            result.milliseconds.edges += watch.lap();
+            result.faces.push_back({face.detection.box, face.detection.score, contours_of(lines),
                                     problem_of(face.detection, face.points, picture.size())});
-        result.milliseconds.contours = watch.lap();
+            result.milliseconds.contours += watch.lap();
+        }
         result.problem =
             result.faces.empty() ? "No face was found in this picture." : result.faces.front().problem;
     }
@@ -143,6 +149,7 @@ Result<FaceExtractor> FaceExtractor::create(const ExtractorChoice& choice) {
         auto parts = std::make_unique<Parts>();
         parts->detector = std::move(*detector);
         parts->model = std::move(*model);
+        parts->edges = choice.edges;
         return FaceExtractor(std::move(parts));
     } catch (const std::exception& reason) {
         return Error{std::string("The nets that find faces cannot be used: ") + reason.what()};

@@ -17,6 +17,8 @@ namespace tp {
 struct ExtractorChoice {
     std::string detector = "embedded";
     std::string model = "embedded";
+    bool edges =
+        true; ///< lids and lips are moved onto their edges in the picture; false: as the net put them
 };
 
 /// From a photograph to the contours of its faces, all on this machine. Same bytes in, same contours out.

@@ -53,6 +53,7 @@ QByteArray json_line(const std::string& photo, const Extraction& extraction) {
                            {"milliseconds", QJsonObject{{"decode", rounded(ms.decode)},
                                                         {"detect", rounded(ms.detect)},
                                                         {"landmarks", rounded(ms.landmarks)},
+                                                        {"edges", rounded(ms.edges)},
                                                         {"contours", rounded(ms.contours)}}},
                            {"faces", faces},
                            {"problem", text_or_null(extraction.problem)}};

@@ -55,8 +55,8 @@ public:
                 say_problem("The folder cannot be made.", line_.text(name).toStdString());
                 return exit_bad_input;
             }
-        auto extractor =
-            FaceExtractor::create({line_.text("detector").toStdString(), line_.text("model").toStdString()});
+        auto extractor = FaceExtractor::create({line_.text("detector").toStdString(),
+                                                line_.text("model").toStdString(), !line_.has("no-edges")});
         if (!extractor) {
             say_problem(extractor.error());
             return exit_bad_input;
@@ -130,6 +130,8 @@ int faces_verb(const QStringList& words) {
         .option("overlay", "Writes the photograph with its contours as PHOTO.overlay.png.", "folder")
         .option("detector", "Finds the faces: embedded, yunet, or an ONNX file.", "name", "embedded")
         .option("model", "Finds the contours: embedded, mesh, or an ONNX file.", "name", "embedded")
+        .option("no-edges",
+                "Leaves lids and lips where the model puts them, not on their edges in the picture.")
         .argument("PHOTO", "JPEG, PNG or WebP.", "PHOTO...");
     if (const auto ended = line.parse(words, 1, 1'000'000))
         return *ended;

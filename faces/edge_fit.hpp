@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "faces/edge_look.hpp"
+#include "faces/face_lines.hpp"
+#include "faces/line_snap.hpp"
+
+#include <opencv2/core/mat.hpp>
+
+namespace tp {
+
+/// What the fit of one edge has to say about it.
+struct EdgeReport {
+    double moved_percent =
+        0.0;              ///< mean size of the displacement, of the distance between the outer eye corners
+    double clarity = 0.0; ///< see clarity(); 0 where the picture shows no edge
+};
+
+/// Reports of the edges of a face.
+struct EdgeReports {
+    struct Pair {
+        EdgeReport lower, upper;
+    };
+    Pair right_eye, left_eye, outer_lip, inner_lip;
+};
+
+/// What the 8-bit BGR `picture` says about an edge near `line` (px, ≥ 3 points): looked up along the normals,
+/// of which `outwards` chooses the side, at the full resolution of the picture, or at 0.2 % of `unit_px`
+/// where that is coarser. Offsets are percent of `unit_px`, the distance between the outer eye corners.
+/// Nothing is said about the first and the last point: a corner has no normal.
+Evidence edge_evidence(const cv::Mat& picture, const std::vector<Vec2>& line, Vec2 outwards, double unit_px,
+                       const EdgeLook& look);
+
+/// `line` moved along its normals onto the edge that looks like `look`; where there is none it stays where it
+/// is. At most 5 % of `unit_px`.
+std::vector<Vec2> on_edge(const cv::Mat& picture, const std::vector<Vec2>& line, Vec2 outwards,
+                          double unit_px, const EdgeLook& look, EdgeReport* report = nullptr);
+
+/// Lids and lips moved onto their edges in the picture. The outline stays: hair, collars and the shadow of
+/// the chin have stronger edges than it. Faces whose eyes are less than 24 px apart stay as they are.
+FaceLines on_edges(const cv::Mat& picture, FaceLines lines, EdgeReports* reports = nullptr);
+
+} // namespace tp

@@ -6,6 +6,7 @@
 #include "faces/edge_fit.hpp"
 #include "faces/embedded_detector.hpp"
 #include "faces/face_problem.hpp"
+#include "faces/fewest_pieces.hpp"
 #include "faces/mesh_model.hpp"
 #include "faces/model_catalog.hpp"
 #include "faces/picture.hpp"
@@ -20,7 +21,8 @@ namespace {
 
 constexpr PluggableModel yunet{"yunet", "yunet.onnx", "a YuNet face detector"};
 constexpr PluggableModel mesh{"mesh", "face_mesh.onnx", "a 478-point face mesh"};
-constexpr int smallest_side_px = 16; ///< of a picture that can hold a face
+constexpr int smallest_side_px = 16;         ///< of a picture that can hold a face
+constexpr double contour_tolerance_px = 0.2; ///< a fifth of what a net or a hand can place
 constexpr double least_confidence = 0.5;
 constexpr double same_within = 0.4; ///< of a face's size; two heads cannot be that near
 
@@ -55,11 +57,12 @@ private:
 std::vector<Contour> contours_of(const FaceLines& lines) {
     const auto opening = [](const char* name, const Opening& edges) {
         const std::size_t corner = edges.lower.size() - 1;
-        return fit_contour(name, uncrossed(edges.around(), corner), true, {0, corner});
+        return fewest_pieces(name, uncrossed(edges.around(), corner), true, {0, corner},
+                             contour_tolerance_px);
     };
     return {opening(feature::left_eye, lines.left_eye), opening(feature::right_eye, lines.right_eye),
             opening(feature::outer_lip, lines.outer_lip), opening(feature::inner_lip, lines.inner_lip),
-            fit_contour(feature::outline, lines.outline, false)};
+            fewest_pieces(feature::outline, lines.outline, false, {}, contour_tolerance_px)};
 }
 
 struct LocatedFace {

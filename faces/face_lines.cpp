@@ -7,7 +7,7 @@
 namespace tp {
 namespace {
 
-constexpr std::size_t outline_points = 96;
+constexpr std::size_t outline_points = 41;
 
 std::vector<Vec2> dense(const std::vector<Vec2>& points, std::size_t count) {
     const Polyline line = flatten(fit_contour({}, points, false), {0.02, 2.0});

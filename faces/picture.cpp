@@ -39,14 +39,14 @@ const char* name_of(PictureKind kind) {
 Error damaged(PictureKind kind) { return {std::string("The ") + name_of(kind) + " file is damaged."}; }
 
 /// Empty where the size is fine.
-std::string objection_to_size(long long width, long long height, PictureKind kind) {
+std::string objection_to_size(long long width, long long height, PictureKind kind, double largest_px) {
     if (width <= 0 || height <= 0)
         return damaged(kind).sentence;
     const double pixels = static_cast<double>(width) * static_cast<double>(height);
-    if (pixels <= largest_picture_px)
+    if (pixels <= largest_px)
         return {};
     return "The picture is too large: " + std::to_string(width) + " × " + std::to_string(height) +
-           " pixels, where at most " + std::to_string(std::lround(largest_picture_px / 1e6)) +
+           " pixels, where at most " + std::to_string(std::lround(largest_px / 1e6)) +
            " million can be read.";
 }
 
@@ -58,6 +58,7 @@ bool is_webp_cut_short(const Bytes& bytes) {
 }
 
 Result<cv::Mat> decode_by_opencv(const Bytes& bytes, PictureKind kind) {
+    const HushedThread hushed;
     cv::Mat picture;
     try {
         picture = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
@@ -68,12 +69,14 @@ Result<cv::Mat> decode_by_opencv(const Bytes& bytes, PictureKind kind) {
     return picture;
 }
 
-Result<cv::Mat> decode(const Bytes& bytes, PictureKind kind, const PictureMetadata& metadata) {
+Result<cv::Mat> decode(const Bytes& bytes, PictureKind kind, const PictureMetadata& metadata,
+                       double largest_px) {
     if (kind == PictureKind::jpeg) {
         const JpegHeader header = jpeg_header(bytes);
         if (header.width == 0 && header.height == 0)
             return Error{"The JPEG file is cut short: a part of the picture is missing."};
-        if (auto objection = objection_to_size(header.width, header.height, kind); !objection.empty())
+        if (auto objection = objection_to_size(header.width, header.height, kind, largest_px);
+            !objection.empty())
             return Error{objection};
         return decode_jpeg(bytes, header);
     }
@@ -81,14 +84,16 @@ Result<cv::Mat> decode(const Bytes& bytes, PictureKind kind, const PictureMetada
         const Result<PngSize> size = png_size(bytes);
         if (!size)
             return Error{size.error()};
-        if (auto objection = objection_to_size(size->width, size->height, kind); !objection.empty())
+        if (auto objection = objection_to_size(size->width, size->height, kind, largest_px);
+            !objection.empty())
             return Error{objection};
         const Result<Bytes> bare = bare_png(bytes);
         return bare ? decode_by_opencv(*bare, kind) : Error{bare.error()};
     }
     if (kind == PictureKind::webp && is_webp_cut_short(bytes))
         return Error{"The WebP file is cut short: a part of the picture is missing."};
-    if (auto objection = objection_to_size(metadata.width, metadata.height, kind); !objection.empty())
+    if (auto objection = objection_to_size(metadata.width, metadata.height, kind, largest_px);
+        !objection.empty())
         return Error{objection};
     return decode_by_opencv(bytes, kind);
 }
@@ -120,19 +125,16 @@ cv::Mat upright(const cv::Mat& stored, int orientation) {
 
 } // namespace
 
-Result<cv::Mat> read_picture(const std::filesystem::path& file) {
+Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px) {
     try {
         quiet_opencv();
-        const Result<Bytes> bytes = read_bytes(file);
-        if (!bytes)
-            return Error{bytes.error()};
-        const PictureKind kind = kind_of(*bytes);
+        const PictureKind kind = kind_of(bytes);
         if (kind == PictureKind::heif)
             return Error{"The picture is in the HEIC or AVIF format, which cannot be read: save it as JPEG."};
         if (kind == PictureKind::unknown)
             return Error{"The file is not a picture of a kind that can be read."};
-        const PictureMetadata metadata = metadata_of(*bytes);
-        Result<cv::Mat> picture = decode(*bytes, kind, metadata);
+        const PictureMetadata metadata = metadata_of(bytes);
+        Result<cv::Mat> picture = decode(bytes, kind, metadata, largest_px);
         if (!picture)
             return picture;
         // OpenCV turns a TIFF by itself, whatever it is asked.
@@ -141,6 +143,15 @@ Result<cv::Mat> read_picture(const std::filesystem::path& file) {
         return Error{"There is not enough memory for this picture."};
     } catch (const std::exception&) {
         return Error{"The picture cannot be decoded."};
+    }
+}
+
+Result<cv::Mat> read_picture(const std::filesystem::path& file) {
+    try {
+        const Result<Bytes> bytes = read_bytes(file);
+        return bytes ? decode_picture(*bytes) : Error{bytes.error()};
+    } catch (const std::bad_alloc&) {
+        return Error{"There is not enough memory for this picture."};
     }
 }
 

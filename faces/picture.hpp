@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "faces/picture_file.hpp"
 
 #include <opencv2/core/mat.hpp>
 
@@ -17,5 +18,7 @@ inline constexpr double largest_picture_px = 200e6;
 /// file that is missing, a folder, empty, not a picture, damaged, cut short, or larger than
 /// `largest_picture_px` (judged from its header, before any pixel is decoded).
 Result<cv::Mat> read_picture(const std::filesystem::path& file);
+/// The same from a file's bytes; `largest_px` pixels at most.
+Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px = largest_picture_px);
 
 } // namespace tp

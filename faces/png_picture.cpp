@@ -53,6 +53,7 @@ Result<PngSize> png_size(const Bytes& bytes) {
 
 Result<Bytes> bare_png(const Bytes& bytes) {
     Bytes bare(bytes.begin(), bytes.begin() + signature_size);
+    bool has_pixels = false;
     std::size_t at = signature_size;
     while (at + chunk_frame <= bytes.size()) {
         const std::size_t length = number_at(bytes, at);
@@ -66,8 +67,9 @@ Result<Bytes> bare_png(const Bytes& bytes) {
         if (crc_of(chunk + 4, chunk + 8 + length) != number_at(bytes, at - 4))
             return damaged;
         bare.insert(bare.end(), chunk, bytes.data() + at);
+        has_pixels = has_pixels || type == "IDAT";
         if (type == "IEND")
-            return bare;
+            return has_pixels ? Result<Bytes>(std::move(bare)) : damaged;
     }
     return cut_short;
 }

@@ -159,6 +159,12 @@ private slots:
         QTest::newRow("text") << write("text.jpg", "This is not a picture at all.");
         QTest::newRow("truncated") << write("truncated.jpg", whole.left(whole.size() / 2));
         QTest::newRow("only a header") << write("header.jpg", whole.left(200));
+        QImage small(40, 30, QImage::Format_RGB32);
+        small.fill(Qt::blue);
+        QVERIFY(small.save(path("cut.bmp")));
+        QFile bitmap(path("cut.bmp"));
+        QVERIFY(bitmap.open(QIODevice::ReadWrite) && bitmap.resize(bitmap.size() / 2));
+        QTest::newRow("half a bitmap") << path("cut.bmp");
         QImage dot(1, 1, QImage::Format_RGB32);
         dot.fill(Qt::red);
         QVERIFY(dot.save(path("dot.png")));

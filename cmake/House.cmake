@@ -25,7 +25,7 @@ tp_may(tp_device   ${_core})
 tp_may(tp_faces    ${_core}                         USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc
                                                          opencv_imgcodecs opencv_dnn opencv_objdetect Threads::Threads)
 tp_may(tp_audio    tp_base                          USES Qt6::Core Qt6::TextToSpeech)
-tp_may(tp_scene    tp_base tp_geometry tp_guidance tp_faces)
+tp_may(tp_scene    tp_base tp_geometry tp_guidance tp_svg tp_faces)
 tp_may(tp_picture  ${_below_app}                    USES Qt6::Gui)
 tp_may(tp_report   ${_below_app}                    USES Qt6::Gui Qt6::Svg)
 tp_may(tp_bench    tp_base tp_geometry tp_guidance tp_report  USES Boost::headers nanoflann::nanoflann)

@@ -24,6 +24,7 @@ struct Face {
     std::vector<Contour>
         contours;        ///< the five of `feature`, lines and quadratic Béziers; the outline is open
     std::string problem; ///< why its contours may be wrong, in a sentence; empty: no reason known
+    std::vector<std::string> mended{}; ///< names of those contours that a person placed
 };
 
 /// How long each step took, milliseconds.

@@ -32,11 +32,15 @@ QJsonObject json(const Face& face) {
     QJsonObject contours;
     for (const Contour& contour : face.contours)
         contours.insert(QString::fromStdString(contour.name), points(contour));
+    QJsonArray mended;
+    for (const std::string& name : face.mended)
+        mended.append(QString::fromStdString(name));
     const Rect& box = face.box;
     return {{"box",
              QJsonArray{rounded(box.min.x), rounded(box.min.y), rounded(box.width()), rounded(box.height())}},
             {"score", rounded(face.score)},
             {"contours", contours},
+            {"mended", mended},
             {"problem", text_or_null(face.problem)}};
 }
 

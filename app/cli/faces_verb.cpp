@@ -4,7 +4,7 @@
 #include "app/cli/verbs.hpp"
 #include "app/picture/overlay.hpp"
 #include "app/picture/picture_file.hpp"
-#include "core/svg/contour_sheet.hpp"
+#include "app/scene/corrections.hpp"
 #include "faces/face_extractor.hpp"
 #include "faces/picture.hpp"
 
@@ -16,21 +16,6 @@
 namespace tp {
 
 namespace {
-
-/// All faces of one photograph as a sheet in its pixels, as build_scene names them.
-ContourSheet sheet_of(const Extraction& extraction) {
-    ContourSheet sheet{static_cast<double>(extraction.width),
-                       static_cast<double>(extraction.height),
-                       ContourSheet::Unit::pixel,
-                       {}};
-    for (std::size_t i = 0; i < extraction.faces.size(); ++i)
-        for (Contour contour : extraction.faces[i].contours) {
-            if (extraction.faces.size() > 1)
-                contour.name = "face " + std::to_string(i + 1) + " " + contour.name;
-            sheet.contours.push_back(std::move(contour));
-        }
-    return sheet;
-}
 
 /// File names for results, one a photograph, also where photographs in different folders share a name.
 class OutputNames {
@@ -79,7 +64,9 @@ public:
 private:
     /// False where something has to be said about this photograph; the others of the batch go on.
     bool one(FaceExtractor& extractor, const QString& photo) {
-        const Extraction found = extractor.extract(photo.toStdString());
+        Extraction found = extractor.extract(photo.toStdString());
+        if (!line_.has("uncorrected"))
+            found = with_corrections(std::move(found), photo.toStdString());
         if (line_.has("json"))
             std::printf("%s\n", json_line(photo.toStdString(), found).constData());
         else
@@ -91,9 +78,10 @@ private:
             say_problem(found.problem, photo.toStdString());
         const QString name = names_.next(photo);
         if (line_.has("svg") && !found.faces.empty()) {
-            const auto written = write_sheet((line_.text("svg") + "/" + name + ".contours.svg").toStdString(),
-                                             sheet_of(found));
-            good = told(written.error()) && good;
+            const std::string sheet = (line_.text("svg") + "/" + name + ".contours.svg").toStdString();
+            good = (is_correction(sheet, photo) ? told(sheet + " holds what a person mended and is kept.")
+                                                : told(write_sheet(sheet, sheet_of(found)).error())) &&
+                   good;
         }
         if (line_.has("overlay") && found.width > 0) {
             const auto picture = read_picture(photo.toStdString());
@@ -105,6 +93,12 @@ private:
             }
         }
         return good;
+    }
+
+    /// Whether `sheet` is what a person mended of this photograph: it is not to be written over.
+    static bool is_correction(const std::string& sheet, const QString& photo) {
+        std::error_code ignored;
+        return std::filesystem::equivalent(sheet, correction_file(photo.toStdString()), ignored);
     }
 
     static bool told(const std::string& problem) {
@@ -128,6 +122,7 @@ int faces_verb(const QStringList& words) {
         .option("svg", "Writes the contours as PHOTO.contours.svg, in pixels of the upright picture.",
                 "folder")
         .option("overlay", "Writes the photograph with its contours as PHOTO.overlay.png.", "folder")
+        .option("uncorrected", "Leaves out what a person mended in PHOTO.contours.svg beside a photograph.")
         .option("detector", "Finds the faces: embedded, yunet, or an ONNX file.", "name", "embedded")
         .option("model", "Finds the contours: embedded, mesh, or an ONNX file.", "name", "embedded")
         .option("no-edges",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
 #include "app/cli/verbs.hpp"
+#include "app/scene/corrections.hpp"
 #include "app/scene/scene_builder.hpp"
 #include "core/guidance/spacing.hpp"
 #include "core/svg/contour_sheet.hpp"
@@ -72,7 +73,7 @@ int scene_verb(const QStringList& words) {
         return exit_bad_input;
     }
     const std::string photo = line.arguments().first().toStdString();
-    const Extraction found = extractor->extract(photo);
+    const Extraction found = with_corrections(extractor->extract(photo), photo);
     const auto built = build_scene(found, {*width, *height, usual.margin_mm}, face);
     if (!built) {
         say_problem(built.error(), photo);

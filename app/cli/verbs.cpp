@@ -16,9 +16,10 @@ struct Verb {
     int (*run)(const QStringList& words);
 };
 
-constexpr std::array<Verb, 8> verbs{{
+constexpr std::array<Verb, 9> verbs{{
     {"faces", "find the faces of photographs and their contours", faces_verb},
     {"scene", "write the scene that the Explore page would render for a photograph", scene_verb},
+    {"correction", "say what the mended contours beside a photograph change", correction_verb},
     {"force", "answer the force at places read from stdin", force_verb},
     {"field", "draw the force field of a scene", field_verb},
     {"servo", "measure how punctual the servo loop is on this machine", servo_verb},

@@ -2,6 +2,7 @@
 #include "app/explore/photo_loader.hpp"
 
 #include "app/picture/overlay.hpp"
+#include "app/scene/corrections.hpp"
 #include "faces/face_extractor.hpp"
 #include "faces/picture.hpp"
 
@@ -48,7 +49,7 @@ LoadedPhoto read_and_find(const QString& file, std::unique_ptr<FaceExtractor>& e
         }
         extractor = std::make_unique<FaceExtractor>(std::move(made).value());
     }
-    photo.extraction = extractor->extract(*picture);
+    photo.extraction = with_corrections(extractor->extract(*picture), file.toStdString());
     return photo;
 }
 

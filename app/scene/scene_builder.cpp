@@ -40,15 +40,19 @@ Result<BuiltScene> build_scene(const Extraction& extraction, const SurfaceSize& 
     if (!fitted)
         return Error{fitted.error()};
 
-    BuiltScene built{{surface.width_mm, surface.height_mm, {}}, *fitted};
-    for (std::size_t i = 0; i < subject.size(); ++i)
-        for (const Contour& contour : subject[i].contours) {
-            const Contour felt = mapped(contour, *fitted);
-            built.scene.contours.push_back(thinned(felt).value_or(felt));
-            if (subject.size() > 1)
-                built.scene.contours.back().name = "face " + std::to_string(i + 1) + " " + contour.name;
+    return BuiltScene{scene_of(subject, surface, *fitted), *fitted};
+}
+
+Scene scene_of(const std::vector<Face>& faces, const SurfaceSize& surface, const Affine& photo_to_surface) {
+    Scene scene{surface.width_mm, surface.height_mm, {}};
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (const Contour& contour : faces[i].contours) {
+            const Contour felt = mapped(contour, photo_to_surface);
+            scene.contours.push_back(thinned(felt).value_or(felt));
+            if (faces.size() > 1)
+                scene.contours.back().name = "face " + std::to_string(i + 1) + " " + contour.name;
         }
-    return built;
+    return scene;
 }
 
 } // namespace tp

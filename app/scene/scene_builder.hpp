@@ -30,4 +30,7 @@ struct BuiltScene {
 Result<BuiltScene> build_scene(const Extraction& extraction, const SurfaceSize& surface = {},
                                std::optional<std::size_t> face = std::nullopt);
 
+/// The faces' contours on the surface under a given map, named and thinned as by build_scene.
+Scene scene_of(const std::vector<Face>& faces, const SurfaceSize& surface, const Affine& photo_to_surface);
+
 } // namespace tp

@@ -4,12 +4,15 @@
 #include "faces/face_extractor.hpp"
 #include "faces/picture.hpp"
 
+#include <functional>
+
 namespace tp::test {
 
 namespace {
 
 constexpr double most_px = 1e6;            ///< decoded
-constexpr std::size_t most_seen = 1 << 16; ///< px in which faces are looked for
+constexpr std::size_t most_seen = 1 << 14; ///< px in which faces are looked for
+constexpr std::size_t seldom = 8; ///< of so many pictures one is searched, so that a search gets round
 
 bool is_sentence(const std::string& text) { return text.size() > 10 && text.ends_with('.'); }
 
@@ -48,7 +51,9 @@ std::string complaint_about_picture(std::string_view text) {
         return "decoded to something else than 8-bit colours";
     if (static_cast<double>(picture->total()) > most_px)
         return "larger than allowed";
-    return picture->total() > most_seen ? "" : complaint_about(extractor().extract(*picture), *picture);
+    if (picture->total() > most_seen || std::hash<std::string_view>{}(text) % seldom != 0)
+        return {};
+    return complaint_about(extractor().extract(*picture), *picture);
 }
 
 } // namespace tp::test

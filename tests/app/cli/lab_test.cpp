@@ -2,35 +2,21 @@
 // touchphoto-lab as a shell sees it.
 #include "core/guidance/exact_law.hpp"
 #include "core/svg/contour_sheet.hpp"
+#include "lab_run.hpp"
 
 #include <QDir>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
 using namespace tp;
+using tp::test::lab;
+using tp::test::Run;
 
 namespace {
-
-struct Run {
-    int code = -1;
-    QByteArray out;
-    QByteArray err;
-};
-
-Run lab(const QStringList& words, const QByteArray& input = {}) {
-    QProcess process;
-    process.start(QStringLiteral(TP_LAB), words);
-    process.write(input);
-    process.closeWriteChannel();
-    if (!process.waitForFinished(240'000) || process.exitStatus() != QProcess::NormalExit)
-        return {-1, process.readAllStandardOutput(), process.readAllStandardError() + "\ncrashed or hung"};
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
 
 /// One sentence on one line, and nothing a person cannot read.
 bool is_one_sentence(const QByteArray& text) {

@@ -40,6 +40,9 @@ struct ExtractionTimes {
 struct Extraction {
     int width = 0;  ///< px, upright; 0 where the picture could not be decoded
     int height = 0; ///< px
+    /// By how much the picture had to be turned clockwise, beyond what its file says, for its faces to stand
+    /// upright: 0, 90, 180 or 270. Size and places are those of the turned picture.
+    int turned_degrees = 0;
     ExtractionTimes milliseconds;
     std::vector<Face> faces; ///< the largest first
     std::string problem;     ///< why nothing, or nothing to rely on, was found; empty: none

@@ -125,6 +125,17 @@ cv::Mat upright(const cv::Mat& stored, int orientation) {
 
 } // namespace
 
+cv::Mat turned(const cv::Mat& picture, int degrees) {
+    if (degrees != 90 && degrees != 180 && degrees != 270)
+        return picture;
+    cv::Mat result; // of its own: in place, the caller's picture would be turned too
+    cv::rotate(picture, result,
+               degrees == 90    ? cv::ROTATE_90_CLOCKWISE
+               : degrees == 180 ? cv::ROTATE_180
+                                : cv::ROTATE_90_COUNTERCLOCKWISE);
+    return result;
+}
+
 Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px) {
     try {
         quiet_opencv();

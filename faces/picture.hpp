@@ -21,4 +21,7 @@ Result<cv::Mat> read_picture(const std::filesystem::path& file);
 /// The same from a file's bytes; `largest_px` pixels at most.
 Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px = largest_picture_px);
 
+/// The picture turned clockwise by 90, 180 or 270 degrees (Extraction::turned_degrees); itself otherwise.
+cv::Mat turned(const cv::Mat& picture, int degrees);
+
 } // namespace tp

@@ -54,6 +54,7 @@ QByteArray json_line(const std::string& photo, const Extraction& extraction) {
     const QJsonObject line{{"photo", QString::fromStdString(photo)},
                            {"width", extraction.width},
                            {"height", extraction.height},
+                           {"turned_degrees", extraction.turned_degrees},
                            {"milliseconds", QJsonObject{{"decode", rounded(ms.decode)},
                                                         {"detect", rounded(ms.detect)},
                                                         {"landmarks", rounded(ms.landmarks)},

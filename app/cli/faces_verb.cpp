@@ -88,7 +88,7 @@ private:
             if (picture) {
                 const auto written =
                     write_image((line_.text("overlay") + "/" + name + ".overlay.png").toStdString(),
-                                draw_overlay(*picture, found));
+                                draw_overlay(turned(*picture, found.turned_degrees), found));
                 good = told(written.error()) && good;
             }
         }

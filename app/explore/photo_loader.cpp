@@ -40,16 +40,17 @@ LoadedPhoto read_and_find(const QString& file, std::unique_ptr<FaceExtractor>& e
         photo.extraction.problem = picture.error();
         return photo;
     }
-    photo.image = for_the_screen(*picture);
     if (!extractor) {
         Result<FaceExtractor> made = FaceExtractor::create();
         if (!made) {
             photo.extraction.problem = made.error();
+            photo.image = for_the_screen(*picture);
             return photo;
         }
         extractor = std::make_unique<FaceExtractor>(std::move(made).value());
     }
     photo.extraction = with_corrections(extractor->extract(*picture), file.toStdString());
+    photo.image = for_the_screen(turned(*picture, photo.extraction.turned_degrees));
     return photo;
 }
 

@@ -66,6 +66,23 @@ private slots:
         QVERIFY(alarms <= below / 50);
     }
 
+    /// On their side and on their head, and nothing in the file about it.
+    void turned_portraits() {
+        NEEDS_PORTRAITS();
+        FaceExtractor faces = std::move(FaceExtractor::create()).value();
+        int pictures = 0, upright = 0;
+        for (const fs::path& file : every(54, "congress")) {
+            const cv::Mat portrait = *read_picture(file);
+            for (const int degrees : {90, 180, 270}) {
+                const Extraction found = faces.extract(turned(portrait, degrees));
+                ++pictures;
+                upright += found.faces.size() == 1 && found.turned_degrees == 360 - degrees;
+            }
+        }
+        qInfo("turned portraits: stood upright again %d of %d", upright, pictures);
+        QVERIFY(upright >= pictures * 95 / 100);
+    }
+
     void small_faces_in_large_pictures_data() {
         QTest::addColumn<int>("face_px");
         for (int px : {20, 30, 40, 60, 100})

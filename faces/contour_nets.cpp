@@ -56,6 +56,14 @@ CropFrame eye_frame(const Points& eye, bool mirrored) {
     return {bounds_of(eye).centre(), eye_by_width * length(along), angle_of(along), mirrored};
 }
 
+/// Mean distance of the points [begin, end) of two placements of a face, px.
+double moved_px(const Points& one, const Points& other, std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i)
+        sum += length(one[i] - other[i]);
+    return sum / static_cast<double>(end - begin);
+}
+
 CropFrame mouth_frame(const Points& lips) {
     return frame_around(lips, angle_of(lips[mouth_corner] - lips[0]), mouth_by_extent);
 }
@@ -113,6 +121,13 @@ std::optional<Landmarks> ContourNets::locate(const cv::Mat& picture, const Detec
     closer.insert(closer.end(), left_eye_close->begin(), left_eye_close->end());
     closer.insert(closer.end(), lips_close->begin(), lips_close->end());
     const Points before = part(*fine, 0, outline_at);
+    constexpr std::size_t borders[] = {right_eye_at, left_eye_at, outer_lip_at,
+                                       inner_lip_at, outline_at,  irises_at}; // as FeatureIndex
+    for (std::size_t f = 0; f < feature_count; ++f) {
+        found.between_passes_px[f] = moved_px(*coarse, *fine, borders[f], borders[f + 1]);
+        if (f != at_outline)
+            found.between_nets_px[f] = moved_px(before, closer, borders[f], borders[f + 1]);
+    }
     found.confidence = confidence_of(found, between_passes, disagreement(before, closer));
     return found;
 }

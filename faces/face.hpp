@@ -17,6 +17,12 @@ inline constexpr const char* inner_lip = "inner_lip";
 inline constexpr const char* outline = "outline";
 } // namespace feature
 
+/// How exact one contour of a face is, as far as can be told without knowing the truth.
+struct ContourQuality {
+    double expected_error_percent = 0.0; ///< of the outer inter-ocular distance; see contour_error_percent
+    std::vector<std::string> reasons;    ///< why it is larger than usual, "turned to the side"; may be empty
+};
+
 /// One face of a photograph. All places in pixels of the upright picture: x right, y down.
 struct Face {
     Rect box;           ///< the head without hair, as detected
@@ -24,7 +30,8 @@ struct Face {
     std::vector<Contour>
         contours;        ///< the five of `feature`, lines and quadratic Béziers; the outline is open
     std::string problem; ///< why its contours may be wrong, in a sentence; empty: no reason known
-    std::vector<std::string> mended{}; ///< names of those contours that a person placed
+    std::vector<ContourQuality> quality = {}; ///< one for each of `contours`
+    std::vector<std::string> mended = {};     ///< names of those contours that a person placed
 };
 
 /// How long each step took, milliseconds.

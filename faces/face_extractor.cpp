@@ -10,6 +10,7 @@
 #include "faces/mesh_model.hpp"
 #include "faces/model_catalog.hpp"
 #include "faces/picture.hpp"
+#include "faces/quality.hpp"
 #include "faces/quiet_opencv.hpp"
 #include "faces/yunet_detector.hpp"
 
@@ -66,6 +67,12 @@ std::vector<Contour> contours_of(const FaceLines& lines) {
     return {opening(feature::left_eye, lines.left_eye), opening(feature::right_eye, lines.right_eye),
             opening(feature::outer_lip, lines.outer_lip), opening(feature::inner_lip, lines.inner_lip),
             fewest_pieces(feature::outline, lines.outline, false, {}, contour_tolerance_px)};
+}
+
+/// One for each of the contours, in their order.
+std::vector<ContourQuality> qualities_of(const QualitySigns& signs) {
+    return {quality_of(signs, at_left_eye), quality_of(signs, at_right_eye), quality_of(signs, at_outer_lip),
+            quality_of(signs, at_inner_lip), quality_of(signs, at_outline)};
 }
 
 struct LocatedFace {
@@ -156,11 +163,16 @@ struct FaceExtractor::Parts {
         Stopwatch watch;
         for (const LocatedFace& face : located) {
             FaceLines lines = lines_through(face.points);
+            EdgeReports seen;
             if (edges)
-                lines = on_edges(picture, std::move(lines));
+                lines = on_edges(picture, std::move(lines), &seen);
             result.milliseconds.edges += watch.lap();
+            const QualitySigns signs = signs_of(face.points, seen);
+            std::string problem = problem_of(face.detection, face.points, picture.size());
+            if (problem.empty() && edges)
+                problem = problem_of(signs);
             result.faces.push_back({face.detection.box, face.detection.score, contours_of(lines),
-                                    problem_of(face.detection, face.points, picture.size())});
+                                    std::move(problem), qualities_of(signs)});
             result.milliseconds.contours += watch.lap();
         }
         result.problem =

@@ -26,6 +26,9 @@ std::string edges_crossed(const Rect& points, double tolerance, const cv::Size& 
     return names.empty() ? names : names + (count > 1 ? " edges" : " edge");
 }
 
+constexpr double worth_saying_percent = 3.0; ///< six times what lids, thrice what lips usually miss
+constexpr const char* spoken[] = {"right eye", "left eye", "mouth", "mouth", "outline"}; // as FeatureIndex
+
 } // namespace
 
 std::string problem_of(const Detection& face, const Landmarks& points, const cv::Size& picture) {
@@ -40,6 +43,26 @@ std::string problem_of(const Detection& face, const Landmarks& points, const cv:
     if (!edges.empty())
         return "The face is cut off at the " + edges + " of the picture.";
     return {};
+}
+
+std::string problem_of(const QualitySigns& signs) {
+    double worst = worth_saying_percent;
+    std::string sentence;
+    for (std::size_t f = 0; f < feature_count; ++f) {
+        const ContourQuality quality = quality_of(signs, static_cast<FeatureIndex>(f));
+        if (quality.reasons.empty() || quality.expected_error_percent < worst)
+            continue;
+        worst = quality.expected_error_percent;
+        const std::string& reason = quality.reasons.back();
+        const std::string feature = spoken[f];
+        if (reason == "may be covered")
+            sentence = "The " + feature + " may be covered, so its contour may be wrong.";
+        else if (reason == "its edge is faint")
+            sentence = "The edge of the " + feature + " is faint, so its contour may be wrong.";
+        else
+            sentence = "The face is " + reason + ", so the contour of the " + feature + " may be wrong.";
+    }
+    return sentence;
 }
 
 } // namespace tp

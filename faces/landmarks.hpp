@@ -5,10 +5,21 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace tp {
+
+/// The features of a face in the order of arrays that hold something about each.
+enum FeatureIndex : std::size_t {
+    at_right_eye,
+    at_left_eye,
+    at_outer_lip,
+    at_inner_lip,
+    at_outline,
+    feature_count
+};
 
 /// Points along the features of one face, pixels of the picture (pixel (0, 0) covers 0 … 1).
 struct Landmarks {
@@ -20,6 +31,10 @@ struct Landmarks {
     std::vector<Vec2> outline;
     /// 0 … 1, how much this looks like a face: below 0.5 it is none.
     double confidence = 0.0;
+    /// How far a model that looks more than once moved each feature: mean over its points, px; 0 where it did
+    /// not look again. `between_passes`: the same net from a better window; `between_nets`: one that looks
+    /// closer.
+    std::array<double, feature_count> between_passes_px{}, between_nets_px{};
 };
 
 /// Index of the second corner of an eye and of a lip; the first is 0.

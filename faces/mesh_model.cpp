@@ -32,6 +32,8 @@ constexpr std::array<std::size_t, 20> outer_lip{61,  146, 91,  181, 84,  17, 314
                                                 291, 409, 270, 269, 267, 0,  37,  39,  40,  185};
 constexpr std::array<std::size_t, 20> inner_lip{78,  95,  88,  178, 87,  14, 317, 402, 318, 324,
                                                 308, 415, 310, 311, 312, 13, 82,  81,  80,  191};
+// Some of the mesh's own border, the silhouette of which is the outline: ears, jaw, chin.
+constexpr std::array<std::size_t, 9> outline_between_passes{127, 93, 58, 136, 152, 365, 288, 323, 356};
 constexpr std::size_t right_corner = right_eye[0], left_corner = left_eye[0];
 
 struct MeshAnswer {
@@ -75,6 +77,15 @@ Points chosen(const Points& mesh, const std::array<std::size_t, Count>& indices)
     return points;
 }
 
+/// Mean distance of some points between two answers, px.
+template <std::size_t Count>
+double moved_px(const Points& one, const Points& other, const std::array<std::size_t, Count>& indices) {
+    double sum = 0.0;
+    for (std::size_t i : indices)
+        sum += length(one[i] - other[i]);
+    return sum / static_cast<double>(Count);
+}
+
 } // namespace
 
 Result<std::unique_ptr<LandmarkModel>> MeshModel::load(const std::filesystem::path& file) {
@@ -94,9 +105,11 @@ std::optional<Landmarks> MeshModel::locate(const cv::Mat& picture, const Detecti
     const Vec2 eyes = face.left_eye - face.right_eye;
     CropFrame frame{face.box.centre(), window_margin * face.size(), std::atan2(eyes.y, eyes.x)};
     MeshAnswer answer;
+    Points before;
     for (int pass = 0; pass < 2; ++pass) {
         if (!is_sane(frame, picture))
             return std::nullopt;
+        before = std::move(answer.points);
         answer = run(net_, picture, frame);
         if (answer.points.empty())
             return std::nullopt;
@@ -116,6 +129,10 @@ std::optional<Landmarks> MeshModel::locate(const cv::Mat& picture, const Detecti
     if (found.outline.empty())
         return std::nullopt;
     found.confidence = 1.0 / (1.0 + std::exp(presence_of_half - answer.presence));
+    found.between_passes_px = {
+        moved_px(before, answer.points, right_eye), moved_px(before, answer.points, left_eye),
+        moved_px(before, answer.points, outer_lip), moved_px(before, answer.points, inner_lip),
+        moved_px(before, answer.points, outline_between_passes)};
     return found;
 }
 

@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tp {
@@ -35,12 +36,25 @@ QJsonObject json(const Face& face) {
     QJsonArray mended;
     for (const std::string& name : face.mended)
         mended.append(QString::fromStdString(name));
+    QJsonObject quality;
+    for (std::size_t i = 0; i < face.quality.size() && i < face.contours.size(); ++i) {
+        if (std::find(face.mended.begin(), face.mended.end(), face.contours[i].name) != face.mended.end())
+            continue;
+        QJsonArray reasons;
+        for (const std::string& reason : face.quality[i].reasons)
+            reasons.append(QString::fromStdString(reason));
+        quality.insert(
+            QString::fromStdString(face.contours[i].name),
+            QJsonObject{{"expected_error_percent", rounded(face.quality[i].expected_error_percent)},
+                        {"reasons", reasons}});
+    }
     const Rect& box = face.box;
     return {{"box",
              QJsonArray{rounded(box.min.x), rounded(box.min.y), rounded(box.width()), rounded(box.height())}},
             {"score", rounded(face.score)},
             {"contours", contours},
             {"mended", mended},
+            {"quality", quality},
             {"problem", text_or_null(face.problem)}};
 }
 

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/evaluation/contour_error.hpp"
+#include "faces/evaluation/degraded.hpp"
+#include "faces/face_extractor.hpp"
+#include "faces/face_problem.hpp"
+#include "faces/quality.hpp"
+#include "portraits.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+using namespace tp;
+
+#define NEEDS_PORTRAITS()                                                                                    \
+    if (!portraits::present())                                                                               \
+    QSKIP("needs ../shared/faces: portraits of people are not part of the repository")
+
+namespace {
+
+/// Ranks, equal values sharing theirs.
+std::vector<double> ranks(const std::vector<double>& values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    std::vector<double> rank(values.size());
+    for (std::size_t i = 0; i < order.size();) {
+        std::size_t j = i;
+        while (j < order.size() && values[order[j]] == values[order[i]])
+            ++j;
+        for (std::size_t k = i; k < j; ++k)
+            rank[order[k]] = 0.5 * static_cast<double>(i + j - 1);
+        i = j;
+    }
+    return rank;
+}
+
+/// Spearman's rank correlation.
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    const std::vector<double> x = ranks(a), y = ranks(b);
+    const double mean = 0.5 * static_cast<double>(a.size() - 1);
+    double xy = 0.0, xx = 0.0, yy = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xy += (x[i] - mean) * (y[i] - mean);
+        xx += (x[i] - mean) * (x[i] - mean);
+        yy += (y[i] - mean) * (y[i] - mean);
+    }
+    return xy / std::sqrt(xx * yy);
+}
+
+struct Judged {
+    std::vector<double> predicted, true_error;
+};
+
+/// Signs of a sharp, frontal, large face that was placed twice in the same place.
+QualitySigns good_signs() {
+    QualitySigns signs;
+    signs.unit_px = 200.0;
+    signs.confidence = 0.99;
+    signs.between_passes.fill(0.7);
+    signs.between_nets.fill(1.0);
+    for (EdgeReports::Pair* pair :
+         {&signs.edges.right_eye, &signs.edges.left_eye, &signs.edges.outer_lip, &signs.edges.inner_lip})
+        *pair = {{0.4, 0.6}, {0.4, 0.6}};
+    return signs;
+}
+
+bool says(const ContourQuality& quality, const char* reason) {
+    return std::find(quality.reasons.begin(), quality.reasons.end(), reason) != quality.reasons.end();
+}
+
+} // namespace
+
+class QualityTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void expected_error_follows_the_true_one_data() {
+        QTest::addColumn<QString>("model");
+        QTest::newRow("embedded") << "embedded";
+        QTest::newRow("mesh") << QString::fromStdString(
+            (portraits::folder() / "models/teacher_face_mesh.onnx").string());
+    }
+    /// Portraits as they are and degraded, of people whom the calibration did not see.
+    void expected_error_follows_the_true_one() {
+        NEEDS_PORTRAITS();
+        QFETCH(QString, model);
+        FaceExtractor faces = std::move(FaceExtractor::create({"embedded", model.toStdString()})).value();
+        const auto people = portraits::with_truth(1);
+        std::map<std::string, Judged> by_feature;
+        Judged all;
+        int lost = 0;
+        for (std::size_t i = 1; i < people.size(); i += 4)
+            for (const Degraded& harder :
+                 degraded(*read_picture(people[i].photo), people[i].truth, static_cast<unsigned>(i))) {
+                const Extraction found = faces.extract(harder.picture);
+                if (found.faces.empty()) {
+                    ++lost;
+                    continue;
+                }
+                const Face& face = found.faces.front();
+                QCOMPARE(face.quality.size(), face.contours.size());
+                for (std::size_t c = 0; c < face.contours.size(); ++c) {
+                    const double error =
+                        *contour_error_percent(harder.truth, face.contours, face.contours[c].name);
+                    for (Judged* judged : {&by_feature[face.contours[c].name], &all}) {
+                        judged->predicted.push_back(face.quality[c].expected_error_percent);
+                        judged->true_error.push_back(error);
+                    }
+                }
+            }
+        const auto tell = [](const char* name, const Judged& judged) {
+            std::vector<std::size_t> order(judged.predicted.size());
+            std::iota(order.begin(), order.end(), 0);
+            std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+                return judged.predicted[a] < judged.predicted[b];
+            });
+            QString fifths;
+            for (std::size_t f = 0; f < 5; ++f) {
+                double predicted = 0.0, error = 0.0;
+                const std::size_t begin = f * order.size() / 5, end = (f + 1) * order.size() / 5;
+                for (std::size_t i = begin; i < end; ++i) {
+                    predicted += judged.predicted[order[i]] / static_cast<double>(end - begin);
+                    error += judged.true_error[order[i]] / static_cast<double>(end - begin);
+                }
+                fifths += QString(" %1/%2").arg(predicted, 0, 'f', 2).arg(error, 0, 'f', 2);
+            }
+            const double rho = rank_correlation(judged.predicted, judged.true_error);
+            qInfo("%-9s rank correlation %.2f over %zu; expected/true %% by fifths:%s", name, rho,
+                  judged.predicted.size(), qPrintable(fifths));
+            return rho;
+        };
+        const std::map<std::string, double> least{{feature::right_eye, 0.35},
+                                                  {feature::left_eye, 0.35},
+                                                  {feature::outer_lip, 0.5},
+                                                  {feature::inner_lip, 0.5},
+                                                  {feature::outline, 0.25}};
+        std::map<std::string, double> correlation;
+        for (const auto& [name, judged] : by_feature)
+            correlation[name] = tell(name.c_str(), judged);
+        QVERIFY(tell("all", all) >= 0.7);
+        for (const auto& [name, bound] : least)
+            QVERIFY2(correlation[name] >= bound, name.c_str());
+        qInfo("%d degraded portraits in which no face was found", lost);
+    }
+
+    /// What the words say is what was done to the picture, and nothing is said about the portraits as they
+    /// are.
+    void reasons_are_told_by_what_is_seen() {
+        NEEDS_PORTRAITS();
+        FaceExtractor faces = std::move(FaceExtractor::create()).value();
+        const auto people = portraits::with_truth(1);
+        std::map<std::string, std::map<std::string, int>> faces_with; // by degradation, by reason
+        std::map<std::string, int> count;
+        for (std::size_t i = 1; i < people.size(); i += 8)
+            for (const Degraded& harder :
+                 degraded(*read_picture(people[i].photo), people[i].truth, static_cast<unsigned>(i))) {
+                const Extraction found = faces.extract(harder.picture);
+                if (found.faces.empty())
+                    continue;
+                ++count[harder.how];
+                for (const char* reason : {"turned to the side", "too small", "blurred", "may be covered"})
+                    faces_with[harder.how][reason] +=
+                        std::any_of(found.faces[0].quality.begin(), found.faces[0].quality.end(),
+                                    [&](const ContourQuality& q) { return says(q, reason); });
+            }
+        for (const auto& [how, faces_of] : count) {
+            QString line;
+            for (const auto& [reason, number] : faces_with[how])
+                if (number > 0)
+                    line += QString(" \"%1\" %2").arg(QString::fromStdString(reason)).arg(number);
+            qInfo("%s: %d faces%s", how.c_str(), faces_of, qPrintable(line));
+        }
+        const auto part = [&](const char* how, const char* reason) {
+            return static_cast<double>(faces_with[how][reason]) / std::max(count[how], 1);
+        };
+        for (const auto& [reason, number] : faces_with["as it is"])
+            QVERIFY2(number == 0, reason.c_str());
+        QVERIFY(part("turned 60 % rad", "turned to the side") >= 0.8);
+        QVERIFY(part("eyes apart 18 px", "too small") == 1.0);
+        QVERIFY(part("eyes apart 80 px", "too small") == 0.0);
+        QVERIFY(part("blur 50 ‰", "blurred") >= 0.9);
+        QVERIFY(part("eye covered like skin", "may be covered") >= 0.6);
+        QVERIFY(part("mouth covered", "may be covered") >= 0.6);
+    }
+
+    void worse_signs_expect_larger_errors() {
+        const QualitySigns good = good_signs();
+        for (FeatureIndex f : {at_right_eye, at_left_eye, at_outer_lip, at_inner_lip}) {
+            QualitySigns unclear = good;
+            for (EdgeReports::Pair* pair : {&unclear.edges.right_eye, &unclear.edges.left_eye,
+                                            &unclear.edges.outer_lip, &unclear.edges.inner_lip})
+                *pair = {{1.0, 0.01}, {1.0, 0.01}};
+            QVERIFY(quality_of(unclear, f).expected_error_percent >
+                    quality_of(good, f).expected_error_percent);
+        }
+        QualitySigns unsteady = good;
+        unsteady.between_passes.fill(5.0);
+        unsteady.between_nets.fill(5.0);
+        unsteady.confidence = 0.6;
+        QVERIFY(quality_of(unsteady, at_outline).expected_error_percent >
+                quality_of(good, at_outline).expected_error_percent);
+    }
+    void nothing_is_said_about_good_signs() {
+        for (FeatureIndex f : {at_right_eye, at_left_eye, at_outer_lip, at_inner_lip, at_outline})
+            QVERIFY(quality_of(good_signs(), f).reasons.empty());
+    }
+    void one_covered_eye_is_named_alone() {
+        QualitySigns signs = good_signs();
+        signs.edges.left_eye = {{0.1, 0.0}, {0.1, 0.05}};
+        QVERIFY(says(quality_of(signs, at_left_eye), "may be covered"));
+        for (FeatureIndex f : {at_right_eye, at_outer_lip, at_inner_lip, at_outline})
+            QVERIFY(quality_of(signs, f).reasons.empty());
+    }
+    void what_is_covered_is_said() {
+        QCOMPARE(problem_of(good_signs()), std::string());
+        QualitySigns signs = good_signs();
+        signs.edges.left_eye = {{3.0, -0.4}, {3.0, -0.6}};
+        QCOMPARE(problem_of(signs), std::string("The left eye may be covered, so its contour may be wrong."));
+    }
+    void strange_signs_are_safe() {
+        QualitySigns signs;
+        for (FeatureIndex f : {at_right_eye, at_outline})
+            QVERIFY(quality_of(signs, f).expected_error_percent > 0.0);
+        signs.turn = NAN;
+        signs.between_passes.fill(INFINITY);
+        for (FeatureIndex f : {at_right_eye, at_outline})
+            QVERIFY(quality_of(signs, f).expected_error_percent <= 99.0);
+        Landmarks one_place;
+        for (auto* points : {&one_place.right_eye, &one_place.left_eye})
+            points->assign(16, Vec2(3.0));
+        for (auto* points : {&one_place.outer_lip, &one_place.inner_lip})
+            points->assign(20, Vec2(3.0));
+        one_place.outline.assign(33, Vec2(3.0));
+        QCOMPARE(signs_of(one_place, {}).unit_px, 0.0);
+    }
+};
+
+QTEST_GUILESS_MAIN(QualityTest)
+#include "quality_test.moc"

@@ -65,4 +65,13 @@ Result<double> VerbLine::positive(const QString& name) const {
     return value;
 }
 
+Result<int> VerbLine::whole(const QString& name, int least, int most) const {
+    bool is_number = false;
+    const int value = text(name).toInt(&is_number);
+    if (!is_number || value < least || value > most)
+        return Error{"--" + name.toStdString() + " needs a whole number from " + std::to_string(least) +
+                     " to " + std::to_string(most) + ", not \"" + text(name).toStdString() + "\"."};
+    return value;
+}
+
 } // namespace tp

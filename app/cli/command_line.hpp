@@ -40,6 +40,8 @@ public:
     QString text(const QString& name) const { return parser_.value(name); }
     /// A number above zero; otherwise the sentence that says which option is wrong.
     Result<double> positive(const QString& name) const;
+    /// A whole number from `least` to `most`; otherwise the sentence that says which option is wrong.
+    Result<int> whole(const QString& name, int least, int most) const;
 
 private:
     QString verb_;

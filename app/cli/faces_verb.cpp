@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/cli/batch_progress.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/face_json.hpp"
+#include "app/cli/results_file.hpp"
+#include "app/cli/stop_signal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/picture/overlay.hpp"
 #include "app/picture/picture_file.hpp"
 #include "app/scene/corrections.hpp"
+#include "faces/batch.hpp"
 #include "faces/face_extractor.hpp"
 #include "faces/picture.hpp"
 
 #include <QDir>
 #include <QHash>
+#include <QThread>
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <unordered_set>
+#include <vector>
 
 namespace tp {
 
 namespace {
+
+constexpr int most_jobs = 256;
 
 /// File names for results, one a photograph, also where photographs in different folders share a name.
 class OutputNames {
@@ -32,73 +43,135 @@ private:
 
 class FacesVerb {
 public:
-    explicit FacesVerb(const VerbLine& line) : line_(line) {}
+    FacesVerb(const VerbLine& line, int jobs) : line_(line), jobs_(jobs) {}
 
     int run() {
         for (const char* name : {"svg", "overlay"})
-            if (line_.has(name) && !QDir().mkpath(line_.text(name))) {
-                say_problem("The folder cannot be made.", line_.text(name).toStdString());
-                return exit_bad_input;
-            }
-        auto extractor = FaceExtractor::create({line_.text("detector").toStdString(),
-                                                line_.text("model").toStdString(), !line_.has("no-edges")});
-        if (!extractor) {
-            say_problem(extractor.error());
-            return exit_bad_input;
+            if (line_.has(name) && !QDir().mkpath(line_.text(name)))
+                return refused("The folder cannot be made.", line_.text(name).toStdString());
+        if (line_.has("resume")) {
+            auto results = ResultsFile::open(line_.text("resume").toStdString());
+            if (!results)
+                return refused(results.error());
+            results_.emplace(std::move(*results));
         }
-        const QStringList photos = line_.arguments();
-        int result = exit_done;
-        for (qsizetype i = 0; i < photos.size(); ++i) {
-            if (photos.size() > 1)
-                say(QStringLiteral("%1 of %2: %3")
-                        .arg(i + 1)
-                        .arg(photos.size())
-                        .arg(photos[i])
-                        .toStdString());
-            if (!one(*extractor, photos[i]))
-                result = exit_bad_input;
-        }
-        return result;
+        choose_photos();
+        auto extractors = make_extractors();
+        if (!extractors)
+            return refused(extractors.error());
+        return run(std::move(*extractors));
     }
 
 private:
+    struct Photo {
+        QString file;
+        QString output; ///< the name that its results in folders begin with
+    };
+
+    static int refused(const std::string& sentence, const std::string& about = {}) {
+        say_problem(sentence, about);
+        return exit_bad_input;
+    }
+
+    /// Those that have no line in the results yet.
+    void choose_photos() {
+        OutputNames names;
+        std::unordered_set<std::string> chosen;
+        for (const QString& file : line_.arguments()) {
+            const QString output = names.next(file); // the same whether or not earlier ones are skipped
+            const std::string name = file.toStdString();
+            if (!results_ || (!results_->holds(name) && chosen.insert(name).second))
+                photos_.push_back({file, output});
+        }
+        const std::size_t skipped = static_cast<std::size_t>(line_.arguments().size()) - photos_.size();
+        if (skipped > 0)
+            say("Skipped " + std::to_string(skipped) + (skipped == 1 ? " photograph" : " photographs") +
+                " with a line in " + line_.text("resume").toStdString() + ".");
+    }
+
+    /// One a thread; at least one, so that a model that cannot be used is said whatever there is to do.
+    Result<std::vector<FaceExtractor>> make_extractors() const {
+        const auto wanted = static_cast<std::size_t>(jobs_ > 0 ? jobs_ : QThread::idealThreadCount());
+        std::vector<FaceExtractor> extractors;
+        do {
+            auto extractor =
+                FaceExtractor::create({line_.text("detector").toStdString(),
+                                       line_.text("model").toStdString(), !line_.has("no-edges")});
+            if (!extractor)
+                return Error{extractor.error()};
+            extractors.push_back(std::move(*extractor));
+        } while (extractors.size() < std::min(wanted, photos_.size()));
+        return extractors;
+    }
+
+    int run(std::vector<FaceExtractor> extractors) {
+        const StopSignal stop;
+        BatchProgress progress(photos_.size());
+        std::vector<std::filesystem::path> files;
+        for (const Photo& photo : photos_)
+            files.emplace_back(photo.file.toStdString());
+        bool good = true;
+        const auto take = [&](std::size_t index, const Extraction& found) {
+            if (photos_.size() > 1)
+                say(progress.next(photos_[index].file.toStdString()));
+            good = one(photos_[index], found) && good;
+            return problem_.empty();
+        };
+        const auto done = extract_batch(std::move(extractors), files, take, stop.asked());
+        if (!done)
+            return refused(done.error());
+        if (results_ && problem_.empty())
+            problem_ = results_->sync();
+        if (!problem_.empty())
+            return refused(problem_);
+        if (*done < photos_.size()) {
+            say("Stopped after " + std::to_string(*done) + " of " + std::to_string(photos_.size()) + "." +
+                (results_ ? " The same command goes on from there." : ""));
+            return stop.exit_code();
+        }
+        return good ? exit_done : exit_bad_input;
+    }
+
     /// False where something has to be said about this photograph; the others of the batch go on.
-    bool one(FaceExtractor& extractor, const QString& photo) {
-        Extraction found = extractor.extract(photo.toStdString());
+    bool one(const Photo& photo, Extraction found) {
+        const std::string name = photo.file.toStdString();
         if (!line_.has("uncorrected"))
-            found = with_corrections(std::move(found), photo.toStdString());
-        if (line_.has("json"))
-            std::printf("%s\n", json_line(photo.toStdString(), found).constData());
-        else
-            std::printf("%s: %zu face%s\n", qPrintable(photo), found.faces.size(),
-                        found.faces.size() == 1 ? "" : "s");
-        std::fflush(stdout);
+            found = with_corrections(std::move(found), name);
         bool good = found.problem.empty();
         if (!good)
-            say_problem(found.problem, photo.toStdString());
-        const QString name = names_.next(photo);
+            say_problem(found.problem, name);
         if (line_.has("svg") && !found.faces.empty()) {
-            const std::string sheet = (line_.text("svg") + "/" + name + ".contours.svg").toStdString();
-            good = (is_correction(sheet, photo) ? told(sheet + " holds what a person mended and is kept.")
-                                                : told(write_sheet(sheet, sheet_of(found)).error())) &&
+            const std::string sheet =
+                (line_.text("svg") + "/" + photo.output + ".contours.svg").toStdString();
+            good = (is_correction(sheet, name) ? told(sheet + " holds what a person mended and is kept.")
+                                               : told(write_sheet(sheet, sheet_of(found)).error())) &&
                    good;
         }
         if (line_.has("overlay") && found.width > 0) {
-            const auto picture = read_picture(photo.toStdString());
+            const auto picture = read_picture(name);
             if (picture) {
                 const auto written =
-                    write_image((line_.text("overlay") + "/" + name + ".overlay.png").toStdString(),
+                    write_image((line_.text("overlay") + "/" + photo.output + ".overlay.png").toStdString(),
                                 draw_overlay(turned(*picture, found.turned_degrees), found));
                 good = told(written.error()) && good;
             }
         }
+        // Last, so that a photograph with a line in the results has all its other results too.
+        if (results_)
+            problem_ = results_->append(name, json_line(name, found));
+        else if (line_.has("json"))
+            std::printf("%s\n", json_line(name, found).constData());
+        else
+            std::printf("%s: %zu face%s\n", name.c_str(), found.faces.size(),
+                        found.faces.size() == 1 ? "" : "s");
+        std::fflush(stdout);
         return good;
     }
 
     /// Whether `sheet` is what a person mended of this photograph: it is not to be written over.
-    static bool is_correction(const std::string& sheet, const QString& photo) {
+    static bool is_correction(const std::string& sheet, const std::string& photo) {
         std::error_code ignored;
-        return std::filesystem::equivalent(sheet, correction_file(photo.toStdString()), ignored);
+        return std::filesystem::equivalent(sheet, correction_file(photo), ignored);
     }
 
     static bool told(const std::string& problem) {
@@ -108,7 +181,10 @@ private:
     }
 
     const VerbLine& line_;
-    OutputNames names_;
+    int jobs_;
+    std::optional<ResultsFile> results_;
+    std::vector<Photo> photos_;
+    std::string problem_; ///< why no more results can be written; empty: they can
 };
 
 } // namespace
@@ -117,8 +193,11 @@ int faces_verb(const QStringList& words) {
     VerbLine line("faces",
                   "Finds the faces of photographs and the contours of their eyes, lips and outline.\n"
                   "With --json a line of JSON a photograph; without, a line to read. A photograph about\n"
-                  "which there is something to say is named on stderr; the others are done all the same.");
+                  "which there is something to say is named on stderr; the others are done all the same.\n"
+                  "Ctrl-C ends after the photographs in work; with --resume nothing that is done is lost.");
     line.option("json", "Writes a line of JSON for each photograph.")
+        .option("resume", "Appends the lines of JSON to a file and skips what it holds already.", "file")
+        .option("jobs", "Photographs that are worked on at a time; 0: one for each core.", "N", "1")
         .option("svg", "Writes the contours as PHOTO.contours.svg, in pixels of the upright picture.",
                 "folder")
         .option("overlay", "Writes the photograph with its contours as PHOTO.overlay.png.", "folder")
@@ -130,7 +209,12 @@ int faces_verb(const QStringList& words) {
         .argument("PHOTO", "JPEG, PNG or WebP.", "PHOTO...");
     if (const auto ended = line.parse(words, 1, 1'000'000))
         return *ended;
-    return FacesVerb(line).run();
+    if (line.has("resume") && !line.has("json"))
+        return wrong_usage("faces", "--resume FILE goes with --json: it holds lines of JSON.");
+    const auto jobs = line.whole("jobs", 0, most_jobs);
+    if (!jobs)
+        return wrong_usage("faces", jobs.error());
+    return FacesVerb(line, *jobs).run();
 }
 
 } // namespace tp

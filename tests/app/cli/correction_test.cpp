@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A caregiver's corrections from the shell: they override, survive, and are weighed by what is felt.
 #include "core/svg/contour_sheet.hpp"
-#include "lab_run.hpp"
+#include "lab_process.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -13,8 +13,6 @@
 #include <QTest>
 
 using namespace tp;
-using tp::test::lab;
-using tp::test::Run;
 
 class CorrectionTest : public QObject {
     Q_OBJECT

@@ -2,7 +2,7 @@
 // touchphoto-lab as a shell sees it.
 #include "core/guidance/exact_law.hpp"
 #include "core/svg/contour_sheet.hpp"
-#include "lab_run.hpp"
+#include "lab_process.hpp"
 
 #include <QDir>
 #include <QImage>
@@ -13,15 +13,8 @@
 #include <QTest>
 
 using namespace tp;
-using tp::test::lab;
-using tp::test::Run;
 
 namespace {
-
-/// One sentence on one line, and nothing a person cannot read.
-bool is_one_sentence(const QByteArray& text) {
-    return text.endsWith(".\n") && text.count('\n') == 1 && text.size() > 20;
-}
 
 const QString sample = QStringLiteral(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg");
 const QString two_people = QStringLiteral(TP_SOURCE_DIR "/resources/samples/ben_and_clara.jpg");

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QByteArray>
+#include <QProcess>
+#include <QStringList>
+
+/// How touchphoto-lab ended, as a shell sees it.
+struct Run {
+    int code = -1;
+    QByteArray out;
+    QByteArray err;
+};
+
+inline Run ended(QProcess& process) {
+    const bool well = process.waitForFinished(240'000) && process.exitStatus() == QProcess::NormalExit;
+    Run run{well ? process.exitCode() : -1, process.readAllStandardOutput(), {}};
+    if (process.processChannelMode() == QProcess::SeparateChannels)
+        run.err = process.readAllStandardError();
+    if (!well)
+        run.err += "\ncrashed or hung";
+    return run;
+}
+
+inline Run lab(const QStringList& words, const QByteArray& input = {}) {
+    QProcess process;
+    process.start(QStringLiteral(TP_LAB), words);
+    process.write(input);
+    process.closeWriteChannel();
+    return ended(process);
+}
+
+/// One sentence on one line, and nothing a person cannot read.
+inline bool is_one_sentence(const QByteArray& text) {
+    return text.endsWith(".\n") && text.count('\n') == 1 && text.size() > 20;
+}

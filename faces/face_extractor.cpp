@@ -20,8 +20,6 @@
 namespace tp {
 namespace {
 
-constexpr PluggableModel yunet{"yunet", "yunet.onnx", "a YuNet face detector"};
-constexpr PluggableModel mesh{"mesh", "face_mesh.onnx", "a 478-point face mesh"};
 constexpr int smallest_side_px = 16;         ///< of a picture that can hold a face
 constexpr double contour_tolerance_px = 0.2; ///< a fifth of what a net or a hand can place
 constexpr double least_confidence = 0.5;
@@ -33,14 +31,14 @@ constexpr double same_within = 0.4; ///< of a face's size; two heads cannot be t
 Result<std::unique_ptr<Detector>> make_detector(const std::string& choice) {
     if (choice == "embedded")
         return std::unique_ptr<Detector>(std::make_unique<EmbeddedDetector>());
-    const auto file = find_model(choice, yunet);
+    const auto file = find_model(choice, yunet_model);
     return file ? YunetDetector::load(*file) : Error{file.error()};
 }
 
 Result<std::unique_ptr<LandmarkModel>> make_model(const std::string& choice) {
     if (choice == "embedded")
         return std::unique_ptr<LandmarkModel>(std::make_unique<ContourNets>());
-    const auto file = find_model(choice, mesh);
+    const auto file = find_model(choice, mesh_model);
     return file ? MeshModel::load(*file) : Error{file.error()};
 }
 

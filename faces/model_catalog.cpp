@@ -3,7 +3,6 @@
 
 #include <cstdlib>
 #include <system_error>
-#include <vector>
 
 extern "C" {
 extern const char tp_model_detector[], tp_model_detector_end[];
@@ -20,17 +19,6 @@ std::string environment(const char* name) {
     return value ? value : "";
 }
 
-std::vector<std::filesystem::path> model_folders() {
-    std::vector<std::filesystem::path> folders;
-    if (const std::string own = environment("TOUCHPHOTO_MODELS"); !own.empty())
-        folders.emplace_back(own);
-    if (const std::string data = environment("XDG_DATA_HOME"); !data.empty())
-        folders.push_back(std::filesystem::path(data) / "touchphoto/models");
-    else if (const std::string home = environment("HOME"); !home.empty())
-        folders.push_back(std::filesystem::path(home) / ".local/share/touchphoto/models");
-    return folders;
-}
-
 bool is_file(const std::filesystem::path& path) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(path, ignored);
@@ -45,6 +33,35 @@ cv::dnn::Net net_between(const char* begin, const char* end) {
 }
 
 } // namespace
+
+std::vector<EmbeddedModelFacts> embedded_models() {
+    const auto bytes = [](const char* begin, const char* end) {
+        return static_cast<std::size_t>(end - begin);
+    };
+    return {{"detector", "finds faces", "Apache-2.0", bytes(tp_model_detector, tp_model_detector_end)},
+            {"contours", "places the points of a face", "Apache-2.0",
+             bytes(tp_model_contours, tp_model_contours_end)},
+            {"eye", "looks closely at an eye", "Apache-2.0", bytes(tp_model_eye, tp_model_eye_end)},
+            {"mouth", "looks closely at the mouth", "Apache-2.0", bytes(tp_model_mouth, tp_model_mouth_end)}};
+}
+
+std::vector<std::filesystem::path> model_folders() {
+    std::vector<std::filesystem::path> folders;
+    if (const std::string own = environment("TOUCHPHOTO_MODELS"); !own.empty())
+        folders.emplace_back(own);
+    if (const std::string data = environment("XDG_DATA_HOME"); !data.empty())
+        folders.push_back(std::filesystem::path(data) / "touchphoto/models");
+    else if (const std::string home = environment("HOME"); !home.empty())
+        folders.push_back(std::filesystem::path(home) / ".local/share/touchphoto/models");
+    return folders;
+}
+
+std::optional<std::filesystem::path> installed_file(const PluggableModel& model) {
+    for (const std::filesystem::path& folder : model_folders())
+        if (is_file(folder / model.file))
+            return folder / model.file;
+    return std::nullopt;
+}
 
 cv::dnn::Net embedded_net(EmbeddedModel model) {
     switch (model) {
@@ -69,14 +86,14 @@ Result<std::filesystem::path> find_model(const std::string& choice, const Plugga
     if (choice != model.name)
         return Error{"There is no model named \"" + choice + "\" here: choose \"embedded\", \"" + model.name +
                      "\" or the path of an ONNX file that holds " + model.description + "."};
+    if (const auto file = installed_file(model))
+        return *file;
     std::string searched;
-    for (const std::filesystem::path& folder : model_folders()) {
-        if (is_file(folder / model.file))
-            return folder / model.file;
+    for (const std::filesystem::path& folder : model_folders())
         searched += (searched.empty() ? "" : " or ") + folder.string();
-    }
     return Error{std::string("The model \"") + model.name + "\" is not installed: put " + model.description +
-                 " as " + model.file + " into " + (searched.empty() ? "$TOUCHPHOTO_MODELS" : searched) + "."};
+                 " as " + model.file + " into " + (searched.empty() ? "$TOUCHPHOTO_MODELS" : searched) +
+                 "; \"touchphoto-lab models fetch " + model.name + "\" helps."};
 }
 
 } // namespace tp

@@ -5,8 +5,13 @@
 
 #include <opencv2/dnn/dnn.hpp>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace tp {
 
@@ -17,12 +22,66 @@ enum class EmbeddedModel { detector, contours, eye, mouth };
 /// with a file that is not a net.
 cv::dnn::Net embedded_net(EmbeddedModel model);
 
-/// A kind of net that a user can plug in: how it is called, which file holds it, how it is described.
+/// An embedded net, for a person.
+struct EmbeddedModelFacts {
+    const char* name;
+    const char* purpose; ///< e.g. "finds faces"
+    const char* licence;
+    std::size_t bytes;
+};
+std::vector<EmbeddedModelFacts> embedded_models();
+
+/// A kind of net that a user can plug in: how it is called, which file holds it, and the file of that kind
+/// that we know. Any other file of the kind may be plugged in too.
 struct PluggableModel {
+    enum class Role { detector, landmarks };
+
     const char* name;        ///< as given in ExtractorChoice, e.g. "yunet"
     const char* file;        ///< looked up under this name, e.g. "yunet.onnx"
     const char* description; ///< e.g. "a YuNet face detector"
+    Role role;
+
+    // The known file.
+    const char* licence;
+    const char* address; ///< http or https; empty: no public one is known
+    const char* origin;  ///< where it comes from, a sentence
+    std::uintmax_t bytes;
+    const char* sha256; ///< in hexadecimal digits
 };
+
+inline constexpr PluggableModel yunet_model{
+    "yunet",
+    "yunet.onnx",
+    "a YuNet face detector",
+    PluggableModel::Role::detector,
+    "MIT",
+    "https://github.com/opencv/opencv_zoo/raw/c71f7a40d34cd3830086ee9b7a01174e013ad42a/models/"
+    "face_detection_yunet/face_detection_yunet_2022mar.onnx",
+    "It is face_detection_yunet_2022mar.onnx of the OpenCV Zoo; later ones need a later OpenCV.",
+    345'478,
+    "50ef07f702a31741ca46a4c0d947773b64143b9362780237bf0d427d6c79bab7"};
+
+inline constexpr PluggableModel mesh_model{
+    "mesh",
+    "face_mesh.onnx",
+    "a 478-point face mesh",
+    PluggableModel::Role::landmarks,
+    "Apache-2.0",
+    "",
+    "It is the landmark net of MediaPipe's face landmarker v2 (face_landmarker.task) converted to ONNX, and "
+    "no "
+    "public address of that is known: convert the published one, with outputs t473 and t472.",
+    4'825'994,
+    "8f419ac71e28589a66b2835cc5084951829a1b919e156c261bb4f9582d116e72"};
+
+inline constexpr std::array<const PluggableModel*, 2> pluggable_models{&yunet_model, &mesh_model};
+
+/// Folders where a model's file is looked for, in this order; a new one belongs into the first. Empty where
+/// the environment names none.
+std::vector<std::filesystem::path> model_folders();
+
+/// The file that the model's name means at present.
+std::optional<std::filesystem::path> installed_file(const PluggableModel& model);
 
 /// The file that `choice` means: a path (something with a slash or the ending .onnx) is taken as it is, the
 /// model's name is looked up in $TOUCHPHOTO_MODELS, then in $XDG_DATA_HOME/touchphoto/models (default

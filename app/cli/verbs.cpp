@@ -18,6 +18,7 @@ struct Verb {
 
 constexpr std::array<Verb, 9> verbs{{
     {"faces", "find the faces of photographs and their contours", faces_verb},
+    {"models", "list, check and fetch the models that faces can use", models_verb},
     {"scene", "write the scene that the Explore page would render for a photograph", scene_verb},
     {"correction", "say what the mended contours beside a photograph change", correction_verb},
     {"force", "answer the force at places read from stdin", force_verb},

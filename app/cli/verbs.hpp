@@ -11,6 +11,7 @@ int faces_verb(const QStringList& words);
 int field_verb(const QStringList& words);
 int correction_verb(const QStringList& words);
 int force_verb(const QStringList& words);
+int models_verb(const QStringList& words);
 int scene_verb(const QStringList& words);
 int servo_verb(const QStringList& words);
 int stability_verb(const QStringList& words);

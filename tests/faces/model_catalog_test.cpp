@@ -12,8 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr PluggableModel yunet{"yunet", "yunet.onnx", "a YuNet face detector"};
-
 std::string error_of(const ExtractorChoice& choice) { return FaceExtractor::create(choice).error(); }
 
 } // namespace
@@ -40,22 +38,43 @@ private slots:
         const auto extractor = FaceExtractor::create();
         QVERIFY2(extractor.ok(), extractor.error().c_str());
     }
+    void embedded_nets_are_listed_with_their_size() {
+        std::size_t bytes = 0;
+        for (const EmbeddedModelFacts& model : embedded_models()) {
+            const fs::path file =
+                fs::path(TP_SOURCE_DIR "/resources/models") / (model.name + std::string(".onnx"));
+            QCOMPARE(static_cast<std::uintmax_t>(model.bytes), fs::file_size(file));
+            QVERIFY(*model.purpose && *model.licence);
+            bytes += model.bytes;
+        }
+        QVERIFY(bytes <= 6U << 20);
+    }
+    void each_known_file_is_described() {
+        for (const PluggableModel* model : pluggable_models) {
+            QCOMPARE(std::string(model->sha256).size(), std::size_t(64));
+            QVERIFY(model->bytes > 0 && *model->licence);
+            QVERIFY(std::string(model->origin).ends_with('.'));
+            const std::string address = model->address;
+            QVERIFY(address.empty() || address.starts_with("https://"));
+            QVERIFY(!installed_file(*model));
+        }
+    }
     void names_are_looked_up_in_the_users_folders() {
         const fs::path shared = touched("data/touchphoto/models/yunet.onnx");
-        QCOMPARE(*find_model("yunet", yunet), shared);
+        QCOMPARE(*find_model("yunet", yunet_model), shared);
         const fs::path own = touched("mine/yunet.onnx");
         qputenv("TOUCHPHOTO_MODELS", (folder_.path() + "/mine").toUtf8());
-        QCOMPARE(*find_model("yunet", yunet), own);
+        QCOMPARE(*find_model("yunet", yunet_model), own);
         fs::remove(own);
-        QCOMPARE(*find_model("yunet", yunet), shared);
+        QCOMPARE(*find_model("yunet", yunet_model), shared);
         fs::remove(shared);
-        const std::string error = find_model("yunet", yunet).error();
+        const std::string error = find_model("yunet", yunet_model).error();
         QVERIFY2(error.find("not installed") != std::string::npos, error.c_str());
         QVERIFY2(error.find("mine") != std::string::npos, error.c_str());
     }
     void paths_are_taken_as_they_are() {
         const fs::path file = touched("some.onnx");
-        QCOMPARE(*find_model(file.string(), yunet), file);
+        QCOMPARE(*find_model(file.string(), yunet_model), file);
     }
     void wrong_choices_are_sentences_data() {
         QTest::addColumn<QString>("choice");

@@ -16,7 +16,7 @@ struct Verb {
     int (*run)(const QStringList& words);
 };
 
-constexpr std::array<Verb, 9> verbs{{
+constexpr std::array<Verb, 10> verbs{{
     {"faces", "find the faces of photographs and their contours", faces_verb},
     {"models", "list, check and fetch the models that faces can use", models_verb},
     {"scene", "write the scene that the Explore page would render for a photograph", scene_verb},

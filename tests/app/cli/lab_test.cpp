@@ -97,7 +97,7 @@ private slots:
         QCOMPARE(one["width"].toInt(), 900);
         QCOMPARE(one["height"].toInt(), 1100);
         QVERIFY(one["problem"].isNull());
-        for (const char* step : {"decode", "detect", "landmarks", "contours"})
+        for (const char* step : {"decode", "detect", "landmarks", "edges", "contours"})
             QVERIFY(one["milliseconds"][step].isDouble());
         QCOMPARE(one["faces"].toArray().size(), 1);
         const QJsonObject face = one["faces"].toArray()[0].toObject();
@@ -107,6 +107,10 @@ private slots:
             const QJsonArray points = face["contours"][name].toArray();
             QVERIFY(points.size() >= 30);
             QVERIFY(points.first() != points.last());
+            const QJsonObject quality = face["quality"][name].toObject();
+            const double expected = quality["expected_error_percent"].toDouble();
+            QVERIFY2(expected > 0.1 && expected < 3.0, name);
+            QVERIFY2(quality["reasons"].isArray() && quality["reasons"].toArray().isEmpty(), name);
         }
         QCOMPARE(QJsonDocument::fromJson(lines[1])["faces"].toArray().size(), 2);
     }

@@ -13,7 +13,9 @@ constexpr double small_below_px = 30.0; ///< eyes apart 25 px: errors are half a
 constexpr double blurred_below =
     0.15; ///< clarity: sharp 0.46 and more, blurred by 3 % 0.14 and less (99 of 100)
 constexpr double clear_face = 0.25, covered_fraction = 0.25; ///< open eyes are above 0.45 of the rest
-constexpr double faint_below = 0.35;                         ///< one mouth in ten
+constexpr double one_edge_clear =
+    0.4; ///< an eye opened wide, or glasses, hide one lid's edge and leave the other
+constexpr double faint_below = 0.35; ///< one mouth in ten
 constexpr double error_floor_percent =
     0.05; ///< added to errors before the logarithm: small ones are all alike
 
@@ -59,7 +61,8 @@ bool may_be_covered(const QualitySigns& signs, FeatureIndex feature) {
         return false;
     const double here = pair->lower.clarity + pair->upper.clarity;
     const double elsewhere = (8.0 * mean_clarity(signs.edges) - here) / 6.0;
-    return elsewhere > clear_face && 0.5 * here < covered_fraction * elsewhere;
+    return elsewhere > clear_face && 0.5 * here < covered_fraction * elsewhere &&
+           std::max(pair->lower.clarity, pair->upper.clarity) < one_edge_clear;
 }
 
 std::vector<std::string> reasons(const QualitySigns& signs, FeatureIndex feature) {

@@ -215,6 +215,11 @@ private slots:
         for (FeatureIndex f : {at_right_eye, at_outer_lip, at_inner_lip, at_outline})
             QVERIFY(quality_of(signs, f).reasons.empty());
     }
+    void an_eye_with_one_clear_lid_is_not_covered() {
+        QualitySigns signs = good_signs();
+        signs.edges.right_eye = {{0.4, 0.67}, {2.0, -0.41}}; // opened wide: the upper lid was not found
+        QVERIFY(!says(quality_of(signs, at_right_eye), "may be covered"));
+    }
     void what_is_covered_is_said() {
         QCOMPARE(problem_of(good_signs()), std::string());
         QualitySigns signs = good_signs();

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the teacher says about every portrait that may train, kept in the work folder: it takes minutes to ask."""
+import numpy as np
+
+from photos import read_photo, training_names
+from teacher import Teacher
+
+
+def teacher_labels(faces, work, log):
+    """name → (107, 2) points and (2, 2) corners of the face in px of the photo, for every portrait in which the teacher
+    is sure of a face."""
+    kept = work / "teacher_labels.npz"
+    if not kept.exists():
+        ask_teacher(faces, kept, log)
+    with np.load(kept) as file:
+        return {name: (points.astype(float), box.astype(float))
+                for name, points, box in zip(file["names"].tolist(), file["points"], file["boxes"])}
+
+
+def ask_teacher(faces, kept, log):
+    teacher = Teacher(faces)
+    names, labels = training_names(faces), {}
+    for i, name in enumerate(names):
+        found = teacher.locate(read_photo(faces, name))
+        if found is not None:
+            labels[name] = found
+        if (i + 1) % 100 == 0:
+            log(f"teacher: {i + 1} of {len(names)} portraits, {len(labels)} labelled")
+    points, boxes = zip(*labels.values())
+    np.savez(kept, names=np.array(list(labels)), points=np.array(points, np.float32),
+             boxes=np.array(boxes, np.float32))

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The nets, of layers that OpenCV 4.6 runs from ONNX opset 11.
+
+Input: B × 3 × size × size, (BGR − 127.5) / 255. A contour net answers B × 2n, each point as fractions of the window's
+side from its middle. The detector answers B × 8 × h/8 × w/8: score, centre (2), size, eyes (4); `detector_scenes.py`.
+"""
+import torch
+from torch import nn
+from torch.nn import functional
+
+
+def convolution(inputs, outputs, stride=1):
+    return nn.Sequential(nn.Conv2d(inputs, outputs, 3, stride, 1, bias=False), nn.BatchNorm2d(outputs), nn.ReLU(True))
+
+
+class Residual(nn.Module):
+    """Two convolutions around which the input is added (He et al. 2016)."""
+
+    def __init__(self, width):
+        super().__init__()
+        self.layers = nn.Sequential(convolution(width, width), nn.Conv2d(width, width, 3, 1, 1, bias=False),
+                                    nn.BatchNorm2d(width))
+
+    def forward(self, x):
+        return functional.relu(x + self.layers(x))
+
+
+class ContourNet(nn.Module):
+    """Halves the window once per width, with a residual block at each width but the first, squeezes what is left to
+    `squeeze` channels, then one linear layer gives the points. Plain convolutions, because on a processor their few
+    large steps train faster than the many thin ones of depthwise nets."""
+
+    def __init__(self, points, size, widths, squeeze):
+        super().__init__()
+        self.size = size
+        layers, inputs = [], 3
+        for i, width in enumerate(widths):
+            layers.append(convolution(inputs, width, 2))
+            if i > 0:
+                layers.append(Residual(width))
+            inputs = width
+        cells = -(-size // 2 ** len(widths))
+        self.features = nn.Sequential(*layers)
+        self.squeeze = nn.Conv2d(inputs, squeeze, 1)
+        self.points = nn.Linear(squeeze * cells * cells, 2 * points)
+        nn.init.normal_(self.points.weight, 0.0, 0.01)
+
+    def forward(self, x):
+        return self.points(functional.relu(self.squeeze(self.features(x))).flatten(1))
+
+
+class Detector(nn.Module):
+    """Answers in cells of 8 px, which also see what lies around them at 1/32."""
+    CHANNELS = 8
+
+    def __init__(self):
+        super().__init__()
+        self.near = nn.Sequential(convolution(3, 16, 2), convolution(16, 24, 2), convolution(24, 40, 2), Residual(40))
+        self.far = nn.Sequential(convolution(40, 64, 2), Residual(64), convolution(64, 64, 2), Residual(64))
+        self.joint = nn.Conv2d(64, 40, 1)
+        self.answer = nn.Sequential(convolution(40, 40), nn.Conv2d(40, self.CHANNELS, 1))
+        nn.init.zeros_(self.answer[-1].bias)
+        self.answer[-1].bias.data[0] = -4.0  # at first there is a face nowhere
+
+    def forward(self, x):
+        near = self.near(x)
+        around = functional.interpolate(self.joint(self.far(near)), scale_factor=4.0, mode="nearest")
+        return self.answer(near + around)
+
+
+def export(net, size, file):
+    """ONNX that OpenCV 4.6 reads: opset 11, float32, fixed input size."""
+    torch.onnx.export(net.eval(), torch.zeros(1, 3, size, size), str(file), opset_version=11,
+                      input_names=["input"], output_names=["output"])

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The portraits of ../shared/faces, their hand-placed contours, and who is held out of all training."""
+import json
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+DEFAULT_FACES = ROOT.parent / "shared" / "faces"
+SETS = ("congress", "ukmp", "london")
+KEYS = {"right_eye": "eye_on_the_left_of_the_picture", "left_eye": "eye_on_the_right_of_the_picture",
+        "outer_lip": "outer_lip", "inner_lip": "inner_lip", "outline": "outline"}
+
+
+def held_out_people(file=HERE / "holdout.txt"):
+    """Numbers of the people of the London set whom no training may see."""
+    return {line.strip() for line in file.read_text().splitlines() if line.strip() and not line.startswith("#")}
+
+
+def person_of(name):
+    """"london/002_03.jpg" → "002"; everybody else has one picture, whose name is theirs."""
+    folder, file = name.split("/")
+    return file.split("_")[0] if folder == "london" else name
+
+
+def is_held_out(name, held_out):
+    return name.startswith("london/") and person_of(name) in held_out
+
+
+def names_of(faces, sets=SETS):
+    """Names of all portraits, as "set/file.jpg", in order; sets that are absent are left out."""
+    return [f"{folder}/{file.name}" for folder in sets
+            for file in sorted((faces / "photos" / folder).glob("*.jpg"))]
+
+
+def training_names(faces):
+    held_out = held_out_people()
+    return [name for name in names_of(faces) if not is_held_out(name, held_out)]
+
+
+def read_photo(faces, name):
+    """8-bit BGR."""
+    picture = cv2.imread(str(faces / "photos" / name))
+    if picture is None:
+        raise SystemExit(f"The portrait {faces / 'photos' / name} cannot be read.")
+    return picture
+
+
+def read_truth(faces):
+    """name → contour name → (n, 2) points placed by hand, px. Closed lines start at the corner nearest the picture's
+    left edge and go over the top."""
+    with open(faces / "photos" / "london_truth.json", encoding="utf-8") as file:
+        people = json.load(file)
+    return {name: {contour: np.array(person[key]) for contour, key in KEYS.items()}
+            for name, person in people.items()}

@@ -7,6 +7,8 @@
 #include <opencv2/core/persistence.hpp>
 
 #include <filesystem>
+#include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,18 @@ struct Portrait {
     std::vector<tp::Contour> truth; ///< px, placed by hand
 };
 
-/// Every `stride`-th person of the London set whose contours were placed by hand.
-inline std::vector<Portrait> with_truth(int stride) {
+/// Numbers of the people of the London set whom the training of the embedded models did not see.
+inline std::set<std::string> held_out_people() {
+    std::ifstream file(std::filesystem::path(TP_SOURCE_DIR) / "faces/training/holdout.txt");
+    std::set<std::string> people;
+    for (std::string line; std::getline(file, line);)
+        if (!line.empty() && line.front() != '#')
+            people.insert(line);
+    return people;
+}
+
+/// Those of them with contours placed by hand, each with the neutral portrait to which these belong.
+inline std::vector<Portrait> held_out() {
     constexpr const char* names[][2] = {{"eye_on_the_left_of_the_picture", tp::feature::right_eye},
                                         {"eye_on_the_right_of_the_picture", tp::feature::left_eye},
                                         {"outer_lip", tp::feature::outer_lip},
@@ -30,10 +42,11 @@ inline std::vector<Portrait> with_truth(int stride) {
                                         {"outline", tp::feature::outline}};
     const cv::FileStorage file((folder() / "photos/london_truth.json").string(),
                                cv::FileStorage::READ | cv::FileStorage::FORMAT_JSON);
+    const std::set<std::string> people = held_out_people();
     std::vector<Portrait> found;
-    int index = 0;
     for (const cv::FileNode& person : file.root()) {
-        if (index++ % stride != 0)
+        // "london/002_03.jpg" shows person 002.
+        if (!people.contains(std::filesystem::path(person.name()).stem().string().substr(0, 3)))
             continue;
         Portrait portrait{folder() / "photos" / person.name(), {}};
         for (const auto& [key, name] : names) {

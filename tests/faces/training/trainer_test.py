@@ -1,0 +1,239 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The parts of the trainer that need neither portraits nor torch: labels under a mirror, hold-out, metric, windows,
+warps, scenes."""
+import importlib.util
+import sys
+import unittest
+from pathlib import Path
+
+MISSING = [name for name in ("numpy", "cv2") if importlib.util.find_spec(name) is None]
+if MISSING:
+    print(f"skipped: needs {' and '.join(MISSING)} (python3-numpy, python3-opencv)")
+    sys.exit(77)
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "faces" / "training"))
+
+import cv2
+import numpy as np
+
+import augmentation
+import contours
+import crops
+import detector_scenes
+import photos
+import portraits
+import tasks
+import warps
+from contours import CLOSED, CONTOURS, MIRROR, SLICES
+from correction import Correction
+from truth_points import truth_labels
+
+
+def drawn_face(apart=120.0, middle=(200.0, 180.0)):
+    """(107, 2) points of a plain, slightly lopsided face."""
+    points = np.zeros((contours.COUNT, 2))
+
+    def ring(count, x, y, rx, up, down):
+        turn = 2.0 * np.pi * np.arange(count) / count
+        way = np.stack([-np.cos(turn), np.sin(turn)], -1)  # from the left by the lower edge
+        return [x, y] + way * np.where(way[:, 1:] > 0, [[rx, down]], [[rx, up]])
+    points[SLICES["right_eye"]] = ring(16, -0.35, 0.0, 0.15, 0.06, 0.05)
+    points[SLICES["left_eye"]] = ring(16, -0.34, 0.01, 0.16, 0.06, 0.05) * [-1, 1]
+    points[SLICES["outer_lip"]] = ring(20, 0.01, 0.75, 0.28, 0.09, 0.12)
+    points[SLICES["inner_lip"]] = ring(20, 0.01, 0.75, 0.26, 0.02, 0.03)
+    turn = np.linspace(np.pi, 0.0, 33)
+    points[SLICES["outline"]] = np.stack([0.8 * np.cos(turn), 1.25 * np.sin(turn)], -1)
+    points[SLICES["irises"]] = [[-0.35, 0.0], [0.34, 0.01]]
+    return points * apart + middle
+
+
+def portrait_of(points):
+    rng = np.random.default_rng(7)
+    picture = cv2.resize(rng.integers(0, 255, (45, 40, 3)).astype(np.uint8), (400, 450))
+    return portraits.Portrait(picture, points, np.stack([points.min(0), points.max(0)]), 1.0)
+
+
+class Mirror(unittest.TestCase):
+    def test_twice_is_nothing(self):
+        np.testing.assert_array_equal(MIRROR[MIRROR], np.arange(contours.COUNT))
+
+    def test_a_mirrored_face_is_numbered_like_a_face(self):
+        face = drawn_face()
+        seen = (face * [-1.0, 1.0])[MIRROR]
+        for points in (face, seen):
+            right, left = points[SLICES["right_eye"]], points[SLICES["left_eye"]]
+            self.assertEqual(np.argmin(right[:, 0]), 0)  # outer corner
+            self.assertEqual(np.argmax(left[:, 0]), 0)
+            self.assertGreater(left[8, 0], right[8, 0])
+            for name in CONTOURS[:4]:
+                ring = points[SLICES[name]]
+                half = len(ring) // 2
+                self.assertGreater(ring[1:half, 1].mean(), ring[half + 1:, 1].mean())  # lower edge first
+            for name in ("outer_lip", "inner_lip", "outline"):
+                self.assertLess(points[SLICES[name]][0, 0], points[SLICES[name]].mean(0)[0])
+
+    def test_a_crop_in_a_mirror_is_the_flipped_crop(self):
+        face = portrait_of(drawn_face())
+        frame = crops.Frame(np.array([200.0, 200.0]), 150.0)
+        plain, to_picture = crops.take_crop(face.picture, frame, 100)
+        frame.mirrored = True
+        mirrored, to_picture_mirrored = crops.take_crop(face.picture, frame, 100)
+        np.testing.assert_array_equal(mirrored, plain[:, ::-1])
+        at = crops.mapped(crops.inverse(to_picture), face.points)
+        at_mirrored = crops.mapped(crops.inverse(to_picture_mirrored), face.points)
+        np.testing.assert_allclose(at_mirrored, np.array([100.0, 0.0]) + at * [-1.0, 1.0], atol=1e-9)
+
+
+class HoldOut(unittest.TestCase):
+    def test_both_pictures_of_a_person_stay_out(self):
+        held_out = photos.held_out_people()
+        self.assertEqual(len(held_out), 34)
+        for person in held_out:
+            for picture in (f"london/{person}_03.jpg", f"london/{person}_08.jpg"):
+                self.assertTrue(photos.is_held_out(picture, held_out))
+        self.assertFalse(photos.is_held_out("ukmp/" + min(held_out) + ".jpg", held_out))
+
+    def test_training_and_hold_out_share_nobody(self):
+        if not photos.DEFAULT_FACES.exists():
+            self.skipTest("needs ../shared/faces")
+        training = {photos.person_of(name) for name in photos.training_names(photos.DEFAULT_FACES)}
+        self.assertTrue(training)
+        self.assertFalse(training & photos.held_out_people())
+        with_truth = {photos.person_of(name) for name in photos.read_truth(photos.DEFAULT_FACES)}
+        self.assertLessEqual(photos.held_out_people(), with_truth)
+
+
+class Metric(unittest.TestCase):
+    """Two eyes 100 apart at their outer corners, a square mouth, an open outline."""
+
+    @staticmethod
+    def face(shift=(0.0, 0.0)):
+        def box(left, top, right, bottom):
+            return np.array([[left, top], [right, top], [right, bottom], [left, bottom]], float) + shift
+        return {"right_eye": box(0, 0, 30, 10), "left_eye": box(70, 0, 100, 10), "outer_lip": box(30, 60, 70, 80),
+                "outline": np.array([[-20, 0], [50, 130], [120, 0]], float) + shift}
+
+    def test_outer_corners_give_the_scale(self):
+        self.assertAlmostEqual(contours.outer_inter_ocular_distance(self.face()), 100.0)
+
+    def test_same_contours_have_no_error(self):
+        for name in self.face():
+            self.assertLess(contours.contour_error(self.face(), self.face(), name), 1e-9)
+
+    def test_a_shifted_square_worked_by_hand(self):
+        # A square of 40 whose line has 60 points, 8/3 apart, moved right by 2: 15 points on each upright side are 2
+        # away, of the level sides' 30 only those that stand out; the rest lie on the other line.
+        truth, found = self.face(), self.face()
+        truth["outer_lip"] = np.array([[0, 0], [40, 0], [40, 40], [0, 40]], float)
+        found["outer_lip"] = truth["outer_lip"] + [2.0, 0.0]
+        # Truth: 16 points at x = 0 (both corners) are 2 away; of 16 at x = 40 the 14 between the corners are 2 away,
+        # the two corners lie on the level sides. Found: the same from the other side.
+        self.assertAlmostEqual(contours.contour_error(truth, found, "outer_lip"), 2.0 * 30 / 60, places=6)
+
+    def test_outline_may_be_longer_than_the_truth(self):
+        found = self.face()
+        found["outline"] = np.array([[-60, -74.2857143], [-20, 0], [50, 130], [120, 0], [160, -74.2857143]])
+        self.assertLess(contours.contour_error(self.face(), found, "outline"), 1e-6)
+
+
+class Labels(unittest.TestCase):
+    def test_hand_placed_labels_lie_on_the_drawn_line_and_keep_their_order(self):
+        face = drawn_face()
+        drawn = {}
+        for name in CONTOURS:  # as people draw them: from the left over the top
+            ring = contours.resampled(face[SLICES[name]], 12, CLOSED[name]) + [2.0, -1.0]
+            if CLOSED[name]:
+                start = np.argmin(ring[:, 0])
+                ring = np.roll(ring, -start, 0)
+                if ring[1:6, 1].mean() > ring[7:, 1].mean():
+                    ring = np.roll(ring[::-1], 1, 0)
+            drawn[name] = ring
+        labels = truth_labels(drawn, face)
+        for name in CONTOURS:
+            self.assertLess(contours.distances(labels[SLICES[name]], drawn[name], CLOSED[name]).max(), 1e-9)
+            self.assertLess(np.linalg.norm(labels[SLICES[name]] - face[SLICES[name]], axis=1).max(), 15.0, name)
+
+    def test_a_constant_difference_is_learned(self):
+        rng = np.random.default_rng(1)
+        pairs = []
+        for _ in range(20):
+            said = drawn_face() + rng.normal(0, 0.3, (contours.COUNT, 2))
+            truth = said.copy()
+            for name in ("right_eye", "left_eye"):
+                truth[SLICES[name]] += [0.0, 2.0]
+            pairs.append((said, truth))
+        corrected = Correction(pairs)(drawn_face())
+        moved = corrected - drawn_face()
+        np.testing.assert_allclose(moved[:32].mean(0), [0.0, 2.0], atol=0.15)
+        np.testing.assert_allclose(moved[SLICES["outline"]], 0.0)
+
+
+class Augmentation(unittest.TestCase):
+    def test_points_move_with_the_pixels(self):
+        """A white dot is found where its label says, whatever window is taken."""
+        dot = np.array([[210.0, 190.0]])
+        picture = np.zeros((400, 400, 3), np.uint8)
+        cv2.circle(picture, (209, 189), 3, (255, 255, 255), -1)  # pixel (209, 189) covers 209 … 210
+        rng = np.random.default_rng(3)
+        jitter = augmentation.Jitter(0.1, 0.2, 0.2)
+        for _ in range(20):
+            frame = crops.Frame(np.array([205.0, 195.0]), 120.0, mirrored=bool(rng.integers(2)))
+            to_picture = augmentation.jittered(frame.to_picture(96), 96, jitter, rng)
+            crop = crops.warp(picture, to_picture, 96)
+            at = crops.mapped(crops.inverse(to_picture), dot - 0.5)
+            crop, at = augmentation.turned_aside(crop, at, rng)
+            weight = crop[..., 0].astype(float)
+            y, x = np.mgrid[0:96, 0:96] + 0.5
+            found = np.array([(x * weight).sum(), (y * weight).sum()]) / weight.sum()
+            self.assertLess(np.linalg.norm(found - at[0]), 0.6)
+
+    def test_the_same_step_gives_the_same_batch(self):
+        face = portrait_of(drawn_face())
+        for name, task in tasks.TASKS.items():
+            first, again = (tasks.Batches(task, [face], 5, 4)(9) for _ in range(2))
+            for one, other in zip(first, again):
+                np.testing.assert_array_equal(one, other)
+            self.assertEqual(first[0].shape, (4, 3, task.size, task.size), name)
+            self.assertEqual(first[1].shape, (4, task.points, 2), name)
+            self.assertLess(np.abs(first[1]).max(), 1.5, name)
+
+    def test_opened_mouths_are_open_and_the_rest_stays(self):
+        face = drawn_face()
+        _, moved = warps.opened_mouth(portrait_of(face).picture, face, np.random.default_rng(2))
+        np.testing.assert_array_equal(moved[:32], face[:32])
+        inner = moved[SLICES["inner_lip"]]
+        self.assertGreater(inner[5, 1] - inner[15, 1], face[SLICES["inner_lip"]][5, 1] - inner[15, 1] + 3.0)
+        self.assertGreater(moved[SLICES["outline"]][16, 1], face[SLICES["outline"]][16, 1] + 3.0)
+
+    def test_closed_lids_meet(self):
+        face = drawn_face()
+        for seed in range(6):
+            _, moved = warps.closed_eyes(portrait_of(face).picture, face, np.random.default_rng(seed))
+            for name in ("right_eye", "left_eye"):
+                before, after = face[SLICES[name]], moved[SLICES[name]]
+                opening = [(ring[1:8] - ring[:8:-1])[:, 1] for ring in (before, after)]
+                self.assertTrue((opening[1] >= -1e-6).all())
+                self.assertLess(opening[1].max(), 0.75 * opening[0].max())
+
+
+class Scenes(unittest.TestCase):
+    def test_faces_are_answered_where_they_are(self):
+        centre, size = np.array([83.0, 61.0]), 40.0
+        marks = np.array([centre, centre + [-8.0, -5.0], centre + [8.0, -5.0]])
+        score, values, counts = detector_scenes.answer_for([(marks, size)])
+        self.assertEqual(score[7, 10], 1.0)
+        self.assertEqual(counts.sum(), 9.0)
+        here = (np.array([10, 7]) + 0.5) * detector_scenes.CELL
+        np.testing.assert_allclose(here + values[:2, 7, 10] * detector_scenes.CELL, centre, atol=1e-4)
+        np.testing.assert_allclose(here + values[3:5, 7, 10] * size, marks[1], atol=1e-4)
+
+    def test_backgrounds_of_every_kind_can_be_drawn(self):
+        rng = np.random.default_rng(1)
+        face = detector_scenes.Face(portrait_of(drawn_face()))
+        for _ in range(60):
+            picture = detector_scenes.background(rng, [face])
+            self.assertEqual((picture.shape, picture.dtype), ((160, 160, 3), np.uint8))
+
+
+if __name__ == "__main__":
+    unittest.main()

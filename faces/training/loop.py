@@ -17,7 +17,13 @@ AVERAGE_OVER = 0.998  # share of the average that a step keeps
 LARGEST_GRADIENT = 5.0
 
 
-def rate_at(step, steps, highest):
+def rate_at(step, rounds):
+    """Learning rate: in each round of (steps, highest rate) it rises for `WARM_UP` steps and falls as a cosine
+    (Loshchilov and Hutter 2017)."""
+    for steps, highest in rounds:
+        if step < steps:
+            break
+        step -= steps
     return highest * min(1.0, (step + 1) / WARM_UP) * 0.5 * (1.0 + math.cos(math.pi * step / steps)) + 1e-5
 
 
@@ -31,12 +37,13 @@ def update_average(average, net, step):
                 old.copy_(new)
 
 
-def train(net, batches, loss_of, steps, highest_rate, checkpoint, log):
-    """Trains until `steps`; `loss_of(answer, batch)` gives the loss and a figure for the log. Returns the averaged
-    net, in evaluation mode."""
+def train(net, batches, loss_of, rounds, checkpoint, log):
+    """Trains for some rounds of (steps, highest rate); `loss_of(answer, batch)` gives the loss and a figure for the
+    log. Returns the averaged net, in evaluation mode."""
+    steps = sum(count for count, _ in rounds)
     net = net.to(memory_format=torch.channels_last)
     average = copy.deepcopy(net)
-    optimiser = torch.optim.AdamW(net.parameters(), highest_rate, weight_decay=1e-3)
+    optimiser = torch.optim.AdamW(net.parameters(), rounds[0][1], weight_decay=1e-3)
     first = 0
     if checkpoint.exists():
         kept = torch.load(checkpoint)
@@ -53,7 +60,7 @@ def train(net, batches, loss_of, steps, highest_rate, checkpoint, log):
             batch = [torch.from_numpy(part) for part in coming.result()]
             coming = ahead.submit(batches, step + 1)
             for group in optimiser.param_groups:
-                group["lr"] = rate_at(step, steps, highest_rate)
+                group["lr"] = rate_at(step, rounds)
             loss, figure = loss_of(net(batch[0].contiguous(memory_format=torch.channels_last)), batch)
             optimiser.zero_grad()
             loss.backward()

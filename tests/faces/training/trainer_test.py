@@ -5,6 +5,7 @@ warps, scenes."""
 import importlib.util
 import sys
 import unittest
+import unittest.mock
 from pathlib import Path
 
 MISSING = [name for name in ("numpy", "cv2") if importlib.util.find_spec(name) is None]
@@ -23,6 +24,7 @@ import detector_scenes
 import photos
 import portraits
 import tasks
+import trainer_packages
 import warps
 from contours import CLOSED, CONTOURS, MIRROR, SLICES
 from correction import Correction
@@ -214,6 +216,13 @@ class Augmentation(unittest.TestCase):
                 opening = [(ring[1:8] - ring[:8:-1])[:, 1] for ring in (before, after)]
                 self.assertTrue((opening[1] >= -1e-6).all())
                 self.assertLess(opening[1].max(), 0.75 * opening[0].max())
+
+
+class Packages(unittest.TestCase):
+    def test_what_is_missing_is_named(self):
+        with unittest.mock.patch("importlib.util.find_spec", return_value=None):
+            with self.assertRaisesRegex(SystemExit, "apt-get install python3-torch"):
+                trainer_packages.require("torch")
 
 
 class Scenes(unittest.TestCase):

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The nets one after the other, as `faces/contour_nets.cpp` runs them, from ONNX files through OpenCV."""
 import cv2
-import numpy as np
 
-from contours import EYE, LIP, MOUTH, SLICES
+from contours import MOUTH, SLICES
 from crops import (EYE_PX, FACE_PX, MOUTH_PX, OUTLINE_PX, box_frame, eye_frame, face_frame, mapped, mouth_frame,
                    outline_frame, take_crop)
 

@@ -22,8 +22,7 @@ class Portrait:
     picture: np.ndarray  # 8-bit BGR
     points: np.ndarray   # (107, 2), px of the picture, counted from its corner
     box: np.ndarray      # (2, 2), least and largest corner of the face, forehead and all
-    weight: float
-    kind: str = "plain"  # or what a warp did to it: "open" mouth, "closed" eyes
+    weight: float        # how often it is shown, to that of the others
 
     def shrunk(self, apart):
         """The same with the eyes at most `apart` px apart."""
@@ -32,7 +31,7 @@ class Portrait:
             return self
         picture = cv2.resize(self.picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
         exact = np.divide(picture.shape[1::-1], self.picture.shape[1::-1])
-        return Portrait(picture, self.points * exact, self.box * exact, self.weight, self.kind)
+        return Portrait(picture, self.points * exact, self.box * exact, self.weight)
 
 
 def cut_out(picture, points, box, weight):
@@ -63,4 +62,4 @@ def warped(portraits, kind, seed):
     """Every portrait once more with an "open" mouth or "closed" eyes. They are shown less often: they are less real."""
     warp, share = {"open": (opened_mouth, 0.5), "closed": (closed_eyes, 0.25)}[kind]
     rng = np.random.default_rng([seed, len(kind)])
-    return [Portrait(*warp(p.picture, p.points, rng), p.box, share * min(p.weight, 2.0), kind) for p in portraits]
+    return [Portrait(*warp(p.picture, p.points, rng), p.box, share * min(p.weight, 2.0)) for p in portraits]

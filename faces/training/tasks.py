@@ -9,7 +9,7 @@ import crops
 from augmentation import Jitter, covered, degraded, jittered, relit, turned_aside, with_glare
 from contours import COUNT, EYE, LIP, MIRROR, MOUTH, MOUTH_MIRROR, OUTLINE, OUTLINE_MIRROR, SLICES
 from crops import Frame, inverse, mapped, warp
-from portraits import Portrait
+from portraits import warped
 
 
 @dataclass
@@ -43,10 +43,11 @@ def outline_question(portrait, rng):
 
 
 def face_question(portrait, rng):
-    """As from a detector's box or from the points of a first look."""
+    """As from a detector's box, forehead and all, or from the points of a first look."""
     frame = crops.face_frame(portrait.points)
     if rng.random() < 0.5:
-        frame = crops.frame_around(portrait.points[:105], 0.0, crops.FACE_BY_BOX * rng.uniform(1.0, 1.15))
+        frame.centre = portrait.box.mean(0)
+        frame.side = crops.FACE_BY_BOX * (portrait.box[1] - portrait.box[0]).max()
     return mirrored_question(frame, portrait.points, MIRROR, rng)
 
 
@@ -58,7 +59,7 @@ class Task:
     question: Callable
     jitter: Jitter
     apart: float      # portraits are shrunk until the outer corners of the eyes are this far apart, px
-    warps: tuple      # kinds of warped portraits shown beside the plain ones
+    warps: tuple      # how portraits are warped for copies that are shown beside them
     features: tuple   # numbers of points of its lines, and which of them are corners
     aside: float = 0.0  # how often the head is turned
     glare: float = 0.0
@@ -100,8 +101,8 @@ class Batches:
 
     def __init__(self, task, portraits, seed, size=48):
         self.task, self.seed, self.size = task, seed, size
-        self.portraits: list[Portrait] = [p.shrunk(task.apart) for p in portraits
-                                          if p.kind == "plain" or p.kind in task.warps]
+        plain = [portrait.shrunk(task.apart) for portrait in portraits]
+        self.portraits = plain + [copy for kind in task.warps for copy in warped(plain, kind, seed)]
         weights = np.array([p.weight for p in self.portraits])
         self.shares = weights / weights.sum()
 

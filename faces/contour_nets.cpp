@@ -12,10 +12,10 @@ namespace tp {
 namespace {
 
 // Inputs of the nets, px, and how much of the picture they were trained to see.
-constexpr int face_px = 128, eye_px = 64, mouth_px = 96;
+constexpr int face_px = 128, eye_px = 64, mouth_px = 96, outline_px = 96;
 constexpr double face_by_box = 1.25;    ///< window per longer side of the detected box
 constexpr double face_by_points = 1.45; ///< window per extent of the points, second pass
-constexpr double eye_by_width = 2.0, mouth_by_extent = 1.6;
+constexpr double eye_by_width = 2.0, mouth_by_extent = 1.6, outline_by_extent = 1.35;
 
 // How the points of the face net are numbered.
 constexpr std::size_t right_eye_at = 0, left_eye_at = 16, outer_lip_at = 32, inner_lip_at = 52,
@@ -45,8 +45,9 @@ CropFrame face_frame(const Detection& face) {
     return {face.box.centre(), face_by_box * face.size(), angle_of(face.left_eye - face.right_eye)};
 }
 
-CropFrame face_frame(const Points& points) {
-    return frame_around(points, angle_of(points[left_eye_at] - points[right_eye_at]), face_by_points);
+/// Upright along the eyes, `margin` times as large as all points of a face.
+CropFrame face_frame(const Points& points, double margin) {
+    return frame_around(points, angle_of(points[left_eye_at] - points[right_eye_at]), margin);
 }
 
 /// Both eyes as a right eye: the left one is seen in a mirror.
@@ -72,7 +73,7 @@ CropFrame mouth_frame(const Points& lips) {
 
 ContourNets::ContourNets()
     : face_(embedded_net(EmbeddedModel::contours)), eye_(embedded_net(EmbeddedModel::eye)),
-      mouth_(embedded_net(EmbeddedModel::mouth)) {}
+      mouth_(embedded_net(EmbeddedModel::mouth)), outline_(embedded_net(EmbeddedModel::outline)) {}
 
 std::optional<std::vector<Vec2>> ContourNets::points_in(cv::dnn::Net& net, const cv::Mat& picture,
                                                         const CropFrame& frame, int size) {
@@ -96,7 +97,7 @@ std::optional<Landmarks> ContourNets::locate(const cv::Mat& picture, const Detec
     const auto coarse = points_in(face_, picture, face_frame(face), face_px);
     if (!coarse || coarse->size() != point_count)
         return std::nullopt;
-    const auto fine = points_in(face_, picture, face_frame(*coarse), face_px);
+    const auto fine = points_in(face_, picture, face_frame(*coarse, face_by_points), face_px);
     if (!fine)
         return std::nullopt;
     const double between_passes = disagreement(*coarse, *fine);
@@ -108,7 +109,9 @@ std::optional<Landmarks> ContourNets::locate(const cv::Mat& picture, const Detec
     const auto right_eye_close = points_in(eye_, picture, eye_frame(right_eye, false), eye_px);
     const auto left_eye_close = points_in(eye_, picture, eye_frame(left_eye, true), eye_px);
     const auto lips_close = points_in(mouth_, picture, mouth_frame(lips), mouth_px);
-    if (!right_eye_close || !left_eye_close || !lips_close)
+    const auto outline_close =
+        points_in(outline_, picture, face_frame(part(*fine, 0, irises_at), outline_by_extent), outline_px);
+    if (!right_eye_close || !left_eye_close || !lips_close || !outline_close)
         return std::nullopt;
 
     Landmarks found;
@@ -116,7 +119,7 @@ std::optional<Landmarks> ContourNets::locate(const cv::Mat& picture, const Detec
     found.left_eye = *left_eye_close;
     found.outer_lip = part(*lips_close, 0, inner_lip_at - outer_lip_at);
     found.inner_lip = part(*lips_close, inner_lip_at - outer_lip_at, lips_close->size());
-    found.outline = part(*fine, outline_at, irises_at);
+    found.outline = *outline_close;
     Points closer = *right_eye_close;
     closer.insert(closer.end(), left_eye_close->begin(), left_eye_close->end());
     closer.insert(closer.end(), lips_close->begin(), lips_close->end());

@@ -13,6 +13,7 @@
     MODEL(contours, "contours.onnx")
     MODEL(eye, "eye.onnx")
     MODEL(mouth, "mouth.onnx")
+    MODEL(outline, "outline.onnx")
 
 #if defined(__linux__)
     .section .note.GNU-stack, "", %progbits

@@ -9,6 +9,7 @@ extern const char tp_model_detector[], tp_model_detector_end[];
 extern const char tp_model_contours[], tp_model_contours_end[];
 extern const char tp_model_eye[], tp_model_eye_end[];
 extern const char tp_model_mouth[], tp_model_mouth_end[];
+extern const char tp_model_outline[], tp_model_outline_end[];
 }
 
 namespace tp {
@@ -73,6 +74,8 @@ cv::dnn::Net embedded_net(EmbeddedModel model) {
         return net_between(tp_model_eye, tp_model_eye_end);
     case EmbeddedModel::mouth:
         return net_between(tp_model_mouth, tp_model_mouth_end);
+    case EmbeddedModel::outline:
+        return net_between(tp_model_outline, tp_model_outline_end);
     }
     return {};
 }

@@ -16,7 +16,7 @@
 namespace tp {
 
 /// The nets that are part of the program (resources/models/README.md says what each was trained on).
-enum class EmbeddedModel { detector, contours, eye, mouth };
+enum class EmbeddedModel { detector, contours, eye, mouth, outline };
 
 /// A fresh copy of an embedded net, ready to run on the CPU. Throws cv::Exception where the program was built
 /// with a file that is not a net.

@@ -114,11 +114,11 @@ class FaceExtractorTest : public QObject {
         }
     }
 
-    const std::map<std::string, double> own_limits_{{feature::left_eye, 0.7},
-                                                    {feature::right_eye, 0.7},
-                                                    {feature::outer_lip, 1.3},
+    const std::map<std::string, double> own_limits_{{feature::left_eye, 0.6},
+                                                    {feature::right_eye, 0.6},
+                                                    {feature::outer_lip, 1.15},
                                                     {feature::inner_lip, 0.6},
-                                                    {feature::outline, 2.3}};
+                                                    {feature::outline, 1.8}};
 
 private slots:
     void portraits_are_accurate() {

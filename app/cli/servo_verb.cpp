@@ -97,8 +97,8 @@ int servo_verb(const QStringList& words) {
         say("The system gave no real-time priority; to allow it, give this user an rtprio limit of 21 or "
             "more in /etc/security/limits.d.");
     if (!loop.memory_locked())
-        say("The system did not let the memory be locked; to allow it, give this user an unlimited memlock "
-            "limit in the same place.");
+        say("The system did not let the memory be locked; to allow it, give this user a memlock limit of "
+            "a mebibyte or more in the same place.");
     return exit_done;
 }
 

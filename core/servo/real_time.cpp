@@ -5,8 +5,6 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
-#include <unistd.h>
 #endif
 
 namespace tp {
@@ -23,15 +21,26 @@ bool prefer_real_time(int level) noexcept {
 #endif
 }
 
-bool lock_memory() noexcept {
-#if defined(__linux__) && defined(MCL_ONFAULT)
-    rlimit bound{};
-    const bool bounded = getrlimit(RLIMIT_MEMLOCK, &bound) != 0 || bound.rlim_cur != RLIM_INFINITY;
-    if (bounded && geteuid() != 0)
-        return false;
-    return mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
+bool lock_memory(const void* data, std::size_t size) noexcept {
+#if defined(__linux__)
+    constexpr std::size_t stack_bytes = 64 * 1024;
+    volatile char stack[stack_bytes]; // touched, so that the pages are there
+    for (std::size_t i = 0; i < stack_bytes; i += 1024)
+        stack[i] = 0;
+    return mlock(const_cast<const char*>(stack), stack_bytes) == 0 && mlock(data, size) == 0;
 #else
+    static_cast<void>(data);
+    static_cast<void>(size);
     return false;
+#endif
+}
+
+void forget_memory(const void* data, std::size_t size) noexcept {
+#if defined(__linux__)
+    munlock(data, size);
+#else
+    static_cast<void>(data);
+    static_cast<void>(size);
 #endif
 }
 

@@ -54,7 +54,7 @@ void ServoLoop::stop() noexcept {
 
 void ServoLoop::run() noexcept {
     real_time_.store(prefer_real_time(20));
-    memory_locked_.store(lock_memory());
+    memory_locked_.store(lock_memory(this, sizeof *this));
     double due = clock_.now();
     last_tick_ = due;
     while (!quit_.load(std::memory_order_relaxed)) {
@@ -72,6 +72,7 @@ void ServoLoop::run() noexcept {
         }
         clock_.sleep_until(due);
     }
+    forget_memory(this, sizeof *this);
 }
 
 void ServoLoop::watch() noexcept {

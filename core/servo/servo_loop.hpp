@@ -71,8 +71,8 @@ public:
     ServoSnapshot snapshot() const noexcept { return snapshot_.latest(); }
 
     /// How late ticks began, how long they took, how many periods had no tick, and whether the system gave
-    /// the thread real-time priority and let the memory be locked. Of the thread that start() makes; readable
-    /// at any moment.
+    /// the thread real-time priority and let what it touches be locked in memory. Of the thread that start()
+    /// makes; readable at any moment.
     const TimingStatistics& lateness() const noexcept { return lateness_; }
     const TimingStatistics& compute() const noexcept { return compute_; }
     std::uint64_t missed_periods() const noexcept { return missed_periods_.load(std::memory_order_relaxed); }

@@ -117,7 +117,9 @@ int main(int argc, char** argv) {
     EmbeddedDetector detector;
     ContourNets nets;
     std::array<std::vector<Sample>, feature_count> samples;
-    for (std::size_t i = 0; i < people->size(); i += 2) {
+    // Of the people whom no training saw (every second, faces/training/holdout.txt) every second one; the
+    // test takes the others. On faces that the nets were trained on they err less than they will.
+    for (std::size_t i = 3; i < people->size(); i += 4) {
         const auto portrait = read_picture((*people)[i].photo);
         if (!portrait) {
             std::fprintf(stderr, "%s: %s\n", (*people)[i].photo.c_str(), portrait.error().c_str());

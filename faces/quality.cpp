@@ -15,9 +15,12 @@ constexpr double blurred_below =
 constexpr double clear_face = 0.25, covered_fraction = 0.25; ///< open eyes are above 0.45 of the rest
 constexpr double one_edge_clear =
     0.4; ///< an eye opened wide, or glasses, hide one lid's edge and leave the other
-constexpr double lips_hidden_below = 0.15; ///< the less clear side of the line between the lips: covered 0.08
-                                           ///< and less, all others 0.32 and more
-constexpr double faint_below = 0.35;       ///< one mouth in ten
+/// The less clear side of the line between the lips is covered at 0.08 and less, 0.32 and more in portraits
+/// as they are and otherwise degraded; but teeth hide it too, and then the nets still agree.
+constexpr double lips_hidden_below = 0.15;
+constexpr double nets_differ_percent =
+    5.0;                             ///< covered 5.2 and more where one side is clear, others 4.3 and less
+constexpr double faint_below = 0.35; ///< one mouth in ten
 constexpr double error_floor_percent =
     0.05; ///< added to errors before the logarithm: small ones are all alike
 
@@ -63,11 +66,12 @@ bool may_be_covered(const QualitySigns& signs, FeatureIndex feature) {
         return false;
     const double here = pair->lower.clarity + pair->upper.clarity;
     const double elsewhere = (8.0 * mean_clarity(signs.edges) - here) / 6.0;
-    if (pair == &signs.edges.inner_lip)
-        return elsewhere > clear_face &&
-               std::min(pair->lower.clarity, pair->upper.clarity) < lips_hidden_below;
-    return elsewhere > clear_face && 0.5 * here < covered_fraction * elsewhere &&
-           std::max(pair->lower.clarity, pair->upper.clarity) < one_edge_clear;
+    const bool nothing_there = 0.5 * here < covered_fraction * elsewhere &&
+                               std::max(pair->lower.clarity, pair->upper.clarity) < one_edge_clear;
+    const bool other_edges_there = pair == &signs.edges.inner_lip &&
+                                   std::min(pair->lower.clarity, pair->upper.clarity) < lips_hidden_below &&
+                                   signs.between_nets[at_inner_lip] > nets_differ_percent;
+    return elsewhere > clear_face && (nothing_there || other_edges_there);
 }
 
 std::vector<std::string> reasons(const QualitySigns& signs, FeatureIndex feature) {

@@ -28,7 +28,7 @@ tp_may(tp_audio    tp_base                          USES Qt6::Core Qt6::TextToSp
 tp_may(tp_scene    tp_base tp_geometry tp_guidance tp_svg tp_faces)
 tp_may(tp_picture  ${_below_app}                    USES Qt6::Gui)
 tp_may(tp_report   ${_below_app}                    USES Qt6::Gui Qt6::Svg)
-tp_may(tp_bench    tp_base tp_geometry tp_guidance tp_report  USES Boost::headers nanoflann::nanoflann)
+tp_may(tp_bench    tp_base tp_geometry tp_guidance tp_faces tp_report  USES Boost::headers nanoflann::nanoflann)
 tp_may(tp_controls ${_below_app}                    USES Qt6::Quick Qt6::QuickControls2 Qt6::DBus)
 tp_may(tp_explore  ${_below_app} tp_scene tp_picture tp_controls USES Qt6::Quick)
 tp_may(tp_cli      ${_below_app} tp_scene tp_picture tp_report tp_bench         USES Qt6::Core Qt6::Gui Qt6::Network)

@@ -67,29 +67,6 @@ BenchScene bench_scene(std::size_t segments) {
     return {"map", segments, map(segments)};
 }
 
-std::vector<Vec2> hand_path(std::size_t count) {
-    constexpr double step = 0.1; // mm
-    std::mt19937 random(3);
-    std::normal_distribution<double> noise;
-    std::vector<Vec2> path;
-    path.reserve(count);
-    Vec2 place(10.0, 5.0);
-    double heading = 0.3;
-    double turn = 0.0;
-    while (path.size() < count) {
-        turn = 0.98 * turn + 0.004 * noise(random);
-        heading += turn;
-        const auto ahead = [&] { return place + step * Vec2(std::cos(heading), std::sin(heading)); };
-        if (std::max(std::abs(ahead().x), std::abs(ahead().y)) > bench_half_side_mm) {
-            heading = std::atan2(-place.y, -place.x);
-            turn = 0.0;
-        }
-        place = ahead();
-        path.push_back(place);
-    }
-    return path;
-}
-
 std::vector<Vec2> random_places(std::size_t count) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> along(-bench_half_side_mm, bench_half_side_mm);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/report/hand_path.hpp"
 #include "core/guidance/scene.hpp"
 
 #include <string>
@@ -9,7 +10,7 @@
 namespace tp {
 
 /// Half the side of the square surface on which everything is measured, mm.
-constexpr double bench_half_side_mm = 100.0;
+constexpr double bench_half_side_mm = hand_half_side_mm;
 
 /// Closed curves with `segments` segments in all on 200 × 200 mm, the same in every run.
 struct BenchScene {
@@ -20,8 +21,6 @@ struct BenchScene {
 };
 BenchScene bench_scene(std::size_t segments);
 
-/// A hand that wanders over the whole surface, 0.1 mm from sample to sample.
-std::vector<Vec2> hand_path(std::size_t count);
 /// Places all over the surface in no order.
 std::vector<Vec2> random_places(std::size_t count);
 

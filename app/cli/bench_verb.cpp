@@ -150,12 +150,15 @@ int bench_verb(const QStringList& words) {
         return bench_guidance(words.mid(1));
     if (what == QLatin1String("accuracy"))
         return bench_accuracy(words.mid(1));
+    if (what == QLatin1String("faces"))
+        return bench_faces_verb(words.mid(1));
     if (what == QLatin1String("--help") || what == QLatin1String("-h")) {
         std::puts("touchphoto-lab bench guidance [--json FILE] [--quick]\n"
-                  "touchphoto-lab bench accuracy --out DIR [--quick]");
+                  "touchphoto-lab bench accuracy --out DIR [--quick]\n"
+                  "touchphoto-lab bench faces --photos DIR --truth FILE --out DIR [--people FILE]");
         return exit_done;
     }
-    return wrong_usage("bench", "What is to be measured? There are: guidance, accuracy.");
+    return wrong_usage("bench", "What is to be measured? There are: guidance, accuracy, faces.");
 }
 
 } // namespace tp

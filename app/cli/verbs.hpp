@@ -9,6 +9,7 @@ namespace tp {
 int bench_verb(const QStringList& words);
 int faces_verb(const QStringList& words);
 int field_verb(const QStringList& words);
+int bench_faces_verb(const QStringList& words);
 int correction_verb(const QStringList& words);
 int force_verb(const QStringList& words);
 int models_verb(const QStringList& words);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/report/continuity_cost.hpp"
 
+#include "app/report/hand_path.hpp"
 #include "app/report/test_scenes.hpp"
 #include "core/guidance/branch_hold.hpp"
 #include "core/guidance/haptic_scene.hpp"
@@ -13,8 +14,7 @@ namespace tp {
 
 namespace {
 
-constexpr double half_side_mm = 100.0;
-constexpr double step_mm = 0.1;
+constexpr double step_mm = 0.1; ///< of hand_path
 
 /// A law as one finger feels it, with what the finger remembers.
 class Felt {
@@ -37,41 +37,18 @@ private:
     double margin_;
 };
 
-/// A hand that wanders over the surface, 0.1 mm from sample to sample.
-class Wanderer {
-public:
-    Vec2 next() {
-        turn_ = 0.98 * turn_ + 0.004 * noise_(random_);
-        heading_ += turn_;
-        Vec2 ahead = place_ + step_mm * Vec2(std::cos(heading_), std::sin(heading_));
-        if (std::max(std::abs(ahead.x), std::abs(ahead.y)) > half_side_mm) {
-            heading_ = std::atan2(-place_.y, -place_.x);
-            turn_ = 0.0;
-            ahead = place_ + step_mm * Vec2(std::cos(heading_), std::sin(heading_));
-        }
-        return place_ = ahead;
-    }
-
-private:
-    std::mt19937_64 random_{3};
-    std::normal_distribution<double> noise_;
-    Vec2 place_{10.0, 5.0};
-    double heading_ = 0.3;
-    double turn_ = 0.0;
-};
-
 void walk(const FlatScene& flat, const Continuity& continuity, const TentProfile& profile,
           std::size_t samples, ContinuityCost& cost) {
     Felt felt(flat, profile, continuity);
     const auto exact = make_law(flat, profile, LawKind::exact);
-    Wanderer hand;
+    const std::vector<Vec2> path = hand_path(samples);
     std::vector<double> errors;
     double sum = 0.0;
     std::size_t wrong = 0;
     std::size_t clicks = 0;
     Vec2 last(0.0);
     for (std::size_t i = 0; i < samples; ++i) {
-        const Vec2 finger = hand.next();
+        const Vec2 finger = path[i];
         const Vec2 force = felt.at(finger).force;
         const double step = length(force - last);
         last = force;
@@ -103,7 +80,7 @@ void go_round(const FlatScene& flat, const Continuity& continuity, const TentPro
     constexpr double radius = 3.0;
     constexpr double step = 2.0 * std::numbers::pi / steps;
     std::mt19937_64 random(2);
-    std::uniform_real_distribution<double> along(radius - half_side_mm, half_side_mm - radius);
+    std::uniform_real_distribution<double> along(radius - hand_half_side_mm, hand_half_side_mm - radius);
     Felt felt(flat, profile, continuity);
     for (int loop = 0; loop < loops; ++loop) {
         felt.forget();

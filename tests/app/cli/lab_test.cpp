@@ -229,6 +229,11 @@ private slots:
         QCOMPARE(lab({"bench", "patience"}).code, 2);
         QCOMPARE(lab({"bench", "accuracy"}).code, 2);
         QCOMPARE(lab({"bench", "accuracy", "--out", sample + "/folder"}).code, 1);
+        QCOMPARE(lab({"bench", "faces", "--photos", folder_.path()}).code, 2);
+        const Run no_truth = lab({"bench", "faces", "--photos", folder_.path(), "--truth", path("none.json"),
+                                  "--out", path("faces")});
+        QCOMPARE(no_truth.code, 1);
+        QVERIFY2(is_one_sentence(no_truth.err), no_truth.err.constData());
         QVERIFY(lab({"bench", "--help"}).out.contains("bench accuracy --out DIR"));
     }
 

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/bench/face_bench.hpp"
+
+#include "app/bench/bench_clock.hpp"
+#include "faces/batch.hpp"
+#include "faces/evaluation/contour_error.hpp"
+#include "faces/model_catalog.hpp"
+#include "faces/picture.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <thread>
+
+namespace tp {
+
+namespace {
+
+constexpr double failure_percent = 5.0;
+
+struct Sample {
+    cv::Mat picture;
+    std::vector<Contour> truth; ///< pixels of `picture`
+    double decode_ms = 0.0;
+};
+
+Result<Sample> read_sample(const PlacedPortrait& portrait, int longest_px) {
+    const auto begun = std::chrono::steady_clock::now();
+    const Result<cv::Mat> picture = read_picture(portrait.photo);
+    const std::chrono::duration<double, std::milli> decode = std::chrono::steady_clock::now() - begun;
+    if (!picture)
+        return Error{portrait.photo.string() + ": " + picture.error()};
+    Sample sample{*picture, portrait.truth, decode.count()};
+    const double scale =
+        longest_px > 0 ? longest_px / static_cast<double>(std::max(picture->cols, picture->rows)) : 1.0;
+    if (scale < 1.0) {
+        cv::Mat small;
+        cv::resize(*picture, small, {}, scale, scale, cv::INTER_AREA);
+        sample.picture = small;
+        for (Contour& contour : sample.truth)
+            contour = mapped(contour, [&](Vec2 p) { return scale * p; });
+    }
+    return sample;
+}
+
+/// As FaceBenchRow::features; nothing where a feature is missing.
+std::optional<std::array<double, 4>> errors_of(const std::vector<Contour>& truth,
+                                               const std::vector<Contour>& found) {
+    const auto right = contour_error_percent(truth, found, feature::right_eye);
+    const auto left = contour_error_percent(truth, found, feature::left_eye);
+    const auto outer = contour_error_percent(truth, found, feature::outer_lip);
+    const auto inner = contour_error_percent(truth, found, feature::inner_lip);
+    const auto outline = contour_error_percent(truth, found, feature::outline);
+    if (!right || !left || !outer || !inner || !outline)
+        return std::nullopt;
+    return std::array{0.5 * (*right + *left), *outer, *inner, *outline};
+}
+
+Result<FaceBenchRow> weigh(const FaceContender& contender, const std::vector<PlacedPortrait>& portraits,
+                           int longest_px) {
+    auto extractor = FaceExtractor::create(contender.choice);
+    if (!extractor)
+        return Error{extractor.error()};
+    FaceBenchRow row;
+    row.contender = contender.name;
+    row.longest_px = longest_px;
+    std::vector<double> decode, detect, landmarks, edges, contours;
+    int found_faces = 0;
+    for (const PlacedPortrait& portrait : portraits) {
+        const Result<Sample> sample = read_sample(portrait, longest_px);
+        if (!sample)
+            return Error{sample.error()};
+        const Extraction found = extractor->extract(sample->picture);
+        ++row.photos;
+        decode.push_back(sample->decode_ms);
+        detect.push_back(found.milliseconds.detect);
+        landmarks.push_back(found.milliseconds.landmarks);
+        edges.push_back(found.milliseconds.edges);
+        contours.push_back(found.milliseconds.contours);
+        const auto errors =
+            found.faces.empty() ? std::nullopt : errors_of(sample->truth, found.faces.front().contours);
+        if (!errors) {
+            ++row.failures;
+            continue;
+        }
+        ++found_faces;
+        const double worst = *std::max_element(errors->begin(), errors->end());
+        row.failures += worst > failure_percent ? 1 : 0;
+        row.worst_percent = std::max(row.worst_percent, worst);
+        for (std::size_t f = 0; f < errors->size(); ++f)
+            row.error_percent[f] += (*errors)[f];
+    }
+    for (double& error : row.error_percent)
+        error = found_faces > 0 ? error / found_faces : std::nan("");
+    row.decode_ms = quantile(std::move(decode), 0.5);
+    row.detect_ms = quantile(std::move(detect), 0.5);
+    row.landmarks_ms = quantile(std::move(landmarks), 0.5);
+    row.edges_ms = quantile(std::move(edges), 0.5);
+    row.contours_ms = quantile(std::move(contours), 0.5);
+    return row;
+}
+
+} // namespace
+
+double FaceBenchRow::mean_error_percent() const {
+    double sum = 0.0;
+    for (const double error : error_percent)
+        sum += error;
+    return sum / static_cast<double>(error_percent.size());
+}
+
+std::vector<FaceContender> face_contenders() {
+    std::vector<FaceContender> all{{"embedded", {}}, {"embedded_without_edges", {}}};
+    all.back().choice.edges = false;
+    const FaceContender optional[] = {{"yunet_and_embedded", {"yunet", "embedded"}},
+                                      {"mesh", {"embedded", "mesh"}}};
+    for (const FaceContender& contender : optional)
+        if (FaceExtractor::create(contender.choice))
+            all.push_back(contender);
+    return all;
+}
+
+Result<std::vector<FaceBenchRow>> run_face_bench(const std::vector<PlacedPortrait>& portraits,
+                                                 const std::vector<FaceContender>& contenders,
+                                                 const std::vector<int>& longest_px,
+                                                 const std::function<void(const std::string&)>& progress) {
+    std::vector<FaceBenchRow> rows;
+    for (const FaceContender& contender : contenders)
+        for (const int longest : longest_px) {
+            progress(contender.name +
+                     (longest > 0 ? ", " + std::to_string(longest) + " px" : ", as they are"));
+            const Result<FaceBenchRow> row = weigh(contender, portraits, longest);
+            if (!row)
+                return Error{row.error()};
+            rows.push_back(*row);
+        }
+    return rows;
+}
+
+Result<std::vector<BatchSpeed>> run_batch_bench(const std::vector<PlacedPortrait>& portraits) {
+    std::vector<std::filesystem::path> files;
+    for (const PlacedPortrait& portrait : portraits)
+        files.push_back(portrait.photo);
+    std::vector<BatchSpeed> speeds;
+    for (const std::size_t threads :
+         {std::size_t(1), std::size_t(std::max(2U, std::thread::hardware_concurrency()))}) {
+        std::vector<FaceExtractor> extractors;
+        for (std::size_t i = 0; i < threads; ++i) {
+            auto extractor = FaceExtractor::create();
+            if (!extractor)
+                return Error{extractor.error()};
+            extractors.push_back(std::move(*extractor));
+        }
+        const std::atomic<bool> stop{false};
+        const auto begun = std::chrono::steady_clock::now();
+        const auto done = extract_batch(
+            std::move(extractors), files, [](std::size_t, const Extraction&) { return true; }, stop);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+        if (!done)
+            return Error{done.error()};
+        speeds.push_back({threads, static_cast<double>(*done) / took.count()});
+    }
+    return speeds;
+}
+
+} // namespace tp

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/bench/face_bench.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/cli/verbs.hpp"
+
+#include <QDir>
+#include <QFile>
+
+#include <cstdio>
+#include <set>
+
+namespace tp {
+
+namespace {
+
+/// The people that a file names, a line each; # begins a comment.
+Result<std::set<std::string>> people_in(const QString& name) {
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{"The list of people cannot be read: " + file.errorString().toStdString() + "."};
+    std::set<std::string> people;
+    for (const QByteArray& line : file.readAll().split('\n'))
+        if (const QByteArray person = line.trimmed(); !person.isEmpty() && !person.startsWith('#'))
+            people.insert(person.toStdString());
+    return people;
+}
+
+void print(const std::vector<FaceBenchRow>& rows, const std::vector<BatchSpeed>& speeds) {
+    std::printf("%-23s %6s %6s %8s %8s %8s %9s %6s %8s %6s %6s %6s %8s %6s\n", "contender", "px", "photos",
+                "failures", "decode", "detect", "landmarks", "edges", "contours", "eyes", "outer", "inner",
+                "outline", "worst");
+    for (const FaceBenchRow& row : rows)
+        std::printf("%-23s %6s %6d %8d %8.1f %8.1f %9.1f %6.1f %8.1f %6.2f %6.2f %6.2f %8.2f %6.2f\n",
+                    row.contender.c_str(), row.longest_px > 0 ? std::to_string(row.longest_px).c_str() : "-",
+                    row.photos, row.failures, row.decode_ms, row.detect_ms, row.landmarks_ms, row.edges_ms,
+                    row.contours_ms, row.error_percent[0], row.error_percent[1], row.error_percent[2],
+                    row.error_percent[3], row.worst_percent);
+    std::puts(
+        "\nms: medians, one photograph at a time on one core; errors: percent of the outer inter-ocular\n"
+        "distance, means; a failure is a face not found or a feature more than 5 % off.");
+    for (const BatchSpeed& speed : speeds)
+        std::printf("batch on %zu thread%s: %.1f photographs a second (%.2f x)\n", speed.threads,
+                    speed.threads == 1 ? "" : "s", speed.photos_per_s,
+                    speed.photos_per_s / speeds.front().photos_per_s);
+}
+
+/// A sentence where something is wrong; else empty.
+std::string run(const VerbLine& line) {
+    const std::filesystem::path photos = line.text("photos").toStdString();
+    auto portraits = read_placed_truth(line.text("truth").toStdString(), photos);
+    if (!portraits)
+        return portraits.error();
+    if (line.has("people")) {
+        const auto people = people_in(line.text("people"));
+        if (!people)
+            return people.error();
+        std::erase_if(*portraits, [&](const PlacedPortrait& portrait) {
+            const std::string name = portrait.photo.stem().string();
+            return !people->contains(name.substr(0, name.find('_')));
+        });
+    }
+    if (portraits->empty())
+        return "There is no photograph with placed contours to measure on.";
+    const QDir folder(line.text("out"));
+    if (!folder.mkpath("."))
+        return "The folder " + line.text("out").toStdString() + " cannot be made.";
+    const auto rows = run_face_bench(*portraits, face_contenders(), {0, 640, 320, 160}, say);
+    if (!rows)
+        return rows.error();
+    say("a batch on one core and on all");
+    const auto speeds = run_batch_bench(*portraits);
+    if (!speeds)
+        return speeds.error();
+    const std::filesystem::path out = folder.path().toStdString();
+    for (const auto& written : {write_face_table(out, *rows), plot_faces(out, *rows)})
+        if (!written)
+            return written.error();
+    print(*rows, *speeds);
+    return {};
+}
+
+} // namespace
+
+int bench_faces_verb(const QStringList& words) {
+    VerbLine line(
+        "bench faces",
+        "Weighs speed against accuracy of face contours: milliseconds a photograph and error against\n"
+        "contours placed by hand, for the embedded nets with and without edges and for the models\n"
+        "that are installed, over sizes of the pictures. Writes faces.csv, faces.png and faces.svg.");
+    line.option("photos", "Where the photographs lie.", "DIR")
+        .option("truth", "Their contours placed by hand, JSON (faces/evaluation/placed_truth.hpp).", "FILE")
+        .option("people", "Only photographs whose name begins with a line of this file and _.", "FILE")
+        .option("out", "Folder for the results; made where it is missing.", "DIR");
+    if (const auto ended = line.parse(words, 0, 0))
+        return *ended;
+    for (const char* needed : {"photos", "truth", "out"})
+        if (!line.has(needed))
+            return wrong_usage("bench faces", std::string("--") + needed + " is missing.");
+    const std::string problem = run(line);
+    if (problem.empty())
+        return exit_done;
+    say_problem(problem);
+    return exit_bad_input;
+}
+
+} // namespace tp

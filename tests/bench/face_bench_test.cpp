@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is weighed against time must be weighed rightly. No time is asserted.
+#include "app/bench/face_bench.hpp"
+
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace tp;
+
+namespace {
+
+const std::filesystem::path shared_faces = std::filesystem::path(TP_SHARED_DIR) / "faces";
+
+/// A few people with contours placed by hand; none where the portraits are not there.
+std::vector<PlacedPortrait> some_people(std::size_t count) {
+    auto people = read_placed_truth(shared_faces / "photos/london_truth.json", shared_faces / "photos");
+    if (!people)
+        return {};
+    people->resize(std::min(count, people->size()));
+    return *people;
+}
+
+} // namespace
+
+class FaceBenchTest : public QObject {
+    Q_OBJECT
+private slots:
+    void smaller_pictures_cost_accuracy_and_nets_alone_are_farther_off() {
+        const std::vector<PlacedPortrait> people = some_people(4);
+        if (people.empty())
+            QSKIP("needs ../shared/faces/photos/london_truth.json");
+        const std::vector<FaceContender> all = face_contenders();
+        QVERIFY(all.size() >= 2);
+        const auto rows = run_face_bench(people, {all[0], all[1]}, {0, 160}, [](const std::string&) {});
+        QVERIFY2(rows.ok(), rows.error().c_str());
+        QCOMPARE(rows->size(), std::size_t(4));
+        for (const FaceBenchRow& row : *rows) {
+            QCOMPARE(row.photos, 4);
+            QCOMPARE(row.failures, 0);
+            QVERIFY(row.decode_ms > 0.0 && row.detect_ms > 0.0 && row.landmarks_ms > 0.0);
+            QVERIFY(row.worst_percent >= row.mean_error_percent());
+        }
+        const FaceBenchRow &whole = (*rows)[0], &small = (*rows)[1], &bare = (*rows)[2];
+        QCOMPARE(whole.contender, std::string("embedded"));
+        QVERIFY(whole.mean_error_percent() < 1.2);
+        QVERIFY(small.mean_error_percent() > whole.mean_error_percent());
+        QVERIFY(bare.error_percent[2] > whole.error_percent[2]); // the edges of the inner lip
+
+        const QTemporaryDir folder;
+        const std::filesystem::path out = folder.path().toStdString();
+        QVERIFY(write_face_table(out, *rows).ok() && plot_faces(out, *rows).ok());
+        QVERIFY(!QImage(folder.filePath("faces.png")).isNull());
+        QFile csv(folder.filePath("faces.csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        QCOMPARE(csv.readAll().count('\n'), qsizetype(5));
+    }
+
+    void a_batch_takes_every_photograph() {
+        const std::vector<PlacedPortrait> people = some_people(3);
+        if (people.empty())
+            QSKIP("needs ../shared/faces/photos/london_truth.json");
+        const auto speeds = run_batch_bench(people);
+        QVERIFY2(speeds.ok(), speeds.error().c_str());
+        QCOMPARE(speeds->size(), std::size_t(2));
+        QCOMPARE(speeds->front().threads, std::size_t(1));
+        for (const BatchSpeed& speed : *speeds)
+            QVERIFY(speed.photos_per_s > 0.0);
+    }
+
+    void a_photograph_that_is_missing_is_said() {
+        const auto rows =
+            run_face_bench({{"no/such/photo.jpg", {}}}, {{"embedded", {}}}, {0}, [](const std::string&) {});
+        QVERIFY(rows.error().find("no/such/photo.jpg") != std::string::npos);
+    }
+
+    void a_model_that_is_missing_is_said() {
+        QVERIFY(!run_face_bench({}, {{"other", {"embedded", "no/such/model.onnx"}}}, {0},
+                                [](const std::string&) {})
+                     .error()
+                     .empty());
+    }
+};
+
+QTEST_MAIN(FaceBenchTest)
+#include "face_bench_test.moc"

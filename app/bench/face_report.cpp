@@ -28,8 +28,7 @@ Result<std::filesystem::path> plot_faces(const std::filesystem::path& folder,
     PlotPanel panel;
     panel.title = QStringLiteral("Faces: lower left is better");
     panel.x = {QStringLiteral("time per photograph without decoding, ms"), 3.0, 300.0, true};
-    panel.y = {QStringLiteral("mean error of eyes, lips and outline, % of the eyes' distance"), 0.0, 3.0,
-               false};
+    panel.y = {QStringLiteral("mean error of all features, % of the eyes' distance"), 0.0, 3.0, false};
     for (const FaceBenchRow& row : rows) {
         const QString name = QString::fromStdString(row.contender);
         if (panel.lines.empty() || panel.lines.back().name != name) // rows come contender by contender

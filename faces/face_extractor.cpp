@@ -236,7 +236,7 @@ Extraction FaceExtractor::extract(const cv::Mat& picture) {
         parts_->extract(picture, result);
     } catch (const std::exception& reason) {
         result.faces.clear();
-        result.problem = std::string("The search for faces failed: ") + reason.what();
+        result.problem = std::string("The search for faces failed (") + reason.what() + ").";
     }
     return result;
 }

@@ -53,6 +53,18 @@ private slots:
         QCOMPARE(complaint_about_picture(bytes.toStdString()), std::string());
     }
 
+    void turned_ones_data() {
+        QTest::addColumn<int>("degrees");
+        for (const int degrees : {0, 90, 180, 270})
+            QTest::addRow("%d", degrees) << degrees;
+    }
+    void turned_ones() {
+        QFETCH(int, degrees);
+        const cv::Mat upright = tp::read_picture(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg").value();
+        QVERIFY(upright.cols != upright.rows);
+        QCOMPARE(complaint_about_search_in(tp::turned(upright, degrees)), std::string());
+    }
+
     void damaged_ones() {
         const std::vector<Seed> seeds = pictures();
         QVERIFY(seeds.size() >= 10);

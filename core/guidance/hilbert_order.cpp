@@ -15,17 +15,15 @@ struct Keyed {
 /// Place on a Hilbert curve of order 32 (the usual bitwise walk from the coarsest quadrant inwards).
 std::uint64_t hilbert_place(std::uint32_t x, std::uint32_t y) {
     std::uint64_t place = 0;
-    for (std::uint32_t side = 1u << 31; side > 0; side >>= 1) {
-        const bool right = (x & side) != 0;
-        const bool upper = (y & side) != 0;
-        place = (place << 2) | ((right ? 3u : 0u) ^ (upper ? 1u : 0u));
-        if (!upper) {
-            if (right) {
-                x = ~x;
-                y = ~y;
-            }
-            std::swap(x, y);
-        }
+    for (int bit = 31; bit >= 0; --bit) { // without branches, which no processor could foresee
+        const std::uint32_t right = (x >> bit) & 1u;
+        const std::uint32_t upper = (y >> bit) & 1u;
+        place = (place << 2) | ((right * 3u) ^ upper);
+        const std::uint32_t lower = upper - 1u;   // all bits where the quadrant is a lower one
+        const std::uint32_t flip = lower & -right; // the lower right one is mirrored, both are transposed
+        const std::uint32_t swap = lower & (x ^ y);
+        x ^= flip ^ swap;
+        y ^= flip ^ swap;
     }
     return place;
 }

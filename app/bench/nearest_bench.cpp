@@ -47,7 +47,7 @@ struct Contender {
 Contender build(const std::string& name, const FlatScene& scene, std::size_t segments) {
     Contender contender{name, nullptr, 0.0, 0, {}};
     std::vector<double> took;
-    for (int turn = 0; turn < (segments > 20'000 ? 1 : 5); ++turn) {
+    for (int turn = 0; turn < (segments > 20'000 ? 1 : segments > 2'000 ? 5 : 25); ++turn) {
         contender.method.reset();
         const BusyClock clock;
         contender.method = NearestMethod::make(name, scene);

@@ -297,7 +297,7 @@ CellGrid::CellGrid(const SegmentSet& set, const SegmentTree& tree, double band, 
     const Vec2 around = max - min + 2.0 * pad;
     const double largest =
         std::max({std::abs(min.x), std::abs(min.y), std::abs(max.x), std::abs(max.y)}) + band;
-    const double wanted = std::clamp(32.0 * static_cast<double>(set.size()), 4096.0, 655360.0);
+    const double wanted = std::clamp(20.0 * static_cast<double>(set.size()), 4096.0, 655360.0);
     const double wanted_in_memory = std::min(wanted, static_cast<double>(most_bytes) / 16.0);
     const double cell = std::sqrt(around.x / wanted_in_memory * around.y);
     const double margin = 1e-6 * cell;

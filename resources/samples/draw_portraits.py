@@ -15,6 +15,7 @@ except ModuleNotFoundError as missing:
     print(f"this Python has no {missing.name}; on Debian: apt-get install python3-numpy python3-opencv", file=sys.stderr)
     sys.exit(2)
 
+from portrait.crowd import crowd
 from portrait.scene import SCENES, Scene, render, truth_svg
 
 HERE = Path(__file__).resolve().parent
@@ -33,7 +34,17 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--only", metavar="NAME", help="just the picture of this name")
     parser.add_argument("--check", action="store_true",
                         help="write nothing; exit 1 with the reasons where the files in DIR are not what would be drawn")
-    return parser.parse_args()
+    parser.add_argument("--crowd", type=int, metavar="N",
+                        help="instead, N people who differ as people do, each with every expression; needs --out")
+    parser.add_argument("--seed", type=int, default=1, metavar="S", help="another crowd for another seed (default: 1)")
+    parser.add_argument("--contours-only", action="store_true", help="no pictures, which take a second or two each")
+    options = parser.parse_args()
+    if options.crowd is not None:
+        if options.crowd < 1 or options.seed < 0:
+            parser.error("--crowd needs a number above zero, and --seed one that is not below zero")
+        if options.out == HERE or options.check:
+            parser.error("--crowd needs --out DIR, another folder than the sample portraits', and nothing to check")
+    return options
 
 
 def encoded(scene: Scene) -> np.ndarray:
@@ -44,10 +55,11 @@ def encoded(scene: Scene) -> np.ndarray:
     return data
 
 
-def write(scene: Scene, folder: Path) -> None:
-    """Both files of one scene; makes the folder where it is missing."""
+def write(scene: Scene, folder: Path, picture: bool) -> None:
+    """The truth of one scene, and its picture if wanted; makes the folder where it is missing."""
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / f"{scene.name}.jpg").write_bytes(encoded(scene).tobytes())
+    if picture:
+        (folder / f"{scene.name}.jpg").write_bytes(encoded(scene).tobytes())
     (folder / f"{scene.name}.truth.svg").write_text(truth_svg(scene), encoding="utf-8")
 
 
@@ -76,9 +88,10 @@ def main() -> int:
     """Draws or checks; returns the exit status: 0 done, 1 files differ, 2 wrong request."""
     cv2.setNumThreads(1)
     options = arguments()
-    scenes = [s for s in SCENES if options.only in (None, s.name)]
+    drawn = crowd(options.crowd, options.seed) if options.crowd else SCENES
+    scenes = [s for s in drawn if options.only in (None, s.name)]
     if not scenes:
-        print(f"no picture is called {options.only}; there are: {', '.join(s.name for s in SCENES)}", file=sys.stderr)
+        print(f"no picture is called {options.only}; there are: {', '.join(s.name for s in drawn)}", file=sys.stderr)
         return 2
     found = []
     for number, scene in enumerate(scenes, 1):
@@ -87,7 +100,7 @@ def main() -> int:
             found += faults(scene, options.out)
             continue
         try:
-            write(scene, options.out)
+            write(scene, options.out, not options.contours_only)
         except OSError as error:
             print(f"cannot write to {options.out}: {error.strerror}", file=sys.stderr)
             return 2

@@ -10,7 +10,7 @@ import numpy as np
 from . import eyes, features, hair, head
 from .canvas import Canvas, Pen
 from .curves import Frame
-from .people import ANNA, BEN, CLARA, EXPRESSIONS, Person, contours, srgb
+from .people import ANNA, BEN, CLARA, EXPRESSIONS, Expression, Person, contours, srgb
 from .relief import noise
 
 
@@ -19,7 +19,7 @@ class Sitter:
     """One person in a picture."""
 
     person: Person
-    expression: str  # a key of `EXPRESSIONS`
+    expression: Expression
     frame: Frame
 
 
@@ -36,7 +36,7 @@ class Scene:
 
 def _single(person: Person, expression: str, background, roll: float = 0.0) -> Scene:
     frame = Frame(238.0, (450.0, 478.0), np.radians(roll))
-    return Scene(f"{person.name}_{expression}", (Sitter(person, expression, frame),), background)
+    return Scene(f"{person.name}_{expression}", (Sitter(person, EXPRESSIONS[expression], frame),), background)
 
 
 _BLUE, _WARM, _GREEN = srgb(150, 164, 176), srgb(182, 172, 160), srgb(158, 168, 156)
@@ -49,8 +49,8 @@ SCENES = (
     _single(BEN, "smiling", _WARM, -2.0),
     _single(BEN, "angry", _WARM, 1.0),
     _single(CLARA, "sad", _GREEN, -1.5),
-    Scene("ben_and_clara", (Sitter(BEN, "neutral", Frame(166.0, (252.0, 440.0), np.radians(3))),
-                            Sitter(CLARA, "smiling", Frame(156.0, (640.0, 520.0), np.radians(-4)))), _WARM),
+    Scene("ben_and_clara", (Sitter(BEN, EXPRESSIONS["neutral"], Frame(166.0, (252.0, 440.0), np.radians(3))),
+                            Sitter(CLARA, EXPRESSIONS["smiling"], Frame(156.0, (640.0, 520.0), np.radians(-4)))), _WARM),
 )
 
 
@@ -65,7 +65,7 @@ def _paint_background(canvas: Canvas, colour: np.ndarray, rng: np.random.Generat
 
 def _paint_sitter(canvas: Canvas, sitter: Sitter, rng: np.random.Generator) -> None:
     """One person from back to front."""
-    person, e = sitter.person, EXPRESSIONS[sitter.expression]
+    person, e = sitter.person, sitter.expression
     c, pen = contours(person, e), Pen(canvas, sitter.frame)
     head.paint_neck(pen, person, c, e.jaw_drop)
     head.paint_garment(pen, person, rng)
@@ -92,7 +92,7 @@ def render(scene: Scene) -> np.ndarray:
 
 def _truth_paths(sitter: Sitter, prefix: str) -> list[str]:
     """SVG path elements of one face, in pixels of the picture."""
-    found = contours(sitter.person, EXPRESSIONS[sitter.expression]).truth()
+    found = contours(sitter.person, sitter.expression).truth()
     return [f'<path id="{prefix}{name}" d="{path.mapped(sitter.frame.to_picture).svg()}"/>' for name, path in found.items()]
 
 

@@ -16,11 +16,12 @@ struct Verb {
     int (*run)(const QStringList& words);
 };
 
-constexpr std::array<Verb, 10> verbs{{
+constexpr std::array<Verb, 11> verbs{{
     {"faces", "find the faces of photographs and their contours", faces_verb},
     {"models", "list, check and fetch the models that faces can use", models_verb},
     {"scene", "write the scene that the Explore page would render for a photograph", scene_verb},
     {"correction", "say what the mended contours beside a photograph change", correction_verb},
+    {"expressions", "say which expressions the contours of faces tell a finger", expressions_verb},
     {"force", "answer the force at places read from stdin", force_verb},
     {"field", "draw the force field of a scene", field_verb},
     {"servo", "measure how punctual the servo loop is on this machine", servo_verb},
@@ -32,7 +33,7 @@ constexpr std::array<Verb, 10> verbs{{
 void list_verbs(FILE* where) {
     std::fputs("touchphoto-lab VERB [options] …\n\n", where);
     for (const Verb& verb : verbs)
-        std::fprintf(where, "  %-10s %s\n", verb.name, verb.about);
+        std::fprintf(where, "  %-11s %s\n", verb.name, verb.about);
     std::fputs(
         "\ntouchphoto-lab VERB --help says more about one. Results go to stdout, everything else to stderr.\n"
         "Exit codes: 0 done, 1 bad input, 2 wrong usage.\n",

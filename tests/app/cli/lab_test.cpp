@@ -74,7 +74,7 @@ private slots:
 
     void help_is_there_for_every_verb_data() {
         QTest::addColumn<QString>("verb");
-        for (const char* verb : {"faces", "scene", "force", "field", "trace"})
+        for (const char* verb : {"expressions", "faces", "scene", "force", "field", "trace"})
             QTest::newRow(verb) << verb;
     }
     void help_is_there_for_every_verb() {

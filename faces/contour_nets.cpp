@@ -3,7 +3,11 @@
 
 #include "core/geometry/polyline.hpp"
 #include "faces/model_catalog.hpp"
+#include "faces/net_points.hpp"
 #include "faces/plausibility.hpp"
+#include "faces/shrunk.hpp"
+
+#include <opencv2/core.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,16 +20,14 @@ constexpr int face_px = 128, eye_px = 64, mouth_px = 96, outline_px = 96;
 constexpr double face_by_box = 1.25;    ///< window per longer side of the detected box
 constexpr double face_by_points = 1.45; ///< window per extent of the points, second pass
 constexpr double eye_by_width = 2.0, mouth_by_extent = 1.6, outline_by_extent = 1.35;
-
-// How the points of the face net are numbered.
-constexpr std::size_t right_eye_at = 0, left_eye_at = 16, outer_lip_at = 32, inner_lip_at = 52,
-                      outline_at = 72, irises_at = 105, point_count = 107;
+/// A face this large, px, has eyes of 80 px, of which a net sees 32: more of it would only take time.
+constexpr double large_enough_px = 400.0;
 
 using Points = std::vector<Vec2>;
 
-Points part(const Points& points, std::size_t begin, std::size_t end) {
-    return {points.begin() + static_cast<std::ptrdiff_t>(begin),
-            points.begin() + static_cast<std::ptrdiff_t>(end)};
+Points part(const Points& points, PointRange range) {
+    return {points.begin() + static_cast<std::ptrdiff_t>(range.begin),
+            points.begin() + static_cast<std::ptrdiff_t>(range.end)};
 }
 
 double angle_of(Vec2 v) { return std::atan2(v.y, v.x); }
@@ -45,9 +47,10 @@ CropFrame face_frame(const Detection& face) {
     return {face.box.centre(), face_by_box * face.size(), angle_of(face.left_eye - face.right_eye)};
 }
 
-/// Upright along the eyes, `margin` times as large as all points of a face.
-CropFrame face_frame(const Points& points, double margin) {
-    return frame_around(points, angle_of(points[left_eye_at] - points[right_eye_at]), margin);
+/// Upright along the eyes, `margin` times as large as some points of a face.
+CropFrame face_frame(const Points& points, PointRange around, double margin) {
+    const Vec2 eyes = points[net_points::left_eye.begin] - points[net_points::right_eye.begin];
+    return frame_around(part(points, around), angle_of(eyes), margin);
 }
 
 /// Both eyes as a right eye: the left one is seen in a mirror.
@@ -57,16 +60,32 @@ CropFrame eye_frame(const Points& eye, bool mirrored) {
     return {bounds_of(eye).centre(), eye_by_width * length(along), angle_of(along), mirrored};
 }
 
-/// Mean distance of the points [begin, end) of two placements of a face, px.
-double moved_px(const Points& one, const Points& other, std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t i = begin; i < end; ++i)
-        sum += length(one[i] - other[i]);
-    return sum / static_cast<double>(end - begin);
-}
-
 CropFrame mouth_frame(const Points& lips) {
     return frame_around(lips, angle_of(lips[mouth_corner] - lips[0]), mouth_by_extent);
+}
+
+/// Mean distance of some points of two placements of a face, px.
+double moved_px(const Points& one, const Points& other, PointRange range) {
+    double sum = 0.0;
+    for (std::size_t i = range.begin; i < range.end; ++i)
+        sum += length(one[i] - other[i]);
+    return sum / static_cast<double>(range.size());
+}
+
+/// From what a net answers, fractions of the window's side from its middle, to px of the picture; nothing
+/// where that is not finite.
+std::optional<Points> placed(Points offsets, const Crop& crop) {
+    for (Vec2& p : offsets) {
+        p = crop.to_picture((p + 0.5) * static_cast<double>(crop.pixels.cols));
+        if (!is_finite(p))
+            return std::nullopt;
+    }
+    return offsets;
+}
+
+Iris iris_at(const Points& points, std::size_t which) {
+    const Vec2 centre = points[net_points::irises.begin + which];
+    return {centre, length(points[net_points::rims.begin + which] - centre)};
 }
 
 } // namespace
@@ -75,61 +94,89 @@ ContourNets::ContourNets()
     : face_(embedded_net(EmbeddedModel::contours)), eye_(embedded_net(EmbeddedModel::eye)),
       mouth_(embedded_net(EmbeddedModel::mouth)), outline_(embedded_net(EmbeddedModel::outline)) {}
 
-std::optional<std::vector<Vec2>> ContourNets::points_in(cv::dnn::Net& net, const cv::Mat& picture,
-                                                        const CropFrame& frame, int size) {
+Points ContourNets::answer(cv::dnn::Net& net, const cv::Mat& pixels) {
+    net.setInput(cv::dnn::blobFromImage(pixels, 1.0 / 255.0, cv::Size(), cv::Scalar::all(127.5)));
+    const cv::Mat output = net.forward();
+    const float* values = output.ptr<float>();
+    Points offsets(output.total() / 2);
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+        offsets[i] = Vec2(values[2 * i], values[2 * i + 1]);
+    return offsets;
+}
+
+std::optional<Points> ContourNets::look(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame,
+                                        int size) {
     if (!is_sane(frame, picture))
         return std::nullopt;
     const Crop crop = take_crop(picture, frame, size);
-    net.setInput(cv::dnn::blobFromImage(crop.pixels, 1.0 / 255.0, cv::Size(), cv::Scalar::all(127.5)));
-    const cv::Mat output = net.forward();
-    const float* values = output.ptr<float>();
-    Points points(output.total() / 2);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec2 offset(values[2 * i], values[2 * i + 1]); // from the window's middle, in window sides
-        points[i] = crop.to_picture((offset + 0.5) * static_cast<double>(size));
-        if (!is_finite(points[i]))
-            return std::nullopt;
-    }
-    return points;
+    return placed(answer(net, crop.pixels), crop);
+}
+
+/// `first` is the number among net_points of the net's first point.
+std::optional<Points> ContourNets::look_both_ways(cv::dnn::Net& net, const cv::Mat& picture,
+                                                  const CropFrame& frame, int size, std::size_t first) {
+    if (!is_sane(frame, picture))
+        return std::nullopt;
+    const Crop crop = take_crop(picture, frame, size);
+    Points offsets = answer(net, crop.pixels);
+    cv::Mat mirrored;
+    cv::flip(crop.pixels, mirrored, 1);
+    const Points other = answer(net, mirrored);
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+        offsets[i] = 0.5 * (offsets[i] + Vec2(-1.0, 1.0) * other[in_mirror(first + i) - first]);
+    return placed(std::move(offsets), crop);
 }
 
 std::optional<Landmarks> ContourNets::locate(const cv::Mat& picture, const Detection& face) {
-    const auto coarse = points_in(face_, picture, face_frame(face), face_px);
-    if (!coarse || coarse->size() != point_count)
+    const Shrunk near = shrunk_around(picture, face, large_enough_px);
+    auto found = locate_in(near.pixels, near.face);
+    if (found)
+        map_points(*found, near.to_picture, near.scale());
+    return found;
+}
+
+std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const Detection& face) {
+    using namespace net_points;
+    const auto coarse = look(face_, picture, face_frame(face), face_px);
+    if (!coarse || coarse->size() != all.size())
         return std::nullopt;
-    const auto fine = points_in(face_, picture, face_frame(*coarse, face_by_points), face_px);
+    const auto fine =
+        look_both_ways(face_, picture, face_frame(*coarse, windowed, face_by_points), face_px, 0);
     if (!fine)
         return std::nullopt;
-    const double between_passes = disagreement(*coarse, *fine);
+    const double between_passes = disagreement(part(*coarse, windowed), part(*fine, windowed));
     if (is_unsteady(between_passes))
         return std::nullopt;
-    const Points right_eye = part(*fine, right_eye_at, left_eye_at);
-    const Points left_eye = part(*fine, left_eye_at, outer_lip_at);
-    const Points lips = part(*fine, outer_lip_at, outline_at);
-    const auto right_eye_close = points_in(eye_, picture, eye_frame(right_eye, false), eye_px);
-    const auto left_eye_close = points_in(eye_, picture, eye_frame(left_eye, true), eye_px);
-    const auto lips_close = points_in(mouth_, picture, mouth_frame(lips), mouth_px);
-    const auto outline_close =
-        points_in(outline_, picture, face_frame(part(*fine, 0, irises_at), outline_by_extent), outline_px);
+    const auto right_eye_close =
+        look(eye_, picture, eye_frame(part(*fine, right_eye), false), eye_px);
+    const auto left_eye_close = look(eye_, picture, eye_frame(part(*fine, left_eye), true), eye_px);
+    const auto lips_close =
+        look_both_ways(mouth_, picture, mouth_frame(part(*fine, lips)), mouth_px, lips.begin);
+    const auto outline_close = look_both_ways(
+        outline_, picture, face_frame(*fine, felt, outline_by_extent), outline_px, outline.begin);
     if (!right_eye_close || !left_eye_close || !lips_close || !outline_close)
         return std::nullopt;
 
     Landmarks found;
     found.right_eye = *right_eye_close;
     found.left_eye = *left_eye_close;
-    found.outer_lip = part(*lips_close, 0, inner_lip_at - outer_lip_at);
-    found.inner_lip = part(*lips_close, inner_lip_at - outer_lip_at, lips_close->size());
+    found.outer_lip = part(*lips_close, {0, outer_lip.size()});
+    found.inner_lip = part(*lips_close, {outer_lip.size(), lips.size()});
     found.outline = *outline_close;
+    found.right_brow = part(*fine, right_brow);
+    found.left_brow = part(*fine, left_brow);
+    found.nose = part(*fine, nose);
+    found.right_iris = iris_at(*fine, 0);
+    found.left_iris = iris_at(*fine, 1);
     Points closer = *right_eye_close;
     closer.insert(closer.end(), left_eye_close->begin(), left_eye_close->end());
     closer.insert(closer.end(), lips_close->begin(), lips_close->end());
-    const Points before = part(*fine, 0, outline_at);
-    constexpr std::size_t borders[] = {right_eye_at, left_eye_at, outer_lip_at,
-                                       inner_lip_at, outline_at,  irises_at}; // as FeatureIndex
+    const Points before = part(*fine, {0, lips.end});
+    const PointRange features[] = {right_eye, left_eye, outer_lip, inner_lip, outline}; // as FeatureIndex
     for (std::size_t f = 0; f < feature_count; ++f) {
-        found.between_passes_px[f] = moved_px(*coarse, *fine, borders[f], borders[f + 1]);
+        found.between_passes_px[f] = moved_px(*coarse, *fine, features[f]);
         if (f != at_outline)
-            found.between_nets_px[f] = moved_px(before, closer, borders[f], borders[f + 1]);
+            found.between_nets_px[f] = moved_px(before, closer, features[f]);
     }
     found.confidence = confidence_of(found, between_passes, disagreement(before, closer));
     return found;

@@ -9,15 +9,22 @@
 namespace tp {
 
 /// Our own nets: one sees the whole face and places all points, twice; then one looks closely at each eye
-/// (the left one in a mirror), one at the mouth and one at the outline, each in a window that fits it.
+/// (the left one in a mirror), one at the mouth and one at the outline, each in a window that fits it. All
+/// but the first look are taken at the window and at its mirror image, so that a mirrored picture has
+/// mirrored contours.
 class ContourNets : public LandmarkModel {
 public:
     ContourNets();
     std::optional<Landmarks> locate(const cv::Mat& picture, const Detection& face) override;
 
 private:
-    std::optional<std::vector<Vec2>> points_in(cv::dnn::Net& net, const cv::Mat& picture,
-                                               const CropFrame& frame, int size);
+    using Points = std::vector<Vec2>;
+
+    std::optional<Landmarks> locate_in(const cv::Mat& picture, const Detection& face);
+    Points answer(cv::dnn::Net& net, const cv::Mat& pixels);
+    std::optional<Points> look(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame, int size);
+    std::optional<Points> look_both_ways(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame,
+                                         int size, std::size_t first);
 
     cv::dnn::Net face_, eye_, mouth_, outline_;
 };

@@ -13,6 +13,10 @@ namespace {
 
 constexpr std::array levels{160, 320, 640, 1280}; ///< longer side of what the net is shown, px
 constexpr int usual_finest = 640;   ///< pictures are shrunk to about this before they are shrunk further
+/// Of the longer side of a picture, how far it is shrunk for a thorough look: a face of 40 px is then as large
+/// as the net knows them.
+constexpr double thorough_share = 0.4;
+constexpr int tile = 640, tile_overlap = 128; ///< px; a tile takes a twentieth of the memory of 50 megapixel
 constexpr double large_face = 48.0; ///< px of a level: four times the smallest face that is found
 constexpr double sure_score = 0.6;  ///< of a face for which finer levels are left out
 constexpr int cell = 8;             ///< the net answers once per 8 × 8 px
@@ -91,6 +95,31 @@ std::vector<Detection> faces_in(cv::dnn::Net& net, const cv::Mat& picture) {
     return found;
 }
 
+/// Where tiles begin that cover `side` px and overlap.
+std::vector<int> tile_starts(int side) {
+    std::vector<int> starts{0};
+    while (starts.back() + tile < side)
+        starts.push_back(std::min(starts.back() + tile - tile_overlap, side - tile));
+    return starts;
+}
+
+/// The same in tiles that overlap by more than the largest face that is looked for there.
+std::vector<Detection> faces_in_tiles(cv::dnn::Net& net, const cv::Mat& picture) {
+    std::vector<Detection> found;
+    for (const int y : tile_starts(picture.rows))
+        for (const int x : tile_starts(picture.cols)) {
+            const cv::Rect here = cv::Rect(x, y, tile, tile) & cv::Rect(0, 0, picture.cols, picture.rows);
+            for (Detection face : faces_in(net, picture(here))) {
+                const Vec2 corner(x, y);
+                face.box = {face.box.min + corner, face.box.max + corner};
+                face.right_eye += corner;
+                face.left_eye += corner;
+                found.push_back(face);
+            }
+        }
+    return found;
+}
+
 bool has_large_face(const std::vector<Detection>& faces) {
     return std::any_of(faces.begin(), faces.end(),
                        [](const Detection& f) { return f.score >= sure_score && f.size() >= large_face; });
@@ -103,7 +132,7 @@ Detection scaled(const Detection& face, Vec2 by) {
 } // namespace
 
 EmbeddedDetector::EmbeddedDetector() {
-    for (std::size_t i = 0; i < levels.size(); ++i)
+    for (std::size_t i = 0; i <= levels.size(); ++i) // the last one for tiles
         nets_.push_back(embedded_net(EmbeddedModel::detector));
 }
 
@@ -123,6 +152,13 @@ std::vector<Detection> EmbeddedDetector::detect(const cv::Mat& picture, Effort e
             found.push_back(scaled(face, back));
         if (effort == Effort::usual && has_large_face(here))
             break;
+    }
+    if (const int finest = static_cast<int>(thorough_share * longer);
+        effort == Effort::thorough && finest > levels.back()) {
+        const cv::Mat shown = resized(shrunk_by_blocks(picture, finest), finest);
+        const double back = static_cast<double>(picture.cols) / shown.cols;
+        for (const Detection& face : faces_in_tiles(nets_.back(), shown))
+            found.push_back(scaled(face, Vec2(back)));
     }
     return without_doubles(std::move(found), most_overlap);
 }

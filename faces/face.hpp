@@ -15,6 +15,12 @@ inline constexpr const char* right_eye = "right_eye";
 inline constexpr const char* outer_lip = "outer_lip";
 inline constexpr const char* inner_lip = "inner_lip";
 inline constexpr const char* outline = "outline";
+// Those that can be added (Face::extras).
+inline constexpr const char* left_brow = "left_brow";
+inline constexpr const char* right_brow = "right_brow";
+inline constexpr const char* nose = "nose";
+inline constexpr const char* left_iris = "left_iris";
+inline constexpr const char* right_iris = "right_iris";
 } // namespace feature
 
 /// How exact one contour of a face is, as far as can be told without knowing the truth.
@@ -32,6 +38,9 @@ struct Face {
     std::string problem; ///< why its contours may be wrong, in a sentence; empty: no reason known
     std::vector<ContourQuality> quality = {}; ///< one for each of `contours`
     std::vector<std::string> mended = {};     ///< names of those contours that a person placed
+    /// Brows, nose and irises, as far as the model knows them and they can be seen: only for those who ask for
+    /// them, for more features hinder a finger (Lim, Yoo, Choi 2019).
+    std::vector<Contour> extras = {};
 };
 
 /// How long each step took, milliseconds.

@@ -5,6 +5,7 @@
 #include "faces/contour_nets.hpp"
 #include "faces/edge_fit.hpp"
 #include "faces/embedded_detector.hpp"
+#include "faces/extra_features.hpp"
 #include "faces/face_problem.hpp"
 #include "faces/fewest_pieces.hpp"
 #include "faces/mesh_model.hpp"
@@ -13,6 +14,8 @@
 #include "faces/quality.hpp"
 #include "faces/quiet_opencv.hpp"
 #include "faces/yunet_detector.hpp"
+
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -24,9 +27,19 @@ constexpr int smallest_side_px = 16;         ///< of a picture that can hold a f
 constexpr double contour_tolerance_px = 0.2; ///< a fifth of what a net or a hand can place
 constexpr double least_confidence = 0.5;
 /// Of a face in a picture that had to be turned: three more looks would make three times the false alarms.
-/// Faces from 40 px on reach 0.97 (plausibility.cpp).
+/// Nine in ten faces from 40 px on reach 0.98 (plausibility.cpp).
 constexpr double least_confidence_turned = 0.95;
+/// In which a picture is first looked at on its side: a face of 40 px in it can be felt.
+constexpr int longest_turned_px = 1280;
 constexpr double same_within = 0.4; ///< of a face's size; two heads cannot be that near
+
+/// Somebody asked the search to stop.
+struct Stopped {};
+
+void stop_if_asked(const std::stop_token& stop) {
+    if (stop.stop_requested())
+        throw Stopped();
+}
 
 Result<std::unique_ptr<Detector>> make_detector(const std::string& choice) {
     if (choice == "embedded")
@@ -83,6 +96,15 @@ struct LocatedFace {
     }
 };
 
+cv::Mat not_larger_than(const cv::Mat& picture, int longest_px) {
+    const double share = longest_px / static_cast<double>(std::max(picture.cols, picture.rows));
+    if (share >= 1.0)
+        return picture;
+    cv::Mat small;
+    cv::resize(picture, small, cv::Size(), share, share, cv::INTER_AREA);
+    return small;
+}
+
 bool is_same(const LocatedFace& a, const LocatedFace& b) {
     return length(a.centre() - b.centre()) < same_within * std::max(a.detection.size(), b.detection.size());
 }
@@ -96,11 +118,13 @@ struct FaceExtractor::Parts {
 
     /// The detected faces that the landmarks confirm, the largest first. Boxes of different size that led to
     /// the same eyes and mouth count once.
-    std::vector<LocatedFace> confirmed(const cv::Mat& picture, std::vector<Detection> detections) const {
+    std::vector<LocatedFace> confirmed(const cv::Mat& picture, std::vector<Detection> detections,
+                                       const std::stop_token& stop) const {
         std::stable_sort(detections.begin(), detections.end(),
                          [](const Detection& a, const Detection& b) { return a.score > b.score; });
         std::vector<LocatedFace> located;
         for (const Detection& detection : detections) {
+            stop_if_asked(stop);
             auto points = model->locate(picture, detection);
             if (!points || points->confidence < least_confidence)
                 continue;
@@ -115,11 +139,13 @@ struct FaceExtractor::Parts {
         return located;
     }
 
-    std::vector<LocatedFace> locate(const cv::Mat& picture, Effort effort, ExtractionTimes& times) const {
+    std::vector<LocatedFace> locate(const cv::Mat& picture, Effort effort, ExtractionTimes& times,
+                                    const std::stop_token& stop) const {
+        stop_if_asked(stop);
         Stopwatch watch;
         const std::vector<Detection> detections = detector->detect(picture, effort);
         times.detect += watch.lap();
-        std::vector<LocatedFace> located = confirmed(picture, detections);
+        std::vector<LocatedFace> located = confirmed(picture, detections, stop);
         times.landmarks += watch.lap();
         return located;
     }
@@ -131,35 +157,54 @@ struct FaceExtractor::Parts {
         return best;
     }
 
-    /// Where no face is sure, the picture may stand on its side or its head: a scan, or a camera that noted
-    /// nothing. (The nets, which know nothing else, see an upright face in some that stand on their head.)
-    /// Turns `picture` where that makes a face surer than the best of `located`.
-    void look_turned(cv::Mat& picture, std::vector<LocatedFace>& located, Extraction& result) const {
-        const cv::Mat given = picture;
-        for (const int degrees : {180, 90, 270}) {
-            const cv::Mat candidate = turned(given, degrees);
-            std::vector<LocatedFace> there = locate(candidate, Effort::usual, result.milliseconds);
-            std::erase_if(there, [](const LocatedFace& face) {
-                return face.points.confidence < least_confidence_turned;
-            });
-            if (surest(there) <= surest(located))
-                continue;
-            located = std::move(there);
-            picture = candidate;
-            result.turned_degrees = degrees;
-            result.width = picture.cols;
-            result.height = picture.rows;
-        }
+    /// Those faces of the picture turned by `degrees` that are sure enough to believe that it was turned.
+    std::vector<LocatedFace> locate_turned(const cv::Mat& turned_picture, ExtractionTimes& times,
+                                           const std::stop_token& stop) const {
+        std::vector<LocatedFace> located = locate(turned_picture, Effort::usual, times, stop);
+        std::erase_if(located, [](const LocatedFace& face) {
+            return face.points.confidence < least_confidence_turned;
+        });
+        return located;
     }
 
-    void extract(cv::Mat picture, Extraction& result) const {
-        std::vector<LocatedFace> located = locate(picture, Effort::usual, result.milliseconds);
+    /// Where no face is sure, the picture may stand on its side or its head: a scan, or a camera that noted
+    /// nothing. (The nets, which know nothing else, see an upright face in some that stand on their head.)
+    /// Turns `picture` where that makes a face surer than the best of `located`; first a small copy of it,
+    /// because it seldom does.
+    void look_turned(cv::Mat& picture, std::vector<LocatedFace>& located, Extraction& result,
+                     const std::stop_token& stop) const {
+        const cv::Mat small = not_larger_than(picture, longest_turned_px);
+        double best = surest(located);
+        for (const int degrees : {180, 90, 270}) {
+            const double here = surest(locate_turned(turned(small, degrees), result.milliseconds, stop));
+            if (here > best) {
+                best = here;
+                result.turned_degrees = degrees;
+            }
+        }
+        if (result.turned_degrees == 0)
+            return;
+        const cv::Mat upright = turned(picture, result.turned_degrees);
+        std::vector<LocatedFace> there = locate_turned(upright, result.milliseconds, stop);
+        if (there.empty()) {
+            result.turned_degrees = 0;
+            return;
+        }
+        located = std::move(there);
+        picture = upright;
+        result.width = picture.cols;
+        result.height = picture.rows;
+    }
+
+    void extract(cv::Mat picture, Extraction& result, const std::stop_token& stop) const {
+        std::vector<LocatedFace> located = locate(picture, Effort::usual, result.milliseconds, stop);
         if (located.empty())
-            located = locate(picture, Effort::thorough, result.milliseconds);
+            located = locate(picture, Effort::thorough, result.milliseconds, stop);
         if (surest(located) < least_confidence_turned)
-            look_turned(picture, located, result);
+            look_turned(picture, located, result, stop);
         Stopwatch watch;
         for (const LocatedFace& face : located) {
+            stop_if_asked(stop);
             FaceLines lines = lines_through(face.points);
             EdgeReports seen;
             if (edges)
@@ -169,8 +214,13 @@ struct FaceExtractor::Parts {
             std::string problem = problem_of(face.detection, face.points, picture.size());
             if (problem.empty() && edges)
                 problem = problem_of(signs);
-            result.faces.push_back({face.detection.box, face.detection.score, contours_of(lines),
-                                    std::move(problem), qualities_of(signs)});
+            result.faces.push_back({face.detection.box,
+                                    face.detection.score,
+                                    contours_of(lines),
+                                    std::move(problem),
+                                    qualities_of(signs),
+                                    {},
+                                    extra_contours(face.points, lines, contour_tolerance_px)});
             result.milliseconds.contours += watch.lap();
         }
         result.problem =
@@ -202,20 +252,20 @@ Result<FaceExtractor> FaceExtractor::create(const ExtractorChoice& choice) {
     }
 }
 
-Extraction FaceExtractor::extract(const std::filesystem::path& photo) {
+Extraction FaceExtractor::extract(const std::filesystem::path& photo, const std::stop_token& stop) {
     Stopwatch watch;
     const Result<cv::Mat> picture = read_picture(photo);
     const double decode = watch.lap();
     Extraction result;
     if (picture)
-        result = extract(*picture);
+        result = extract(*picture, stop);
     else
         result.problem = picture.error();
     result.milliseconds.decode = decode;
     return result;
 }
 
-Extraction FaceExtractor::extract(const cv::Mat& picture) {
+Extraction FaceExtractor::extract(const cv::Mat& picture, const std::stop_token& stop) {
     Extraction result;
     result.width = picture.cols;
     result.height = picture.rows;
@@ -233,7 +283,10 @@ Extraction FaceExtractor::extract(const cv::Mat& picture) {
         return result;
     }
     try {
-        parts_->extract(picture, result);
+        parts_->extract(picture, result, stop);
+    } catch (const Stopped&) {
+        result.faces.clear();
+        result.problem = "The search for faces was stopped.";
     } catch (const std::exception& reason) {
         result.faces.clear();
         result.problem = std::string("The search for faces failed (") + reason.what() + ").";

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 namespace tp {
@@ -31,10 +32,12 @@ public:
     FaceExtractor& operator=(FaceExtractor&&) noexcept;
     ~FaceExtractor();
 
-    /// Never throws: what goes wrong is said in the result's `problem`.
-    Extraction extract(const std::filesystem::path& photo);
+    /// Never throws: what goes wrong is said in the result's `problem`. Another thread may ask it to stop: it
+    /// then ends without faces, after the step it is in (the decoder, a net, the edges of one face: tens of
+    /// milliseconds).
+    Extraction extract(const std::filesystem::path& photo, const std::stop_token& stop = {});
     /// The same for a picture already upright in memory, 8-bit BGR.
-    Extraction extract(const cv::Mat& picture);
+    Extraction extract(const cv::Mat& picture, const std::stop_token& stop = {});
 
 private:
     struct Parts;

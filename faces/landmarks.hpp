@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/transform.hpp"
 #include "faces/detector.hpp"
 
 #include <opencv2/core/mat.hpp>
@@ -21,6 +22,12 @@ enum FeatureIndex : std::size_t {
     feature_count
 };
 
+/// The coloured ring of an eye; radius 0 where it is not known.
+struct Iris {
+    Vec2 centre{0.0};
+    double radius = 0.0; ///< px
+};
+
 /// Points along the features of one face, pixels of the picture (pixel (0, 0) covers 0 … 1).
 struct Landmarks {
     /// 16 each: [0] outer corner, lower lid, [8] inner corner, upper lid.
@@ -29,6 +36,10 @@ struct Landmarks {
     std::vector<Vec2> outer_lip, inner_lip;
     /// From the ear on the side of the right eye by the chin to the other ear.
     std::vector<Vec2> outline;
+    /// What not every model knows; empty where it does not. Brows, 10 each: [0] outer end, lower edge, [4] inner
+    /// end, upper edge. Nose, 11: from the top of the wing on the side of the right eye below to the other one.
+    std::vector<Vec2> right_brow, left_brow, nose;
+    Iris right_iris, left_iris;
     /// 0 … 1, how much this looks like a face: below 0.5 it is none.
     double confidence = 0.0;
     /// How far a model that looks more than once moved each feature: mean over its points, px; 0 where it did
@@ -36,6 +47,9 @@ struct Landmarks {
     /// closer.
     std::array<double, feature_count> between_passes_px{}, between_nets_px{};
 };
+
+/// The same in another frame, in which lengths are `scale` times as long.
+void map_points(Landmarks& landmarks, const Affine& map, double scale);
 
 /// Index of the second corner of an eye and of a lip; the first is 0.
 inline constexpr std::size_t eye_corner = 8;

@@ -32,6 +32,10 @@ constexpr std::array<std::size_t, 20> outer_lip{61,  146, 91,  181, 84,  17, 314
                                                 291, 409, 270, 269, 267, 0,  37,  39,  40,  185};
 constexpr std::array<std::size_t, 20> inner_lip{78,  95,  88,  178, 87,  14, 317, 402, 318, 324,
                                                 308, 415, 310, 311, 312, 13, 82,  81,  80,  191};
+constexpr std::array<std::size_t, 10> right_brow{46, 53, 52, 65, 55, 107, 66, 105, 63, 70};
+constexpr std::array<std::size_t, 10> left_brow{276, 283, 282, 295, 285, 336, 296, 334, 293, 300};
+constexpr std::array<std::size_t, 11> nose{115, 48, 64, 98, 97, 2, 326, 327, 294, 278, 344};
+constexpr std::size_t right_iris = 468, left_iris = 473; ///< centres; four points of the rim follow each
 // Some of the mesh's own border, the silhouette of which is the outline: ears, jaw, chin.
 constexpr std::array<std::size_t, 9> outline_between_passes{127, 93, 58, 136, 152, 365, 288, 323, 356};
 constexpr std::size_t right_corner = right_eye[0], left_corner = left_eye[0];
@@ -75,6 +79,13 @@ Points chosen(const Points& mesh, const std::array<std::size_t, Count>& indices)
     for (std::size_t i : indices)
         points.push_back(mesh[i]);
     return points;
+}
+
+Iris iris_at(const Points& mesh, std::size_t centre) {
+    double radius = 0.0;
+    for (std::size_t i = 1; i <= 4; ++i)
+        radius += 0.25 * length(mesh[centre + i] - mesh[centre]);
+    return {mesh[centre], radius};
 }
 
 /// Mean distance of some points between two answers, px.
@@ -128,6 +139,11 @@ std::optional<Landmarks> MeshModel::locate(const cv::Mat& picture, const Detecti
         silhouette_below_eyes(skin, answer.points[right_corner], answer.points[left_corner], outline_points);
     if (found.outline.empty())
         return std::nullopt;
+    found.right_brow = chosen(answer.points, right_brow);
+    found.left_brow = chosen(answer.points, left_brow);
+    found.nose = chosen(answer.points, nose);
+    found.right_iris = iris_at(answer.points, right_iris);
+    found.left_iris = iris_at(answer.points, left_iris);
     found.confidence = 1.0 / (1.0 + std::exp(presence_of_half - answer.presence));
     found.between_passes_px = {
         moved_px(before, answer.points, right_eye), moved_px(before, answer.points, left_eye),

@@ -2,18 +2,21 @@
 """How the points of a face are numbered, what a mirror does to them, and the distance between contours.
 
 Points are (x, y) in pixels of a picture whose corner is (0, 0); right and left are the person's own. The numbering is
-that of `faces/contour_nets.cpp`: an eye starts at its outer corner, a lip at the right corner of the mouth, and both
-take their lower edge first.
+that of `faces/contour_nets.cpp`: an eye and a brow start at their outer end, a lip at the right corner of the mouth, and
+all of them take their lower edge first. The nose goes from the top of its right wing round below to that of the left.
+An iris is its centre and, further on, a point of its rim on the outer side, along the line between the eyes' centres.
 """
 import numpy as np
 
-EYE, LIP, OUTLINE = 16, 20, 33  # points of each feature
+EYE, LIP, OUTLINE, BROW, NOSE = 16, 20, 33, 10, 11  # points of each feature
 SLICES = {
     "right_eye": slice(0, 16), "left_eye": slice(16, 32),
     "outer_lip": slice(32, 52), "inner_lip": slice(52, 72),
-    "outline": slice(72, 105), "irises": slice(105, 107),
+    "outline": slice(72, 105), "irises": slice(105, 107), "rims": slice(107, 109),
+    "right_brow": slice(109, 119), "left_brow": slice(119, 129), "nose": slice(129, 140),
 }
-COUNT = 107
+COUNT = 140
+WINDOW = slice(0, 107)  # the points that say where the window of the face net lies
 MOUTH = slice(32, 72)
 CONTOURS = ("right_eye", "left_eye", "outer_lip", "inner_lip", "outline")
 CLOSED = {name: name != "outline" for name in CONTOURS}
@@ -21,10 +24,11 @@ SAMPLES = 60  # points to which contours are resampled to be compared
 
 
 def mirror_order():
-    """Index of the point that a mirror puts where point i is numbered: (107,)."""
+    """Index of the point that a mirror puts where point i is numbered: (140,)."""
     lip = [(LIP // 2 - i) % LIP for i in range(LIP)]
     return np.array([*range(16, 32), *range(0, 16), *(32 + i for i in lip), *(52 + i for i in lip),
-                     *range(104, 71, -1), 106, 105])
+                     *range(104, 71, -1), 106, 105, 108, 107,
+                     *range(119, 129), *range(109, 119), *range(139, 128, -1)])
 
 
 MIRROR = mirror_order()
@@ -33,7 +37,7 @@ OUTLINE_MIRROR = MIRROR[SLICES["outline"]] - SLICES["outline"].start
 
 
 def features_of(points):
-    """The five contours among (107, 2) points, by name."""
+    """The five contours among (140, 2) points, by name."""
     return {name: points[SLICES[name]] for name in CONTOURS}
 
 

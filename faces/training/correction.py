@@ -31,7 +31,7 @@ def from_frame(part, origin, along):
 
 class FeatureCorrection:
     def __init__(self, feature, pairs):
-        """`pairs` of (107, 2) points: the teacher's and those on the hand-placed contours."""
+        """`pairs` of (140, 2) points: the teacher's and those on the hand-placed contours."""
         self.slice, self.corner = CORNERS[feature]
         said, offsets = [], []
         for teacher, truth in pairs:
@@ -53,7 +53,7 @@ class FeatureCorrection:
         return part[0], part[self.corner] - part[0]
 
     def __call__(self, points):
-        """The corrected part of (107, 2) points."""
+        """The corrected part of (140, 2) points."""
         origin, along = self.frame_of(points)
         said = to_frame(points[self.slice], origin, along).ravel()
         # Faces unlike all of the training half are corrected as the most unlike of those would be.
@@ -68,7 +68,7 @@ class Correction:
         self.eye, self.mouth = FeatureCorrection("eye", pairs), FeatureCorrection("mouth", pairs)
 
     def __call__(self, points):
-        """(107, 2) points of the teacher → the same with eyes and lips where people would place them."""
+        """(140, 2) points of the teacher → the same with eyes and lips where people would place them."""
         result = points.copy()
         result[SLICES["right_eye"]] = self.eye(points)
         result[SLICES["left_eye"]] = self.eye(mirrored(points)) * ACROSS

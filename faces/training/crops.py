@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
-from contours import SLICES
+from contours import SLICES, WINDOW
 
 SHRINK_FROM = 1.5  # picture px per crop px, above which areas are averaged first
 
@@ -61,7 +61,7 @@ def box_frame(box, right_eye, left_eye):
 
 
 def face_frame(points):
-    return frame_around(points, angle_of(points[16] - points[0]), FACE_BY_POINTS)
+    return frame_around(points[WINDOW], angle_of(points[16] - points[0]), FACE_BY_POINTS)
 
 
 def eye_frame(eye, mirrored):

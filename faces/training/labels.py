@@ -7,7 +7,7 @@ from teacher import Teacher
 
 
 def teacher_labels(faces, work, log):
-    """name → (107, 2) points and (2, 2) corners of the face in px of the photo, for every portrait in which the teacher
+    """name → (140, 2) points and (2, 2) corners of the face in px of the photo, for every portrait in which the teacher
     is sure of a face."""
     kept = work / "teacher_labels.npz"
     if not kept.exists():

@@ -22,7 +22,7 @@ class Pipeline:
         return mapped(to_picture, (answer + 0.5) * size)
 
     def locate(self, picture, row, passes=1):
-        """(107, 2) points from a detector's row: box and marks of the right and left eye."""
+        """(140, 2) points from a detector's row: box and marks of the right and left eye."""
         points = self.look("contours", picture, box_frame(row[:4], row[4:6], row[6:8]), FACE_PX)
         points = self.look("contours", picture, face_frame(points), FACE_PX)
         return self.refined(picture, points, passes)

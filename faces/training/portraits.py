@@ -20,7 +20,7 @@ WEIGHTS = {"truth": 8.0, "london": 3.0, "congress": 2.0, "ukmp": 1.0}
 @dataclass
 class Portrait:
     picture: np.ndarray  # 8-bit BGR
-    points: np.ndarray   # (107, 2), px of the picture, counted from its corner
+    points: np.ndarray   # (140, 2), px of the picture, counted from its corner
     box: np.ndarray      # (2, 2), least and largest corner of the face, forehead and all
     weight: float        # how often it is shown, to that of the others
 

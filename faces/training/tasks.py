@@ -7,7 +7,7 @@ import numpy as np
 
 import crops
 from augmentation import Jitter, covered, degraded, jittered, relit, turned_aside, with_glare
-from contours import COUNT, EYE, LIP, MIRROR, MOUTH, MOUTH_MIRROR, OUTLINE, OUTLINE_MIRROR, SLICES
+from contours import BROW, COUNT, EYE, LIP, MIRROR, MOUTH, MOUTH_MIRROR, NOSE, OUTLINE, OUTLINE_MIRROR, SLICES
 from crops import Frame, inverse, mapped, warp
 from portraits import warped
 
@@ -70,6 +70,8 @@ def closed(count):
 
 
 OPEN_OUTLINE = (OUTLINE, (), False)
+NO_LINE = (4, (0, 1, 2, 3), True)  # centres and rims of the irises
+BROW_LINE, NOSE_LINE = (BROW, (), True), (NOSE, (), False)
 TASKS = {
     "eye": Task(crops.EYE_PX, EYE, eye_question, Jitter(0.07, 0.16, 0.08), 140.0, ("closed",), (closed(EYE),),
                 glare=0.15),
@@ -78,7 +80,8 @@ TASKS = {
     "outline": Task(crops.OUTLINE_PX, OUTLINE, outline_question, Jitter(0.04, 0.1, 0.06), 60.0, ("open",),
                     (OPEN_OUTLINE,), aside=0.3),
     "contours": Task(crops.FACE_PX, COUNT, face_question, Jitter(0.08, 0.18, 0.15, large_turn=np.pi / 4), 60.0,
-                     ("open", "closed"), (closed(EYE), closed(EYE), closed(LIP), closed(LIP), OPEN_OUTLINE),
+                     ("open", "closed"), (closed(EYE), closed(EYE), closed(LIP), closed(LIP), OPEN_OUTLINE, NO_LINE,
+                                          BROW_LINE, BROW_LINE, NOSE_LINE),
                      aside=0.3, glare=0.1),
 }
 

@@ -22,6 +22,10 @@ LEFT_EYE = [263, 249, 390, 373, 374, 380, 381, 382, 362, 398, 384, 385, 386, 387
 OUTER_LIP = [61, 146, 91, 181, 84, 17, 314, 405, 321, 375, 291, 409, 270, 269, 267, 0, 37, 39, 40, 185]
 INNER_LIP = [78, 95, 88, 178, 87, 14, 317, 402, 318, 324, 308, 415, 310, 311, 312, 13, 82, 81, 80, 191]
 IRISES = [468, 473]
+RIMS = [[469, 470, 471, 472], [474, 475, 476, 477]]
+RIGHT_BROW = [46, 53, 52, 65, 55, 107, 66, 105, 63, 70]
+LEFT_BROW = [276, 283, 282, 295, 285, 336, 296, 334, 293, 300]
+NOSE = [115, 48, 64, 98, 97, 2, 326, 327, 294, 278, 344]
 
 # Views of the last pass: shift of the window by its side, scale, turn in radians, mirrored.
 VIEWS = [(sx, sy, scale, turn, mirrored)
@@ -49,6 +53,14 @@ def silhouette_below_eyes(mesh, right, left, count=OUTLINE):
     if below[0, 0] > below[-1, 0]:
         below = below[::-1]
     return at_lengths(below, np.linspace(0.0, length_along(below)[-1], count)) @ axes + middle
+
+
+def outer_rims(mesh):
+    """(2, 2): from the centre of each iris outwards by its radius, along the line between both centres."""
+    right, left = mesh[IRISES]
+    outwards = (right - left) / np.linalg.norm(right - left)
+    radii = [np.linalg.norm(mesh[rim] - mesh[centre], axis=1).mean() for centre, rim in zip(IRISES, RIMS)]
+    return np.array([right + radii[0] * outwards, left - radii[1] * outwards])
 
 
 class Teacher:
@@ -80,12 +92,13 @@ class Teacher:
 
     @staticmethod
     def points_of(mesh):
-        """Our (107, 2) points."""
+        """Our (140, 2) points."""
         outline = silhouette_below_eyes(mesh[:SKIN], mesh[RIGHT_EYE[0]], mesh[LEFT_EYE[0]])
-        return np.vstack([mesh[RIGHT_EYE + LEFT_EYE + OUTER_LIP + INNER_LIP], outline, mesh[IRISES]])
+        return np.vstack([mesh[RIGHT_EYE + LEFT_EYE + OUTER_LIP + INNER_LIP], outline, mesh[IRISES], outer_rims(mesh),
+                          mesh[RIGHT_BROW + LEFT_BROW + NOSE]])
 
     def locate(self, picture, views=VIEWS):
-        """(107, 2) points and the (2, 2) least and largest corner of the whole mesh, forehead and all, in px;
+        """(140, 2) points and the (2, 2) least and largest corner of the whole mesh, forehead and all, in px;
         nothing where no face is sure."""
         row = self.face_in(picture)
         enlarged = 1.0

@@ -34,7 +34,7 @@ def truth_arcs(name, ring):
 
 
 def truth_labels(truth, teacher):
-    """(107, 2) points on the hand-placed contours, spread as the teacher's; the irises stay the teacher's."""
+    """(140, 2) points on the hand-placed contours, spread as the teacher's; the rest stays the teacher's."""
     points = teacher.copy()
     for name in CONTOURS:
         own = teacher[SLICES[name]]

@@ -85,23 +85,28 @@ private slots:
 
     void small_faces_in_large_pictures_data() {
         QTest::addColumn<int>("face_px");
+        QTest::addColumn<int>("longer_px");
+        QTest::addColumn<int>("stride");
         for (int px : {20, 30, 40, 60, 100})
-            QTest::addRow("%d px", px) << px;
+            QTest::addRow("%d px", px) << px << 1800 << 20;
+        QTest::addRow("40 px in 50 megapixel") << 40 << 8165 << 90;
     }
-    /// A portrait whose face is `face_px` wide somewhere in clouds of 1800 × 1350 px.
+    /// A portrait whose face is `face_px` wide somewhere in clouds, four by three.
     void small_faces_in_large_pictures() {
         NEEDS_PORTRAITS();
         QFETCH(int, face_px);
+        QFETCH(int, longer_px);
+        QFETCH(int, stride);
         FaceExtractor faces = std::move(FaceExtractor::create()).value();
         cv::RNG random(3);
         int pictures = 0, found_there = 0, elsewhere = 0, named_small = 0;
-        for (const fs::path& file : every(20, "congress")) {
+        for (const fs::path& file : every(stride, "congress")) {
             const cv::Mat portrait = *read_picture(file);
             const Extraction alone = faces.extract(portrait);
             if (alone.faces.size() != 1)
                 continue;
             const double scale = face_px / alone.faces[0].box.width();
-            cv::Mat small, picture = drawn::clouds(random, {1800, 1350}, 80);
+            cv::Mat small, picture = drawn::clouds(random, {longer_px, longer_px * 3 / 4}, 80);
             cv::resize(portrait, small, {}, scale, scale, cv::INTER_AREA);
             const cv::Point at(random.uniform(0, picture.cols - small.cols),
                                random.uniform(0, picture.rows - small.rows));

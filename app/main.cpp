@@ -47,7 +47,9 @@ int main(int argc, char** argv) {
                                           "on|off", "on");
     const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.",
                                             "file");
-    options.addOptions({voice_option, picture_option});
+    const QCommandLineOption with_option(
+        "with", "Adds features to eyes, lips and outline: brows, nose, irises.", "list");
+    options.addOptions({voice_option, with_option, picture_option});
     options.process(app);
     const QString voice_wish = options.value(voice_option);
     if (voice_wish != "on" && voice_wish != "off") {
@@ -55,9 +57,16 @@ int main(int argc, char** argv) {
         return 2;
     }
 
+    const auto extras = tp::extra_features_named(options.value(with_option).toStdString());
+    if (!extras) {
+        std::fprintf(stderr, "%s\n", extras.error().c_str());
+        return 2;
+    }
+
     tp::SpokenVoice voice;
     tp::NotificationAnnouncer announcer;
     tp::ExploreSettings settings;
+    settings.extras = *extras;
     settings.voice_on = voice_wish == "on" && !options.isSet(picture_option);
     tp::ExploreSession session(voice, announcer, settings);
     tp::ExploreWindow window(session, announcer);

@@ -29,10 +29,14 @@ QJsonArray points(const Contour& contour) {
     return array;
 }
 
+QJsonObject by_name(const std::vector<Contour>& contours) {
+    QJsonObject object;
+    for (const Contour& contour : contours)
+        object.insert(QString::fromStdString(contour.name), points(contour));
+    return object;
+}
+
 QJsonObject json(const Face& face) {
-    QJsonObject contours;
-    for (const Contour& contour : face.contours)
-        contours.insert(QString::fromStdString(contour.name), points(contour));
     QJsonArray mended;
     for (const std::string& name : face.mended)
         mended.append(QString::fromStdString(name));
@@ -52,7 +56,8 @@ QJsonObject json(const Face& face) {
     return {{"box",
              QJsonArray{rounded(box.min.x), rounded(box.min.y), rounded(box.width()), rounded(box.height())}},
             {"score", rounded(face.score)},
-            {"contours", contours},
+            {"contours", by_name(face.contours)},
+            {"extras", by_name(face.extras)},
             {"mended", mended},
             {"quality", quality},
             {"problem", text_or_null(face.problem)}};

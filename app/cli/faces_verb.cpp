@@ -8,6 +8,7 @@
 #include "app/picture/overlay.hpp"
 #include "app/picture/picture_file.hpp"
 #include "app/scene/corrections.hpp"
+#include "app/scene/extra_features.hpp"
 #include "faces/batch.hpp"
 #include "faces/face_extractor.hpp"
 #include "faces/picture.hpp"
@@ -43,7 +44,8 @@ private:
 
 class FacesVerb {
 public:
-    FacesVerb(const VerbLine& line, int jobs) : line_(line), jobs_(jobs) {}
+    FacesVerb(const VerbLine& line, int jobs, const ExtraFeatures& extras)
+        : line_(line), jobs_(jobs), extras_(extras) {}
 
     int run() {
         for (const char* name : {"svg", "overlay"})
@@ -137,6 +139,7 @@ private:
         const std::string name = photo.file.toStdString();
         if (!line_.has("uncorrected"))
             found = with_corrections(std::move(found), name);
+        const Extraction shown = with_extras(found, extras_);
         bool good = found.problem.empty();
         if (!good)
             say_problem(found.problem, name);
@@ -144,7 +147,7 @@ private:
             const std::string sheet =
                 (line_.text("svg") + "/" + photo.output + ".contours.svg").toStdString();
             good = (is_correction(sheet, name) ? told(sheet + " holds what a person mended and is kept.")
-                                               : told(write_sheet(sheet, sheet_of(found)).error())) &&
+                                               : told(write_sheet(sheet, sheet_of(shown)).error())) &&
                    good;
         }
         if (line_.has("overlay") && found.width > 0) {
@@ -152,7 +155,7 @@ private:
             if (picture) {
                 const auto written =
                     write_image((line_.text("overlay") + "/" + photo.output + ".overlay.png").toStdString(),
-                                draw_overlay(turned(*picture, found.turned_degrees), found));
+                                draw_overlay(turned(*picture, found.turned_degrees), shown));
                 good = told(written.error()) && good;
             }
         }
@@ -182,6 +185,7 @@ private:
 
     const VerbLine& line_;
     int jobs_;
+    ExtraFeatures extras_; ///< in sheets and overlays; JSON has them always
     std::optional<ResultsFile> results_;
     std::vector<Photo> photos_;
     std::string problem_; ///< why no more results can be written; empty: they can
@@ -201,6 +205,7 @@ int faces_verb(const QStringList& words) {
         .option("svg", "Writes the contours as PHOTO.contours.svg, in pixels of the upright picture.",
                 "folder")
         .option("overlay", "Writes the photograph with its contours as PHOTO.overlay.png.", "folder")
+        .option("with", "Adds features to those of --svg and --overlay: brows, nose, irises.", "LIST")
         .option("uncorrected", "Leaves out what a person mended in PHOTO.contours.svg beside a photograph.")
         .option("detector", "Finds the faces: embedded, yunet, or an ONNX file.", "name", "embedded")
         .option("model", "Finds the contours: embedded, mesh, or an ONNX file.", "name", "embedded")
@@ -214,7 +219,10 @@ int faces_verb(const QStringList& words) {
     const auto jobs = line.whole("jobs", 0, most_jobs);
     if (!jobs)
         return wrong_usage("faces", jobs.error());
-    return FacesVerb(line, *jobs).run();
+    const auto extras = extra_features_named(line.text("with").toStdString());
+    if (!extras)
+        return wrong_usage("faces", extras.error());
+    return FacesVerb(line, *jobs, *extras).run();
 }
 
 } // namespace tp

@@ -2,6 +2,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/scene/corrections.hpp"
+#include "app/scene/extra_features.hpp"
 #include "app/scene/scene_builder.hpp"
 #include "core/guidance/spacing.hpp"
 #include "core/svg/contour_sheet.hpp"
@@ -46,6 +47,7 @@ int scene_verb(const QStringList& words) {
                 "Writes to stdout which contours come close to each other: gap in mm, the strongest pull\n"
                 "left between them in N, whether a finger can tell them apart, and their names. Proposes\n"
                 "another range and stiffness to stderr where that would help.")
+        .option("with", "Adds features to eyes, lips and outline: brows, nose, irises.", "LIST")
         .option("face", "Fits this face (1 is the largest) instead of all of them.", "number")
         .argument("PHOTO", "JPEG, PNG or WebP.");
     if (const auto ended = line.parse(words, 1, 1))
@@ -67,13 +69,17 @@ int scene_verb(const QStringList& words) {
         face = static_cast<std::size_t>(number - 1);
     }
 
+    const auto extras = extra_features_named(line.text("with").toStdString());
+    if (!extras)
+        return wrong_usage("scene", extras.error());
+
     auto extractor = FaceExtractor::create();
     if (!extractor) {
         say_problem(extractor.error());
         return exit_bad_input;
     }
     const std::string photo = line.arguments().first().toStdString();
-    const Extraction found = with_corrections(extractor->extract(photo), photo);
+    const Extraction found = with_extras(with_corrections(extractor->extract(photo), photo), *extras);
     const auto built = build_scene(found, {*width, *height, usual.margin_mm}, face);
     if (!built) {
         say_problem(built.error(), photo);

@@ -87,7 +87,9 @@ void ExploreSession::become(State state) {
 }
 
 void ExploreSession::show(std::shared_ptr<const LoadedPhoto> photo) {
-    photo_ = std::move(photo);
+    auto shown = std::make_shared<LoadedPhoto>(*photo);
+    shown->extraction = with_extras(std::move(shown->extraction), settings_.extras);
+    photo_ = std::move(shown);
     chosen_face_.reset();
     build();
     const QString found = describe(photo_->extraction);
@@ -286,7 +288,22 @@ void ExploreSession::stop_everything() {
     emit modeChanged();
 }
 
+/// Back to what was open before.
+void ExploreSession::stop_looking() {
+    loader_.cancel();
+    if (!photo_) {
+        become(State::Empty);
+        return tell("Stopped looking. Press O to open a photograph.", Priority::touch);
+    }
+    build();
+    stop_everything();
+    tell("Stopped looking. " + photo_->name + " is open again. " + (state_ == State::Ready ? force_is_off : ""),
+         Priority::touch);
+}
+
 void ExploreSession::stopOrStart() {
+    if (state_ == State::Looking)
+        return stop_looking();
     if (state_ != State::Ready) {
         narrator_.stop();
         return;

@@ -7,6 +7,7 @@
 #include "app/explore/narrator.hpp"
 #include "app/explore/photo_loader.hpp"
 #include "app/explore/sheet_frame.hpp"
+#include "app/scene/extra_features.hpp"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -23,6 +24,7 @@ namespace tp {
 
 struct ExploreSettings {
     SurfaceSize surface;
+    ExtraFeatures extras;
     ServoSettings servo = settings_for_a_drawn_finger();
     SimulatedPlant plant;
     bool voice_on = true; ///< whether the program speaks itself
@@ -132,7 +134,8 @@ public:
 
     /// Starts the tour round the current feature, or ends it.
     Q_INVOKABLE void toggleTour();
-    /// Everything stops: tour, speech, force. Where it is stopped already, the force comes back.
+    /// Everything stops: tour, speech, force, the search for faces in a photograph just opened. Where it is
+    /// stopped already, the force comes back.
     Q_INVOKABLE void stopOrStart();
     Q_INVOKABLE void engage();
     Q_INVOKABLE void whereAmI();
@@ -156,6 +159,7 @@ private:
     void list_faces(const BuiltScene& built);
     void set_feature(int index);
     void stop_everything();
+    void stop_looking();
     void end_tour(const QString& sentence);
     bool grabs(Vec2 to);
     int tour_feature() const;

@@ -44,6 +44,12 @@ QString describe(const Extraction& extraction) {
         can_be_felt << "mouth";
     if (any_has(extraction, feature::outline))
         can_be_felt << "outline";
+    if (any_has(extraction, feature::left_brow) || any_has(extraction, feature::right_brow))
+        can_be_felt << "brows";
+    if (any_has(extraction, feature::nose))
+        can_be_felt << "nose";
+    if (any_has(extraction, feature::left_iris) || any_has(extraction, feature::right_iris))
+        can_be_felt << "irises";
 
     const std::size_t count = extraction.faces.size();
     QStringList sentences{in_words(count) + (count == 1 ? " face." : " faces.")};

@@ -32,7 +32,8 @@ QImage for_the_screen(const cv::Mat& picture) {
     return to_image(small);
 }
 
-LoadedPhoto read_and_find(const QString& file, std::unique_ptr<FaceExtractor>& extractor) {
+LoadedPhoto read_and_find(const QString& file, std::unique_ptr<FaceExtractor>& extractor,
+                          const std::stop_token& stop) {
     LoadedPhoto photo;
     photo.name = QFileInfo(file).fileName();
     const Result<cv::Mat> picture = read_picture(file.toStdString());
@@ -49,7 +50,7 @@ LoadedPhoto read_and_find(const QString& file, std::unique_ptr<FaceExtractor>& e
         }
         extractor = std::make_unique<FaceExtractor>(std::move(made).value());
     }
-    photo.extraction = with_corrections(extractor->extract(*picture), file.toStdString());
+    photo.extraction = with_corrections(extractor->extract(*picture, stop), file.toStdString());
     photo.image = for_the_screen(turned(*picture, photo.extraction.turned_degrees));
     return photo;
 }
@@ -64,22 +65,29 @@ PhotoLoader::PhotoLoader() : worker_(new QObject) {
 }
 
 PhotoLoader::~PhotoLoader() {
-    ++newest_;
+    cancel();
     thread_.quit();
     thread_.wait();
 }
 
 void PhotoLoader::load(const QString& file) {
-    const quint64 request = ++newest_;
-    QMetaObject::invokeMethod(worker_, [this, request, file] { work(request, file); });
+    cancel();
+    stop_ = std::stop_source();
+    QMetaObject::invokeMethod(
+        worker_, [this, request = newest_.load(), file, stop = stop_.get_token()] { work(request, file, stop); });
 }
 
-void PhotoLoader::work(quint64 request, const QString& file) {
+void PhotoLoader::cancel() {
+    ++newest_;
+    stop_.request_stop();
+}
+
+void PhotoLoader::work(quint64 request, const QString& file, const std::stop_token& stop) {
     if (request != newest_)
         return;
     auto photo = std::make_shared<LoadedPhoto>();
     try {
-        *photo = read_and_find(file, extractor_);
+        *photo = read_and_find(file, extractor_, stop);
     } catch (const std::exception&) { // out of memory, mostly
         photo->extraction = {};
         photo->extraction.problem =

@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <memory>
+#include <stop_token>
 
 namespace tp {
 
@@ -31,16 +32,19 @@ public:
 
     /// `loaded` follows, unless a newer load() comes first: then only that one is answered.
     void load(const QString& file);
+    /// The photograph that was asked for is not wanted any more: nothing is answered.
+    void cancel();
 
 signals:
     void loaded(std::shared_ptr<const tp::LoadedPhoto> photo);
 
 private:
-    void work(quint64 request, const QString& file);
+    void work(quint64 request, const QString& file, const std::stop_token& stop);
 
     QThread thread_;
     QObject* worker_; ///< the place on thread_ where work is done; thread_ deletes it
     std::atomic<quint64> newest_{0};
+    std::stop_source stop_;                    ///< of the newest request
     std::unique_ptr<FaceExtractor> extractor_; ///< only thread_
 };
 

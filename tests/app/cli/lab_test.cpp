@@ -112,7 +112,45 @@ private slots:
             QVERIFY2(expected > 0.1 && expected < 3.0, name);
             QVERIFY2(quality["reasons"].isArray() && quality["reasons"].toArray().isEmpty(), name);
         }
+        for (const char* name : {"left_brow", "right_brow", "nose", "left_iris", "right_iris"})
+            QVERIFY2(face["extras"][name].toArray().size() >= 20, name);
         QCOMPARE(QJsonDocument::fromJson(lines[1])["faces"].toArray().size(), 2);
+    }
+
+    void eyes_are_wide_enough_for_a_finger_data() {
+        QTest::addColumn<QString>("photo");
+        for (const char* photo : {"anna_smiling.jpg", "ben_angry.jpg", "clara_sad.jpg"})
+            QTest::newRow(photo) << photo;
+    }
+    void eyes_are_wide_enough_for_a_finger() {
+        QFETCH(QString, photo);
+        const QString file = path("eyes.svg");
+        QCOMPARE(lab({"scene", TP_SOURCE_DIR "/resources/samples/" + photo, "--out", file}).code, 0);
+        const auto sheet = read_sheet(file.toStdString(), ContourSheet::Unit::millimetre);
+        for (const Contour& contour : sheet->contours)
+            if (contour.name == "left_eye" || contour.name == "right_eye") {
+                const double width = bounds_of(flatten(contour).points).width();
+                QVERIFY2(width >= 25.0, qPrintable(QString::number(width)));
+            }
+    }
+
+    void features_are_added_where_they_are_asked_for() {
+        const QString file = path("with_nose.svg");
+        QCOMPARE(lab({"scene", sample, "--out", file, "--with", "nose,brows"}).code, 0);
+        const auto sheet = read_sheet(file.toStdString(), ContourSheet::Unit::millimetre);
+        QVERIFY(sheet.ok());
+        QCOMPARE(sheet->contours.size(), std::size_t(8));
+        QCOMPARE(sheet->contours[7].name, std::string("nose"));
+        const QString out = path("with_irises");
+        QCOMPARE(lab({"faces", "--svg", out, "--with", "irises", sample}).code, 0);
+        QCOMPARE(read_sheet((out + "/anna_smiling.jpg.contours.svg").toStdString(), ContourSheet::Unit::pixel)
+                     ->contours.size(),
+                 std::size_t(7));
+        for (const char* verb : {"faces", "scene"}) {
+            const Run wrong = lab({verb, sample, "--out", file, "--with", "ears"});
+            QCOMPARE(wrong.code, 2);
+            QVERIFY(!wrong.err.isEmpty());
+        }
     }
 
     void one_bad_photograph_does_not_cost_the_others() {

@@ -32,6 +32,44 @@ private slots:
         QCOMPARE(bench.session.featureCount(), 4);
     }
 
+    void extra_features_are_felt_by_those_who_asked_for_them() {
+        RecordingVoice voice;
+        RecordingAnnouncer announcer;
+        ExploreSettings settings = patient_settings();
+        settings.extras.nose = true;
+        ExploreSession session(voice, announcer, settings);
+        auto photo = std::make_shared<LoadedPhoto>(*drawn_photo());
+        photo->extraction.faces[0].extras = {
+            contour_through(feature::nose, {{95, 80}, {100, 84}, {105, 80}}, false),
+            contour_through(feature::left_brow, {{110, 50}, {120, 50}, {120, 48}}, true)};
+        session.show(photo);
+        QCOMPARE(voice.said(), QStringList("One face. Eyes, mouth, outline and nose can be felt."));
+        QCOMPARE(session.featureCount(), 5);
+        QCOMPARE(QString::fromStdString(session.felt().names.back()), QString("nose"));
+    }
+
+    void a_search_can_be_stopped() {
+        Bench bench;
+        const QString name = bench.session.photoName();
+        bench.session.open_file(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg");
+        QCOMPARE(bench.session.state(), ExploreSession::State::Looking);
+        bench.session.stopOrStart();
+        QCOMPARE(bench.session.state(), ExploreSession::State::Ready); // what was open before
+        QCOMPARE(bench.session.photoName(), name);
+        QVERIFY(!bench.session.engaged());
+        QVERIFY(bench.session.sentence().startsWith("Stopped looking. " + name + " is open again."));
+        bench.session.stopOrStart();
+        QVERIFY(bench.session.engaged());
+
+        RecordingVoice voice;
+        RecordingAnnouncer announcer;
+        ExploreSession first(voice, announcer, patient_settings());
+        first.open_file(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg");
+        first.stopOrStart();
+        QCOMPARE(first.state(), ExploreSession::State::Empty);
+        QCOMPARE(first.sentence(), QString("Stopped looking. Press O to open a photograph."));
+    }
+
     void the_photograph_lies_under_its_lines() {
         Bench bench;
         // The left eye's centre, 15 px right of and 15 px above the middle of 200 × 150 px, centres of

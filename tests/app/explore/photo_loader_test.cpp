@@ -34,6 +34,16 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(answered.contains("clara_sad.jpg"), 60000);
         QCOMPARE(answered, QStringList("clara_sad.jpg"));
     }
+    void what_was_cancelled_is_not_answered() {
+        PhotoLoader loader;
+        QStringList answered;
+        connect(&loader, &PhotoLoader::loaded, this, [&](auto photo) { answered << photo->name; });
+        loader.load(samples + "anna_smiling.jpg");
+        loader.cancel();
+        loader.load(samples + "ben_angry.jpg");
+        QTRY_VERIFY_WITH_TIMEOUT(!answered.isEmpty(), 60000);
+        QCOMPARE(answered, QStringList("ben_angry.jpg"));
+    }
     void no_such_file() {
         PhotoLoader loader;
         std::shared_ptr<const LoadedPhoto> got;

@@ -3,7 +3,6 @@
 
 #include "faces/edge_look.hpp"
 #include "faces/face_lines.hpp"
-#include "faces/line_snap.hpp"
 
 #include <opencv2/core/mat.hpp>
 
@@ -24,13 +23,6 @@ struct EdgeReports {
     Pair right_eye, left_eye, outer_lip, inner_lip;
 };
 
-/// What the 8-bit BGR `picture` says about an edge near `line` (px, ≥ 3 points): looked up along the normals,
-/// of which `outwards` chooses the side, at the full resolution of the picture, or at 0.2 % of `unit_px`
-/// where that is coarser. Offsets are percent of `unit_px`, the distance between the outer eye corners.
-/// Nothing is said about the first and the last point: a corner has no normal.
-Evidence edge_evidence(const cv::Mat& picture, const std::vector<Vec2>& line, Vec2 outwards, double unit_px,
-                       const EdgeLook& look);
-
 /// `line` moved along its normals onto the edge that looks like `look`; where there is none it stays where it
 /// is. At most 5 % of `unit_px`.
 std::vector<Vec2> on_edge(const cv::Mat& picture, const std::vector<Vec2>& line, Vec2 outwards,
@@ -38,6 +30,7 @@ std::vector<Vec2> on_edge(const cv::Mat& picture, const std::vector<Vec2>& line,
 
 /// Lids and lips moved onto their edges in the picture. The outline stays: hair, collars and the shadow of
 /// the chin have stronger edges than it. Faces whose eyes are less than 24 px apart stay as they are.
-FaceLines on_edges(const cv::Mat& picture, FaceLines lines, EdgeReports* reports = nullptr);
+FaceLines on_edges(const cv::Mat& picture, FaceLines lines, EdgeReports* reports = nullptr,
+                   const EdgeLooks& looks = edge_looks);
 
 } // namespace tp

@@ -31,6 +31,13 @@ std::vector<Vec2> Opening::around() const {
     return points;
 }
 
+double Opening::mean_gap() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < lower.size(); ++i)
+        sum += length(lower[i] - upper[i]);
+    return lower.empty() ? 0.0 : sum / static_cast<double>(lower.size());
+}
+
 FaceLines lines_through(const Landmarks& landmarks) {
     return {opening(landmarks.right_eye, eye_corner), opening(landmarks.left_eye, eye_corner),
             opening(landmarks.outer_lip, mouth_corner), opening(landmarks.inner_lip, mouth_corner),

@@ -14,6 +14,8 @@ struct Opening {
 
     /// Once round: the lower edge from corner to corner, then the upper one back; no point twice.
     std::vector<Vec2> around() const;
+    /// Mean distance between points of the same index; 0 without points.
+    double mean_gap() const;
 };
 
 /// The features of a face as dense lines, pixels of the picture.

@@ -2,11 +2,11 @@
 // calibrate_quality TRUTH.json PHOTOS MESH.onnx: prints the weights of faces/quality.cpp, fitted to the
 // errors of the embedded nets and of the face mesh on every second portrait (the first, the third, …) as it
 // is and degraded.
-#include "faces/contour_fit.hpp"
 #include "faces/contour_nets.hpp"
 #include "faces/embedded_detector.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/degraded.hpp"
+#include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/mesh_model.hpp"
 #include "faces/picture.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* names[] = {feature::right_eye, feature::left_eye, feature::outer_lip,
                                  feature::inner_lip, feature::outline}; // as FeatureIndex
-constexpr double least_confidence = 0.5, error_floor_percent = 0.05; // as in the extractor and in quality.cpp
+constexpr double error_floor_percent = 0.05;                            ///< as in quality.cpp
 constexpr double ridge = 3.0;   ///< in units of predictors divided by their deviation
 constexpr double outlier = 0.7; ///< of ln error, from which a sample weighs less (Huber)
 constexpr int rounds = 15;
@@ -33,33 +33,6 @@ struct Sample {
     Predictors predictors;
     double log_error = 0.0;
 };
-
-std::vector<Contour> contours_of(const FaceLines& lines) {
-    const auto opening = [](const char* name, const Opening& edges) {
-        const std::size_t corner = edges.lower.size() - 1;
-        return fit_contour(name, uncrossed(edges.around(), corner), true, {0, corner});
-    };
-    return {opening(feature::right_eye, lines.right_eye), opening(feature::left_eye, lines.left_eye),
-            opening(feature::outer_lip, lines.outer_lip), opening(feature::inner_lip, lines.inner_lip),
-            fit_contour(feature::outline, lines.outline, false)};
-}
-
-std::optional<Landmarks> located(LandmarkModel& model, const cv::Mat& picture,
-                                 const std::vector<Detection>& places) {
-    for (const Detection& place : places)
-        if (auto found = model.locate(picture, place); found && found->confidence >= least_confidence)
-            return found;
-    return std::nullopt;
-}
-
-std::vector<Detection> surest_first(Detector& detector, const cv::Mat& picture) {
-    std::vector<Detection> places = detector.detect(picture, Effort::usual);
-    if (places.empty())
-        places = detector.detect(picture, Effort::thorough);
-    std::sort(places.begin(), places.end(),
-              [](const Detection& a, const Detection& b) { return a.score > b.score; });
-    return places;
-}
 
 /// Robust ridge regression of ln error on the predictors (iteratively reweighted least squares).
 Predictors fitted(const std::vector<Sample>& samples) {

@@ -41,7 +41,7 @@ enum EdgeKind : std::size_t {
 };
 using EdgeLooks = std::array<EdgeLook, edge_kind_count>;
 
-/// Weights by maximum likelihood of lines placed by hand, prices chosen by their error.
+/// Weights and prices by learn_edge_look, those of the outer lip by an earlier fit; see the README.
 inline constexpr EdgeLooks edge_looks{{
 #include "faces/edge_look_weights.inc"
 }};

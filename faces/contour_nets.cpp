@@ -72,6 +72,14 @@ double moved_px(const Points& one, const Points& other, PointRange range) {
     return sum / static_cast<double>(range.size());
 }
 
+/// Mean distance of points to a line, px: a point that slid along an outline is as right as before.
+double off_line_px(const Points& points, const Points& line) {
+    double sum = 0.0;
+    for (Vec2 p : points)
+        sum += distance_to({line, false}, p);
+    return sum / static_cast<double>(points.size());
+}
+
 /// From what a net answers, fractions of the window's side from its middle, to px of the picture; nothing
 /// where that is not finite.
 std::optional<Points> placed(Points offsets, const Crop& crop) {
@@ -113,8 +121,9 @@ std::optional<Points> ContourNets::look(cv::dnn::Net& net, const cv::Mat& pictur
 }
 
 /// `first` is the number among net_points of the net's first point.
-std::optional<Points> ContourNets::look_both_ways(cv::dnn::Net& net, const cv::Mat& picture,
-                                                  const CropFrame& frame, int size, std::size_t first) {
+std::optional<ContourNets::BothWays> ContourNets::look_both_ways(cv::dnn::Net& net, const cv::Mat& picture,
+                                                                 const CropFrame& frame, int size,
+                                                                 std::size_t first) {
     if (!is_sane(frame, picture))
         return std::nullopt;
     const Crop crop = take_crop(picture, frame, size);
@@ -122,9 +131,17 @@ std::optional<Points> ContourNets::look_both_ways(cv::dnn::Net& net, const cv::M
     cv::Mat mirrored;
     cv::flip(crop.pixels, mirrored, 1);
     const Points other = answer(net, mirrored);
-    for (std::size_t i = 0; i < offsets.size(); ++i)
-        offsets[i] = 0.5 * (offsets[i] + Vec2(-1.0, 1.0) * other[in_mirror(first + i) - first]);
-    return placed(std::move(offsets), crop);
+    double apart = 0.0;
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+        const Vec2 back = Vec2(-1.0, 1.0) * other[in_mirror(first + i) - first];
+        apart += length(offsets[i] - back);
+        offsets[i] = 0.5 * (offsets[i] + back);
+    }
+    const double between_mirrors = apart / static_cast<double>(offsets.size());
+    auto points = placed(std::move(offsets), crop);
+    if (!points)
+        return std::nullopt;
+    return BothWays{std::move(*points), between_mirrors};
 }
 
 std::optional<Landmarks> ContourNets::locate(const cv::Mat& picture, const Detection& face) {
@@ -140,45 +157,46 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
     const auto coarse = look(face_, picture, face_frame(face), face_px);
     if (!coarse || coarse->size() != all.size())
         return std::nullopt;
-    const auto fine =
+    const auto seen =
         look_both_ways(face_, picture, face_frame(*coarse, windowed, face_by_points), face_px, 0);
-    if (!fine)
+    if (!seen)
         return std::nullopt;
-    const double between_passes = disagreement(part(*coarse, windowed), part(*fine, windowed));
+    const Points& fine = seen->points;
+    const double between_passes = disagreement(part(*coarse, windowed), part(fine, windowed));
     if (is_unsteady(between_passes))
         return std::nullopt;
-    const auto right_eye_close =
-        look(eye_, picture, eye_frame(part(*fine, right_eye), false), eye_px);
-    const auto left_eye_close = look(eye_, picture, eye_frame(part(*fine, left_eye), true), eye_px);
+    const auto right_eye_close = look(eye_, picture, eye_frame(part(fine, right_eye), false), eye_px);
+    const auto left_eye_close = look(eye_, picture, eye_frame(part(fine, left_eye), true), eye_px);
     const auto lips_close =
-        look_both_ways(mouth_, picture, mouth_frame(part(*fine, lips)), mouth_px, lips.begin);
-    const auto outline_close = look_both_ways(
-        outline_, picture, face_frame(*fine, felt, outline_by_extent), outline_px, outline.begin);
+        look_both_ways(mouth_, picture, mouth_frame(part(fine, lips)), mouth_px, lips.begin);
+    const auto outline_close = look_both_ways(outline_, picture, face_frame(fine, felt, outline_by_extent),
+                                              outline_px, outline.begin);
     if (!right_eye_close || !left_eye_close || !lips_close || !outline_close)
         return std::nullopt;
 
     Landmarks found;
     found.right_eye = *right_eye_close;
     found.left_eye = *left_eye_close;
-    found.outer_lip = part(*lips_close, {0, outer_lip.size()});
-    found.inner_lip = part(*lips_close, {outer_lip.size(), lips.size()});
-    found.outline = *outline_close;
-    found.right_brow = part(*fine, right_brow);
-    found.left_brow = part(*fine, left_brow);
-    found.nose = part(*fine, nose);
-    found.right_iris = iris_at(*fine, 0);
-    found.left_iris = iris_at(*fine, 1);
+    found.outer_lip = part(lips_close->points, {0, outer_lip.size()});
+    found.inner_lip = part(lips_close->points, {outer_lip.size(), lips.size()});
+    found.outline = outline_close->points;
+    found.right_brow = part(fine, right_brow);
+    found.left_brow = part(fine, left_brow);
+    found.nose = part(fine, nose);
+    found.right_iris = iris_at(fine, 0);
+    found.left_iris = iris_at(fine, 1);
     Points closer = *right_eye_close;
     closer.insert(closer.end(), left_eye_close->begin(), left_eye_close->end());
-    closer.insert(closer.end(), lips_close->begin(), lips_close->end());
-    const Points before = part(*fine, {0, lips.end});
+    closer.insert(closer.end(), lips_close->points.begin(), lips_close->points.end());
     const PointRange features[] = {right_eye, left_eye, outer_lip, inner_lip, outline}; // as FeatureIndex
     for (std::size_t f = 0; f < feature_count; ++f) {
-        found.between_passes_px[f] = moved_px(*coarse, *fine, features[f]);
+        found.between_passes_px[f] = moved_px(*coarse, fine, features[f]);
         if (f != at_outline)
-            found.between_nets_px[f] = moved_px(before, closer, features[f]);
+            found.between_nets_px[f] = moved_px(fine, closer, features[f]);
     }
-    found.confidence = confidence_of(found, between_passes, disagreement(before, closer));
+    found.between_nets_px[at_outline] = off_line_px(found.outline, part(fine, outline));
+    found.confidence = confidence_of(
+        found, {between_passes, disagreement(part(fine, {0, lips.end}), closer), seen->between_mirrors});
     return found;
 }
 

@@ -20,11 +20,17 @@ public:
 private:
     using Points = std::vector<Vec2>;
 
+    /// What a look at a window and its mirror image shows.
+    struct BothWays {
+        Points points;                ///< means of both, px of the picture
+        double between_mirrors = 0.0; ///< mean distance, of the window's side
+    };
+
     std::optional<Landmarks> locate_in(const cv::Mat& picture, const Detection& face);
     Points answer(cv::dnn::Net& net, const cv::Mat& pixels);
     std::optional<Points> look(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame, int size);
-    std::optional<Points> look_both_ways(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame,
-                                         int size, std::size_t first);
+    std::optional<BothWays> look_both_ways(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame,
+                                           int size, std::size_t first);
 
     cv::dnn::Net face_, eye_, mouth_, outline_;
 };

@@ -12,16 +12,16 @@ namespace tp {
 namespace {
 
 constexpr std::array levels{160, 320, 640, 1280}; ///< longer side of what the net is shown, px
-constexpr int usual_finest = 640;   ///< pictures are shrunk to about this before they are shrunk further
-/// Of the longer side of a picture, how far it is shrunk for a thorough look: a face of 40 px is then as large
-/// as the net knows them.
+constexpr int usual_finest = 640; ///< pictures are shrunk to about this before they are shrunk further
+/// Of the longer side of a picture, how far it is shrunk for a thorough look: a face of 40 px is then as
+/// large as the net knows them.
 constexpr double thorough_share = 0.4;
 constexpr int tile = 640, tile_overlap = 128; ///< px; a tile takes a twentieth of the memory of 50 megapixel
-constexpr double large_face = 48.0; ///< px of a level: four times the smallest face that is found
-constexpr double sure_score = 0.6;  ///< of a face for which finer levels are left out
-constexpr int cell = 8;             ///< the net answers once per 8 × 8 px
-constexpr int block = 32;           ///< its input sides must be multiples of this
-constexpr double unit_face = 40.0;  ///< px; sizes are answered as the logarithm of a multiple of this
+constexpr double large_face = 48.0;           ///< px of a level: four times the smallest face that is found
+constexpr double sure_score = 0.6;            ///< of a face for which finer levels are left out
+constexpr int cell = 8;                       ///< the net answers once per 8 × 8 px
+constexpr int block = 32;                     ///< its input sides must be multiples of this
+constexpr double unit_face = 40.0; ///< px; sizes are answered as the logarithm of a multiple of this
 constexpr double least_score = 0.3;
 constexpr double most_overlap = 0.35;
 

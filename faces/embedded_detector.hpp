@@ -10,15 +10,16 @@ namespace tp {
 /// Our own detector. The net was trained on 160 px squares with faces of 14 … 110 px; being fully
 /// convolutional it is shown the picture at several sizes, so that small faces reach that range too: from
 /// coarse to fine, until the largest face is so large that a finer look could only show others of less than a
-/// quarter of its size. A thorough look ends with one at two fifths of the picture's size, in tiles, for faces
-/// of 40 px in a picture of any size.
+/// quarter of its size. A thorough look ends with one at two fifths of the picture's size, in tiles, for
+/// faces of 40 px in a picture of any size.
 class EmbeddedDetector : public Detector {
 public:
     EmbeddedDetector();
     std::vector<Detection> detect(const cv::Mat& picture, Effort effort) override;
 
 private:
-    std::vector<cv::dnn::Net> nets_; ///< one a level, and one for tiles: a net that changes its input size allocates anew
+    std::vector<cv::dnn::Net>
+        nets_; ///< one a level, and one for tiles: a net that changes its input size allocates anew
 };
 
 } // namespace tp

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace tp {
 namespace {
@@ -100,8 +101,9 @@ cv::Mat not_larger_than(const cv::Mat& picture, int longest_px) {
     const double share = longest_px / static_cast<double>(std::max(picture.cols, picture.rows));
     if (share >= 1.0)
         return picture;
+    const auto side = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * share))); };
     cv::Mat small;
-    cv::resize(picture, small, cv::Size(), share, share, cv::INTER_AREA);
+    cv::resize(picture, small, cv::Size(side(picture.cols), side(picture.rows)), 0, 0, cv::INTER_AREA);
     return small;
 }
 

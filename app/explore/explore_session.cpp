@@ -297,7 +297,8 @@ void ExploreSession::stop_looking() {
     }
     build();
     stop_everything();
-    tell("Stopped looking. " + photo_->name + " is open again. " + (state_ == State::Ready ? force_is_off : ""),
+    tell("Stopped looking. " + photo_->name + " is open again. " +
+             (state_ == State::Ready ? force_is_off : ""),
          Priority::touch);
 }
 

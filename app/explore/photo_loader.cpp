@@ -73,8 +73,9 @@ PhotoLoader::~PhotoLoader() {
 void PhotoLoader::load(const QString& file) {
     cancel();
     stop_ = std::stop_source();
-    QMetaObject::invokeMethod(
-        worker_, [this, request = newest_.load(), file, stop = stop_.get_token()] { work(request, file, stop); });
+    QMetaObject::invokeMethod(worker_, [this, request = newest_.load(), file, stop = stop_.get_token()] {
+        work(request, file, stop);
+    });
 }
 
 void PhotoLoader::cancel() {

@@ -19,7 +19,7 @@ std::uint64_t hilbert_place(std::uint32_t x, std::uint32_t y) {
         const std::uint32_t right = (x >> bit) & 1u;
         const std::uint32_t upper = (y >> bit) & 1u;
         place = (place << 2) | ((right * 3u) ^ upper);
-        const std::uint32_t lower = upper - 1u;   // all bits where the quadrant is a lower one
+        const std::uint32_t lower = upper - 1u;    // all bits where the quadrant is a lower one
         const std::uint32_t flip = lower & -right; // the lower right one is mirrored, both are transposed
         const std::uint32_t swap = lower & (x ^ y);
         x ^= flip ^ swap;

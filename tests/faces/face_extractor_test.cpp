@@ -254,15 +254,14 @@ private slots:
             const cv::Mat picture = *read_picture(people[i].photo);
             cv::Mat mirrored;
             cv::flip(picture, mirrored, 1);
-            auto back = moved(faces.extract(mirrored).faces.at(0).contours, Vec2(-1.0, 1.0),
-                              Vec2(picture.cols, 0.0));
+            auto back =
+                moved(faces.extract(mirrored).faces.at(0).contours, Vec2(-1.0, 1.0), Vec2(picture.cols, 0.0));
             for (Contour& contour : back)
                 if (contour.name == feature::left_eye)
                     contour.name = feature::right_eye;
                 else if (contour.name == feature::right_eye)
                     contour.name = feature::left_eye;
-            largest =
-                std::max(largest, largest_error(faces.extract(picture).faces.at(0).contours, back));
+            largest = std::max(largest, largest_error(faces.extract(picture).faces.at(0).contours, back));
         }
         qInfo("largest difference to the mirrored pictures' contours: %.2f %%", largest);
         QVERIFY2(largest < 0.3, qPrintable(QString::number(largest)));

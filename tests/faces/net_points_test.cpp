@@ -31,17 +31,17 @@ private slots:
     }
 
     void sides_change_and_the_middle_stays() {
-        QCOMPARE(in_mirror(right_eye.begin), left_eye.begin);              // outer corner
-        QCOMPARE(in_mirror(outer_lip.begin), outer_lip.begin + 10);        // corners of the mouth
-        QCOMPARE(in_mirror(outer_lip.begin + 5), outer_lip.begin + 5);     // middle of the lower lip
-        QCOMPARE(in_mirror(outer_lip.begin + 15), outer_lip.begin + 15);   // and of the upper one
-        QCOMPARE(in_mirror(inner_lip.begin + 1), inner_lip.begin + 9);     // both below the opening
-        QCOMPARE(in_mirror(outline.begin), outline.end - 1);               // ears
-        QCOMPARE(in_mirror(outline.begin + 16), outline.begin + 16);       // chin
+        QCOMPARE(in_mirror(right_eye.begin), left_eye.begin);            // outer corner
+        QCOMPARE(in_mirror(outer_lip.begin), outer_lip.begin + 10);      // corners of the mouth
+        QCOMPARE(in_mirror(outer_lip.begin + 5), outer_lip.begin + 5);   // middle of the lower lip
+        QCOMPARE(in_mirror(outer_lip.begin + 15), outer_lip.begin + 15); // and of the upper one
+        QCOMPARE(in_mirror(inner_lip.begin + 1), inner_lip.begin + 9);   // both below the opening
+        QCOMPARE(in_mirror(outline.begin), outline.end - 1);             // ears
+        QCOMPARE(in_mirror(outline.begin + 16), outline.begin + 16);     // chin
         QCOMPARE(in_mirror(irises.begin), irises.begin + 1);
         QCOMPARE(in_mirror(rims.begin), rims.begin + 1);
         QCOMPARE(in_mirror(right_brow.begin + 3), left_brow.begin + 3);
-        QCOMPARE(in_mirror(nose.begin + 5), nose.begin + 5);               // below the nose's middle
+        QCOMPARE(in_mirror(nose.begin + 5), nose.begin + 5); // below the nose's middle
     }
 };
 

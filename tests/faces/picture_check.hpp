@@ -8,8 +8,9 @@
 
 namespace tp::test {
 
-/// What must hold for the faces looked for in any 8-bit BGR picture: the size is that of the picture as it was
-/// turned, every face has finite contours near it, and what is wrong is a sentence. Empty where that holds.
+/// What must hold for the faces looked for in any 8-bit BGR picture: the size is that of the picture as it
+/// was turned, every face has finite contours near it, and what is wrong is a sentence. Empty where that
+/// holds.
 std::string complaint_about_search_in(const cv::Mat& picture);
 
 /// What must hold for any bytes taken as a photograph: refused in a sentence, or decoded to a picture in

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/shrunk.hpp"
 
-#include <opencv2/core.hpp>
-
 #include <QTest>
+
+#include <opencv2/core.hpp>
 
 #include <cmath>
 #include <limits>
@@ -22,7 +22,10 @@ cv::Mat chart(int width, int height) {
 }
 
 Detection face_of(Vec2 centre, double size) {
-    return {{centre - 0.5 * size, centre + 0.5 * size}, centre - 0.2 * size, centre + Vec2(0.2, -0.2) * size, 1.0};
+    return {{centre - 0.5 * size, centre + 0.5 * size},
+            centre - 0.2 * size,
+            centre + Vec2(0.2, -0.2) * size,
+            1.0};
 }
 
 } // namespace

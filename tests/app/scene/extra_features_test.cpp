@@ -64,7 +64,8 @@ private slots:
     void other_words_are_named() {
         const auto wrong = extra_features_named("nose,ears");
         QVERIFY(!wrong.ok());
-        QCOMPARE(wrong.error(), std::string("\"ears\" cannot be added to a face; brows, nose and irises can."));
+        QCOMPARE(wrong.error(),
+                 std::string("\"ears\" cannot be added to a face; brows, nose and irises can."));
     }
 };
 

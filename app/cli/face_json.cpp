@@ -14,7 +14,8 @@ namespace tp {
 
 namespace {
 
-constexpr FlattenTolerance dense{0.02, 2.0}; ///< px; far below what a net or a finger can tell
+constexpr FlattenTolerance dense{0.02, 2.0};  ///< px; far below what a net or a finger can tell
+constexpr FlattenTolerance sparse{0.2, 10.0}; ///< for what is exact to some pixels
 
 double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
 
@@ -22,17 +23,17 @@ QJsonValue text_or_null(const std::string& text) {
     return text.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(QString::fromStdString(text));
 }
 
-QJsonArray points(const Contour& contour) {
+QJsonArray points(const Contour& contour, const FlattenTolerance& tolerance) {
     QJsonArray array;
-    for (const Vec2 p : flatten(contour, dense).points)
+    for (const Vec2 p : flatten(contour, tolerance).points)
         array.append(QJsonArray{rounded(p.x), rounded(p.y)});
     return array;
 }
 
-QJsonObject by_name(const std::vector<Contour>& contours) {
+QJsonObject by_name(const std::vector<Contour>& contours, const FlattenTolerance& tolerance) {
     QJsonObject object;
     for (const Contour& contour : contours)
-        object.insert(QString::fromStdString(contour.name), points(contour));
+        object.insert(QString::fromStdString(contour.name), points(contour, tolerance));
     return object;
 }
 
@@ -56,8 +57,8 @@ QJsonObject json(const Face& face) {
     return {{"box",
              QJsonArray{rounded(box.min.x), rounded(box.min.y), rounded(box.width()), rounded(box.height())}},
             {"score", rounded(face.score)},
-            {"contours", by_name(face.contours)},
-            {"extras", by_name(face.extras)},
+            {"contours", by_name(face.contours, dense)},
+            {"extras", by_name(face.extras, sparse)},
             {"mended", mended},
             {"quality", quality},
             {"problem", text_or_null(face.problem)}};

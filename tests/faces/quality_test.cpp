@@ -134,15 +134,16 @@ private slots:
                   judged.predicted.size(), qPrintable(fifths));
             return rho;
         };
-        const std::map<std::string, double> least{{feature::right_eye, 0.35},
-                                                  {feature::left_eye, 0.35},
-                                                  {feature::outer_lip, 0.5},
-                                                  {feature::inner_lip, 0.5},
-                                                  {feature::outline, 0.25}};
+        // Outlines are wrong by much the same in all portraits; what a person's hair and jaw add, no sign tells.
+        const std::map<std::string, double> least{{feature::right_eye, 0.5},
+                                                  {feature::left_eye, 0.5},
+                                                  {feature::outer_lip, 0.55},
+                                                  {feature::inner_lip, 0.6},
+                                                  {feature::outline, 0.15}};
         std::map<std::string, double> correlation;
         for (const auto& [name, judged] : by_feature)
             correlation[name] = tell(name.c_str(), judged);
-        QVERIFY(tell("all", all) >= 0.7);
+        QVERIFY(tell("all", all) >= 0.75);
         for (const auto& [name, bound] : least)
             QVERIFY2(correlation[name] >= bound, name.c_str());
         qInfo("%d degraded portraits in which no face was found", lost);

@@ -113,7 +113,7 @@ private slots:
             QVERIFY2(quality["reasons"].isArray() && quality["reasons"].toArray().isEmpty(), name);
         }
         for (const char* name : {"left_brow", "right_brow", "nose", "left_iris", "right_iris"})
-            QVERIFY2(face["extras"][name].toArray().size() >= 20, name);
+            QVERIFY2(face["extras"][name].toArray().size() >= 12, name);
         QCOMPARE(QJsonDocument::fromJson(lines[1])["faces"].toArray().size(), 2);
     }
 

@@ -9,9 +9,9 @@
 namespace tp {
 
 /// Our own nets: one sees the whole face and places all points, twice; then one looks closely at each eye
-/// (the left one in a mirror), one at the mouth and one at the outline, each in a window that fits it. All
-/// but the first look are taken at the window and at its mirror image, so that a mirrored picture has
-/// mirrored contours.
+/// (the left one in a mirror), one at the mouth and one at the outline, each in a window that fits it. The
+/// last look at the face and those at mouth and outline are taken at the mirror image too, so that a mirrored
+/// picture has mirrored contours; the eyes are each other's mirror images anyway.
 class ContourNets : public LandmarkModel {
 public:
     ContourNets();

@@ -6,6 +6,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include <algorithm>
+#include <stop_token>
 #include <vector>
 
 namespace tp {
@@ -31,8 +32,10 @@ class Detector {
 public:
     virtual ~Detector() = default;
     /// Faces in an 8-bit BGR picture of at least 16 × 16 px, in no particular order, none twice.
-    /// May throw cv::Exception; the extractor catches it.
-    virtual std::vector<Detection> detect(const cv::Mat& picture, Effort effort) = 0;
+    /// May throw cv::Exception; the extractor catches it. Where another thread asks it to stop, it ends soon,
+    /// with what it has.
+    virtual std::vector<Detection> detect(const cv::Mat& picture, Effort effort,
+                                          const std::stop_token& stop = {}) = 0;
 };
 
 /// Keeps of detections that overlap (intersection over union above `overlap`) only the surest one.

@@ -104,10 +104,13 @@ std::vector<int> tile_starts(int side) {
 }
 
 /// The same in tiles that overlap by more than the largest face that is looked for there.
-std::vector<Detection> faces_in_tiles(cv::dnn::Net& net, const cv::Mat& picture) {
+std::vector<Detection> faces_in_tiles(cv::dnn::Net& net, const cv::Mat& picture,
+                                      const std::stop_token& stop) {
     std::vector<Detection> found;
     for (const int y : tile_starts(picture.rows))
         for (const int x : tile_starts(picture.cols)) {
+            if (stop.stop_requested())
+                return found;
             const cv::Rect here = cv::Rect(x, y, tile, tile) & cv::Rect(0, 0, picture.cols, picture.rows);
             for (Detection face : faces_in(net, picture(here))) {
                 const Vec2 corner(x, y);
@@ -136,11 +139,12 @@ EmbeddedDetector::EmbeddedDetector() {
         nets_.push_back(embedded_net(EmbeddedModel::detector));
 }
 
-std::vector<Detection> EmbeddedDetector::detect(const cv::Mat& picture, Effort effort) {
+std::vector<Detection> EmbeddedDetector::detect(const cv::Mat& picture, Effort effort,
+                                                const std::stop_token& stop) {
     const int longer = std::max(picture.cols, picture.rows);
     const cv::Mat base = shrunk_by_blocks(picture, usual_finest);
     std::vector<Detection> found;
-    for (std::size_t i = 0; i < levels.size(); ++i) {
+    for (std::size_t i = 0; i < levels.size() && !stop.stop_requested(); ++i) {
         const bool enlarges = levels[i] > longer;
         if (enlarges && i > 1)
             break;
@@ -154,10 +158,10 @@ std::vector<Detection> EmbeddedDetector::detect(const cv::Mat& picture, Effort e
             break;
     }
     if (const int finest = static_cast<int>(thorough_share * longer);
-        effort == Effort::thorough && finest > levels.back()) {
+        effort == Effort::thorough && finest > levels.back() && !stop.stop_requested()) {
         const cv::Mat shown = resized(shrunk_by_blocks(picture, finest), finest);
         const double back = static_cast<double>(picture.cols) / shown.cols;
-        for (const Detection& face : faces_in_tiles(nets_.back(), shown))
+        for (const Detection& face : faces_in_tiles(nets_.back(), shown, stop))
             found.push_back(scaled(face, Vec2(back)));
     }
     return without_doubles(std::move(found), most_overlap);

@@ -15,7 +15,8 @@ namespace tp {
 class EmbeddedDetector : public Detector {
 public:
     EmbeddedDetector();
-    std::vector<Detection> detect(const cv::Mat& picture, Effort effort) override;
+    std::vector<Detection> detect(const cv::Mat& picture, Effort effort,
+                                  const std::stop_token& stop = {}) override;
 
 private:
     std::vector<cv::dnn::Net>

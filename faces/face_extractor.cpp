@@ -15,11 +15,8 @@
 #include "faces/quiet_opencv.hpp"
 #include "faces/yunet_detector.hpp"
 
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace tp {
 namespace {
@@ -97,16 +94,6 @@ struct LocatedFace {
     }
 };
 
-cv::Mat not_larger_than(const cv::Mat& picture, int longest_px) {
-    const double share = longest_px / static_cast<double>(std::max(picture.cols, picture.rows));
-    if (share >= 1.0)
-        return picture;
-    const auto side = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * share))); };
-    cv::Mat small;
-    cv::resize(picture, small, cv::Size(side(picture.cols), side(picture.rows)), 0, 0, cv::INTER_AREA);
-    return small;
-}
-
 bool is_same(const LocatedFace& a, const LocatedFace& b) {
     return length(a.centre() - b.centre()) < same_within * std::max(a.detection.size(), b.detection.size());
 }
@@ -145,7 +132,7 @@ struct FaceExtractor::Parts {
                                     const std::stop_token& stop) const {
         stop_if_asked(stop);
         Stopwatch watch;
-        const std::vector<Detection> detections = detector->detect(picture, effort);
+        const std::vector<Detection> detections = detector->detect(picture, effort, stop);
         times.detect += watch.lap();
         std::vector<LocatedFace> located = confirmed(picture, detections, stop);
         times.landmarks += watch.lap();
@@ -159,7 +146,7 @@ struct FaceExtractor::Parts {
         return best;
     }
 
-    /// Those faces of the picture turned by `degrees` that are sure enough to believe that it was turned.
+    /// Those faces of a turned picture that are sure enough to believe that it had to be turned.
     std::vector<LocatedFace> locate_turned(const cv::Mat& turned_picture, ExtractionTimes& times,
                                            const std::stop_token& stop) const {
         std::vector<LocatedFace> located = locate(turned_picture, Effort::usual, times, stop);
@@ -177,23 +164,23 @@ struct FaceExtractor::Parts {
                      const std::stop_token& stop) const {
         const cv::Mat small = not_larger_than(picture, longest_turned_px);
         double best = surest(located);
+        int best_degrees = 0;
         for (const int degrees : {180, 90, 270}) {
             const double here = surest(locate_turned(turned(small, degrees), result.milliseconds, stop));
             if (here > best) {
                 best = here;
-                result.turned_degrees = degrees;
+                best_degrees = degrees;
             }
         }
-        if (result.turned_degrees == 0)
+        if (best_degrees == 0)
             return;
-        const cv::Mat upright = turned(picture, result.turned_degrees);
+        const cv::Mat upright = turned(picture, best_degrees);
         std::vector<LocatedFace> there = locate_turned(upright, result.milliseconds, stop);
-        if (there.empty()) {
-            result.turned_degrees = 0;
+        if (there.empty())
             return;
-        }
         located = std::move(there);
         picture = upright;
+        result.turned_degrees = best_degrees;
         result.width = picture.cols;
         result.height = picture.rows;
     }

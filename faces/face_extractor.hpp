@@ -33,8 +33,7 @@ public:
     ~FaceExtractor();
 
     /// Never throws: what goes wrong is said in the result's `problem`. Another thread may ask it to stop: it
-    /// then ends without faces, after the step it is in (the decoder, a net, the edges of one face: tens of
-    /// milliseconds).
+    /// then ends without faces, after the step it is in: the decoder, one look of a net, the edges of a face.
     Extraction extract(const std::filesystem::path& photo, const std::stop_token& stop = {});
     /// The same for a picture already upright in memory, 8-bit BGR.
     Extraction extract(const cv::Mat& picture, const std::stop_token& stop = {});

@@ -7,7 +7,9 @@
 #include "faces/quiet_opencv.hpp"
 
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <string>
@@ -124,6 +126,16 @@ cv::Mat upright(const cv::Mat& stored, int orientation) {
 }
 
 } // namespace
+
+cv::Mat not_larger_than(const cv::Mat& picture, int longest_px) {
+    const double share = longest_px / static_cast<double>(std::max(picture.cols, picture.rows));
+    if (share >= 1.0)
+        return picture;
+    const auto side = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * share))); };
+    cv::Mat small;
+    cv::resize(picture, small, cv::Size(side(picture.cols), side(picture.rows)), 0, 0, cv::INTER_AREA);
+    return small;
+}
 
 cv::Mat turned(const cv::Mat& picture, int degrees) {
     if (degrees != 90 && degrees != 180 && degrees != 270)

@@ -21,6 +21,9 @@ Result<cv::Mat> read_picture(const std::filesystem::path& file);
 /// The same from a file's bytes; `largest_px` pixels at most.
 Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px = largest_picture_px);
 
+/// The picture shrunk (areas averaged) until no side is longer than `longest_px`; itself where none is.
+cv::Mat not_larger_than(const cv::Mat& picture, int longest_px);
+
 /// The picture turned clockwise by 90, 180 or 270 degrees (Extraction::turned_degrees); itself otherwise.
 cv::Mat turned(const cv::Mat& picture, int degrees);
 

@@ -62,8 +62,8 @@ std::string run(const VerbLine& line) {
     if (portraits->empty())
         return "There is no photograph with placed contours to measure on.";
     const QDir folder(line.text("out"));
-    if (!folder.mkpath("."))
-        return "The folder " + line.text("out").toStdString() + " cannot be made.";
+    if (const std::string problem = line.make_folder("out"); !problem.empty())
+        return problem;
     const auto rows = run_face_bench(*portraits, face_contenders(), {0, 640, 320, 160}, say);
     if (!rows)
         return rows.error();

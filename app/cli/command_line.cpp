@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
 
+#include <QDir>
+
 #include <cmath>
 #include <cstdio>
 
@@ -54,6 +56,11 @@ std::optional<int> VerbLine::parse(const QStringList& words, int least, int most
         return wrong_usage(verb_,
                            "Too many arguments, from \"" + arguments().at(most).toStdString() + "\" on.");
     return std::nullopt;
+}
+
+std::string VerbLine::make_folder(const QString& name) const {
+    return QDir().mkpath(text(name)) ? std::string()
+                                     : "The folder " + text(name).toStdString() + " cannot be made.";
 }
 
 Result<double> VerbLine::positive(const QString& name) const {

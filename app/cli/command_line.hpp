@@ -38,6 +38,9 @@ public:
     QStringList arguments() const { return parser_.positionalArguments(); }
     bool has(const QString& name) const { return parser_.isSet(name); }
     QString text(const QString& name) const { return parser_.value(name); }
+    /// Makes the folder that an option names, where it is missing; the sentence that says why not, else
+    /// empty.
+    std::string make_folder(const QString& name) const;
     /// A number above zero; otherwise the sentence that says which option is wrong.
     Result<double> positive(const QString& name) const;
     /// A whole number from `least` to `most`; otherwise the sentence that says which option is wrong.

@@ -6,7 +6,6 @@
 #include "app/cli/verbs.hpp"
 #include "core/study/expression_trial.hpp"
 
-#include <QDir>
 #include <QSaveFile>
 
 #include <algorithm>
@@ -45,8 +44,9 @@ public:
 private:
     /// A sentence where nothing can go on; else empty.
     std::string result() {
-        if (line_.has("out") && !QDir().mkpath(line_.text("out")))
-            return "The folder " + line_.text("out").toStdString() + " cannot be made.";
+        if (line_.has("out"))
+            if (const std::string problem = line_.make_folder("out"); !problem.empty())
+                return problem;
         if (line_.has("labels")) {
             auto labels = ExpressionLabels::read(line_.text("labels").toStdString());
             if (!labels)

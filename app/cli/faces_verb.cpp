@@ -13,7 +13,6 @@
 #include "faces/face_extractor.hpp"
 #include "faces/picture.hpp"
 
-#include <QDir>
 #include <QHash>
 #include <QThread>
 
@@ -49,8 +48,9 @@ public:
 
     int run() {
         for (const char* name : {"svg", "overlay"})
-            if (line_.has(name) && !QDir().mkpath(line_.text(name)))
-                return refused("The folder cannot be made.", line_.text(name).toStdString());
+            if (line_.has(name))
+                if (const std::string problem = line_.make_folder(name); !problem.empty())
+                    return refused(problem);
         if (line_.has("resume")) {
             auto results = ResultsFile::open(line_.text("resume").toStdString());
             if (!results)

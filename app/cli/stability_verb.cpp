@@ -122,8 +122,8 @@ int stability_verb(const QStringList& words) {
     if (!line.has("out"))
         return wrong_usage("stability", "--out DIR is missing.");
     const QDir folder(line.text("out"));
-    if (!folder.mkpath(".")) {
-        say_problem("The folder cannot be made.", line.text("out").toStdString());
+    if (const std::string problem = line.make_folder("out"); !problem.empty()) {
+        say_problem(problem);
         return exit_bad_input;
     }
     const bool quick = line.has("quick");

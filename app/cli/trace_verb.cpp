@@ -116,8 +116,8 @@ int trace_verb(const QStringList& words) {
         return exit_bad_input;
     }
     const QDir folder(line.text("out"));
-    if (!folder.mkpath(".")) {
-        say_problem("The folder cannot be made.", line.text("out").toStdString());
+    if (const std::string problem = line.make_folder("out"); !problem.empty()) {
+        say_problem(problem);
         return exit_bad_input;
     }
 

@@ -8,29 +8,15 @@
 
 #include <QFileInfo>
 
-#include <opencv2/imgproc.hpp>
-
-#include <algorithm>
-#include <cmath>
 #include <exception>
 
 namespace tp {
 
 namespace {
 
-constexpr double longest_shown_px = 2400.0;
+constexpr int longest_shown_px = 2400;
 
-QImage for_the_screen(const cv::Mat& picture) {
-    const double share = longest_shown_px / std::max(picture.cols, picture.rows);
-    if (share >= 1.0)
-        return to_image(picture);
-    cv::Mat small;
-    cv::resize(picture, small,
-               cv::Size(std::max(1, static_cast<int>(std::lround(share * picture.cols))),
-                        std::max(1, static_cast<int>(std::lround(share * picture.rows)))),
-               0.0, 0.0, cv::INTER_AREA);
-    return to_image(small);
-}
+QImage for_the_screen(const cv::Mat& picture) { return to_image(not_larger_than(picture, longest_shown_px)); }
 
 LoadedPhoto read_and_find(const QString& file, std::unique_ptr<FaceExtractor>& extractor,
                           const std::stop_token& stop) {

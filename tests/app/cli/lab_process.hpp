@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QFile>
 #include <QProcess>
 #include <QStringList>
 
@@ -28,6 +29,14 @@ inline Run lab(const QStringList& words, const QByteArray& input = {}) {
     process.write(input);
     process.closeWriteChannel();
     return ended(process);
+}
+
+/// The file's name, now that it holds these bytes.
+inline QString written(const QString& name, const QByteArray& bytes) {
+    QFile file(name);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("cannot write %s", qPrintable(name));
+    return name;
 }
 
 /// One sentence on one line, and nothing a person cannot read.

@@ -27,12 +27,7 @@ class LabTest : public QObject {
 
     QString path(const QString& name) const { return folder_.filePath(name); }
 
-    QString write(const QString& name, const QByteArray& bytes) const {
-        QFile file(path(name));
-        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
-            qFatal("cannot write %s", qPrintable(file.fileName()));
-        return file.fileName();
-    }
+    QString write(const QString& name, const QByteArray& bytes) const { return written(path(name), bytes); }
 
     QString scene() const {
         return write(

@@ -66,6 +66,11 @@ private slots:
         ExploreSession first(voice, announcer, patient_settings());
         first.open_file(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg");
         first.stopOrStart();
+        PhotoLoader later; // has the same to do and began after it
+        bool answered = false;
+        connect(&later, &PhotoLoader::loaded, this, [&] { answered = true; });
+        later.load(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg");
+        QTRY_VERIFY_WITH_TIMEOUT(answered, 60000);
         QCOMPARE(first.state(), ExploreSession::State::Empty);
         QCOMPARE(first.sentence(), QString("Stopped looking. Press O to open a photograph."));
     }

@@ -13,6 +13,7 @@
 #include "faces/face_extractor.hpp"
 #include "faces/picture.hpp"
 
+#include <QFileInfo>
 #include <QHash>
 #include <QThread>
 

@@ -25,7 +25,7 @@ endfunction()
 forbid(core device faces PATTERN "<Q" WHY "no Qt below audio and app")
 forbid(core device PATTERN "<opencv" WHY "OpenCV belongs to faces")
 forbid(core PATTERN "<(pugixml|2geom|exiv2|turbojpeg)" WHY "only core/svg has a library beside GLM" EXCEPT core/svg)
-forbid(core PATTERN "<(fstream|filesystem|iostream|cstdio)" WHY "no I/O in core outside core/svg" EXCEPT core/svg)
+forbid(core PATTERN "<(fstream|filesystem|iostream|cstdio)" WHY "no I/O in core outside core/files and core/svg" EXCEPT "core/(files|svg)")
 forbid(app audio PATTERN "<Q(Network|Tcp|Udp|Ssl|Local(Socket|Server)|Abstract(Socket|NetworkCache)|WebSocket)" WHY "only touchphoto-lab models fetch goes online"
        EXCEPT app/cli)
 forbid(core device faces audio app PATTERN "\"\\.\\.?/" WHY "include by the path in the house")

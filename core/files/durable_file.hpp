@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/files/new_file.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace tp {
+
+// Each returns empty when done, and then a power cut does not undo it; else the reason why not, the end of a
+// sentence, and nothing is lost: what was there is as it was, or whole under its new name.
+
+/// Makes these bytes the whole content of `file`.
+std::string replace_file(const std::filesystem::path& file, std::string_view bytes,
+                         Readers readers = Readers::as_usual);
+
+/// A copy with the bytes and the time of change of `from`; `to` must not exist.
+std::string copy_whole(const std::filesystem::path& from, const std::filesystem::path& to,
+                       Readers readers = Readers::as_usual);
+
+/// Gives a file or folder another name; `to` must not exist. Both lie on one file system ("they lie on
+/// different disks." otherwise).
+std::string move_file(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Makes a folder and those above it that are missing; done where it exists.
+std::string make_folder(const std::filesystem::path& folder, Readers readers = Readers::as_usual);
+
+/// Brings a folder's names to the disk. Done where its file system cannot, such as some network shares. Empty
+/// path: the working folder.
+std::string sync_folder(const std::filesystem::path& folder);
+
+} // namespace tp

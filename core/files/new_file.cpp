@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/files/new_file.hpp"
+
+#include "core/files/durable_file.hpp"
+#include "core/files/file_words.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <string>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view temporary_start = ".touchphoto-";
+constexpr std::string_view temporary_end = ".tmp";
+constexpr int most_tries = 100; // names left behind by a power cut, under this process's number
+
+/// A name that nobody else has, and short, however long the file's is.
+fs::path temporary_beside(const fs::path& file) {
+    static std::atomic<unsigned> counter{0};
+    return file.parent_path() / (std::string(temporary_start) + std::to_string(::getpid()) + "-" +
+                                 std::to_string(counter++) + std::string(temporary_end));
+}
+
+/// Gives `from` the name `to` where no file has it; 0, or the system's error.
+int rename_to_free(const fs::path& from, const fs::path& to) {
+    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0)
+        return 0;
+    if (errno != EINVAL && errno != ENOSYS)
+        return errno;
+    if (::link(from.c_str(), to.c_str()) != 0) // a file system without that flag
+        return errno;
+    ::unlink(from.c_str());
+    return 0;
+}
+
+} // namespace
+
+Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
+    std::error_code error;
+    const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error) && error != std::errc::permission_denied)
+        return Error{"there is no folder " + quoted(folder) + "."};
+    if (!place.has_filename() || fs::is_directory(place, error))
+        return Error{quoted(place) + " is a folder."};
+    const fs::path linked = fs::is_symlink(place, error) ? fs::weakly_canonical(place, error) : place;
+    const fs::path target = error || linked.empty() ? place : linked;
+
+    const unsigned mode = readers == Readers::owner_only ? 0600 : 0666;
+    for (int tries = 0; tries < most_tries; ++tries) {
+        fs::path temporary = temporary_beside(target);
+        const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        if (file < 0 && errno == EEXIST)
+            continue;
+        if (file < 0)
+            return Error{reason_of(errno)};
+        struct stat before {};
+        if (::stat(target.c_str(), &before) ==
+            0) // where that cannot be kept, the file is still worth writing
+            static_cast<void>(::fchmod(file, before.st_mode & 0777u));
+        return NewFile(target, std::move(temporary), file);
+    }
+    return Error{"files that an earlier program left behind are in the way."};
+}
+
+NewFile::NewFile(NewFile&& other) noexcept
+    : place_(std::move(other.place_)), temporary_(std::exchange(other.temporary_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+NewFile::~NewFile() {
+    if (descriptor_ >= 0)
+        ::close(descriptor_);
+    if (!temporary_.empty())
+        ::unlink(temporary_.c_str());
+}
+
+std::string NewFile::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR)
+            return reason_of(errno);
+        if (written > 0)
+            bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return {};
+}
+
+std::string NewFile::take_place(Existing existing) {
+    // fsync of any descriptor brings to the disk what others wrote to the file
+    if (::fsync(descriptor_) != 0)
+        return reason_of(errno);
+    const int renamed = existing == Existing::kept ? rename_to_free(temporary_, place_)
+                        : ::rename(temporary_.c_str(), place_.c_str()) == 0 ? 0
+                                                                            : errno;
+    if (renamed != 0)
+        return reason_of(renamed);
+    temporary_.clear();
+    return sync_folder(place_.parent_path());
+}
+
+bool is_temporary(const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.starts_with(temporary_start) && name.ends_with(temporary_end);
+}
+
+} // namespace tp

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace tp {
+
+/// Who may read a file that is made new. A file that is replaced keeps what it had.
+enum class Readers {
+    as_usual,   ///< as the person's other files (the process's umask)
+    owner_only, ///< 0600: what nobody else on this machine may see or hear
+};
+
+/// What happens to a file that has the name already.
+enum class Existing { replaced, kept };
+
+/// A file being written beside its place, under a temporary name; it takes its place only when it is whole
+/// and on the disk. Destroyed before that it leaves nothing behind.
+class NewFile {
+public:
+    /// A link stays a link: what it points to is replaced. An error ends in the system's reason.
+    static Result<NewFile> beside(const std::filesystem::path& place, Readers readers = Readers::as_usual);
+    NewFile(NewFile&& other) noexcept;
+    NewFile& operator=(NewFile&&) = delete;
+    ~NewFile();
+
+    /// Where it lies until it takes its place; a library that writes by name may write there.
+    const std::filesystem::path& temporary() const { return temporary_; }
+    /// Appends; the reason why not, else empty.
+    std::string write(std::string_view bytes);
+    /// Brings it to the disk and gives it its name. When this returns empty, a power cut finds it whole; else
+    /// it is the reason why not, and what had the name is as it was (or, where only the folder could not be
+    /// brought to the disk, replaced by the whole new one until a power cut). `kept`: "there is a file of
+    /// that name already."
+    std::string take_place(Existing existing = Existing::replaced);
+
+private:
+    NewFile(std::filesystem::path place, std::filesystem::path temporary, int descriptor)
+        : place_(std::move(place)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+
+    std::filesystem::path place_;
+    std::filesystem::path temporary_;
+    int descriptor_ = -1;
+};
+
+/// Whether a file of this name is one that `NewFile` was writing; in a folder that nothing writes to, a power
+/// cut or a killed process left it behind.
+bool is_temporary(const std::filesystem::path& file);
+
+} // namespace tp

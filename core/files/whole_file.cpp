@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/files/whole_file.hpp"
+
+#include "core/files/file_words.hpp"
+
+#include <array>
+#include <fstream>
+#include <new>
+#include <system_error>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+Result<std::string> read_whole(const fs::path& file, std::size_t most_bytes) try {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (error == std::errc::permission_denied)
+        return Error{"The file " + quoted(file) + " is in a folder that you are not allowed to open."};
+    if (!fs::exists(status))
+        return Error{"There is no file " + quoted(file) + "."};
+    if (!fs::is_regular_file(status))
+        return Error{quoted(file) +
+                     (fs::is_directory(status) ? " is a folder, not a file." : " is not a file.")};
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream)
+        return Error{"The file " + quoted(file) + " cannot be opened; you may not be allowed to read it."};
+    std::string bytes;
+    std::array<char, 65536> block{};
+    while (stream) {
+        stream.read(block.data(), block.size());
+        bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+        if (bytes.size() > most_bytes)
+            return Error{"The file " + quoted(file) + " is larger than " +
+                         std::to_string(most_bytes / (1024 * 1024)) +
+                         " MB; that is more than such a file may be."};
+    }
+    if (stream.bad())
+        return Error{"The file " + quoted(file) + " cannot be read to its end."};
+    return bytes;
+} catch (const std::bad_alloc&) {
+    return Error{"The file " + quoted(file) + " could not be read: there is not enough memory for it."};
+}
+
+} // namespace tp

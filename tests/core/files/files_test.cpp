@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/files/durable_file.hpp"
+#include "core/files/file_words.hpp"
+#include "core/files/whole_file.hpp"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace tp;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string content(const fs::path& file) {
+    const auto bytes = read_whole(file, 1 << 24);
+    return bytes ? *bytes : "error: " + bytes.error();
+}
+
+unsigned mode_of(const fs::path& file) {
+    struct stat about {};
+    return ::stat(file.c_str(), &about) == 0 ? about.st_mode & 0777u : 0;
+}
+
+} // namespace
+
+class FilesTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir dir_;
+    fs::path root_;
+
+    long files_here() const { return std::distance(fs::directory_iterator(root_), fs::directory_iterator()); }
+
+private slots:
+    void init() {
+        root_ = fs::path(dir_.path().toStdString()) / QTest::currentTestFunction();
+        fs::create_directory(root_);
+    }
+
+    void what_is_written_is_read() {
+        const fs::path file = root_ / "a";
+        for (const std::string& bytes : {std::string("one"), std::string(), std::string(300'000, '\0')}) {
+            QCOMPARE(replace_file(file, bytes), std::string());
+            QCOMPARE(content(file), bytes);
+        }
+        QCOMPARE(files_here(), 1L);
+    }
+
+    void owner_only_is_so_from_the_first_byte() {
+        ::umask(022);
+        auto made = NewFile::beside(root_ / "secret", Readers::owner_only);
+        QVERIFY(made.ok());
+        QCOMPARE(mode_of(made->temporary()), 0600u);
+        QCOMPARE(made->write("x"), std::string());
+        QCOMPARE(made->take_place(), std::string());
+        QCOMPARE(mode_of(root_ / "secret"), 0600u);
+        QCOMPARE(replace_file(root_ / "open", "x"), std::string());
+        QCOMPARE(mode_of(root_ / "open"), 0644u);
+        QCOMPARE(make_folder(root_ / "deep" / "secret", Readers::owner_only), std::string());
+        QCOMPARE(mode_of(root_ / "deep"), 0700u);
+    }
+
+    void a_replaced_file_keeps_who_may_read_it() {
+        QCOMPARE(replace_file(root_ / "a", "x"), std::string());
+        ::chmod((root_ / "a").c_str(), 0640);
+        QCOMPARE(replace_file(root_ / "a", "y"), std::string());
+        QCOMPARE(mode_of(root_ / "a"), 0640u);
+    }
+
+    void one_that_is_given_up_leaves_nothing() {
+        {
+            auto made = NewFile::beside(root_ / "a");
+            QVERIFY(made.ok());
+            QVERIFY(is_temporary(made->temporary()));
+            QCOMPARE(made->write("half"), std::string());
+            NewFile elsewhere = std::move(*made);
+            QCOMPARE(files_here(), 1L);
+        }
+        QCOMPARE(files_here(), 0L);
+        QVERIFY(!is_temporary(root_ / "a.tmp"));
+    }
+
+    void a_name_that_is_taken_is_kept() {
+        QCOMPARE(replace_file(root_ / "a", "first"), std::string());
+        QCOMPARE(replace_file(root_ / "b", "second"), std::string());
+        for (const std::string& reason :
+             {move_file(root_ / "b", root_ / "a"), copy_whole(root_ / "b", root_ / "a")})
+            QVERIFY2(reason.find("already") != std::string::npos, reason.c_str());
+        QCOMPARE(content(root_ / "a"), std::string("first"));
+        QCOMPARE(content(root_ / "b"), std::string("second"));
+        QCOMPARE(files_here(), 2L);
+    }
+
+    void a_copy_has_the_bytes_and_the_time() {
+        const std::string bytes(200'001, 'q');
+        QCOMPARE(replace_file(root_ / "a", bytes), std::string());
+        fs::last_write_time(root_ / "a", fs::file_time_type::clock::now() - std::chrono::hours(1000));
+        QCOMPARE(copy_whole(root_ / "a", root_ / "b"), std::string());
+        QCOMPARE(content(root_ / "b"), bytes);
+        QVERIFY(fs::last_write_time(root_ / "b") == fs::last_write_time(root_ / "a"));
+    }
+
+    void moving_a_folder_takes_its_files_along() {
+        QCOMPARE(make_folder(root_ / "from" / "deep"), std::string());
+        QCOMPARE(replace_file(root_ / "from" / "deep" / "a", "x"), std::string());
+        QCOMPARE(move_file(root_ / "from", root_ / "to"), std::string());
+        QCOMPARE(content(root_ / "to" / "deep" / "a"), std::string("x"));
+    }
+
+    void a_link_stays_a_link() {
+        QCOMPARE(replace_file(root_ / "a", "old"), std::string());
+        fs::create_symlink("a", root_ / "link");
+        QCOMPARE(replace_file(root_ / "link", "new"), std::string());
+        QVERIFY(fs::is_symlink(root_ / "link"));
+        QCOMPARE(content(root_ / "a"), std::string("new"));
+    }
+
+    /// A limit on the size of files stands in for a disk that fills up half-way.
+    void a_disk_that_fills_up_leaves_the_old_file() {
+        QCOMPARE(replace_file(root_ / "a", "old"), std::string());
+        QCOMPARE(replace_file(root_ / "large", std::string(100'000, 'l')), std::string());
+        const auto previous = std::signal(SIGXFSZ, SIG_IGN);
+        struct rlimit before {};
+        QCOMPARE(::getrlimit(RLIMIT_FSIZE, &before), 0);
+        const struct rlimit small { 4096, before.rlim_max };
+        QCOMPARE(::setrlimit(RLIMIT_FSIZE, &small), 0);
+        const std::string replaced = replace_file(root_ / "a", std::string(100'000, 'n'));
+        const std::string copied = copy_whole(root_ / "large", root_ / "copy");
+        ::setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, previous);
+        QVERIFY(!replaced.empty());
+        QVERIFY(!copied.empty());
+        QCOMPARE(content(root_ / "a"), std::string("old"));
+        QCOMPARE(files_here(), 2L);
+    }
+
+    void what_is_no_file_is_refused() {
+        QCOMPARE(::mkfifo((root_ / "pipe").c_str(), 0600), 0);
+        fs::create_directory(root_ / "folder");
+        for (const char* name : {"pipe", "folder", "missing"}) {
+            QVERIFY2(!read_whole(root_ / name, 100).ok(), name);
+            QVERIFY2(!copy_whole(root_ / name, root_ / "copy").empty(), name);
+        }
+        QVERIFY(!replace_file(root_ / "folder", "x").empty());
+        QVERIFY(!replace_file(root_ / "missing" / "a", "x").empty());
+        QVERIFY(!replace_file({}, "x").empty());
+        QVERIFY(!replace_file(root_ / std::string(256, 'n'), "x").empty());
+        QCOMPARE(replace_file(root_ / std::string(255, 'n'), "x"), std::string());
+        QVERIFY(!make_folder(root_ / "pipe" / "below").empty());
+    }
+
+    void too_large_is_said() {
+        QCOMPARE(replace_file(root_ / "a", std::string(101, 'x')), std::string());
+        QVERIFY(read_whole(root_ / "a", 101).ok());
+        QVERIFY(read_whole(root_ / "a", 100).error().find("larger") != std::string::npos);
+    }
+
+    void names_are_made_readable_data() {
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<QByteArray>("shown");
+        QTest::newRow("plain") << QByteArray("IMG_1.jpg") << QByteArray("IMG_1.jpg");
+        QTest::newRow("German, Hebrew, emoji")
+            << QByteArray("Jörg שלום 👵🏽") << QByteArray("Jörg שלום 👵🏽");
+        QTest::newRow("line end") << QByteArray("a\nb\tc\x7f") << QByteArray("a b c ");
+        QTest::newRow("turns the direction") << QByteArray("a\u202Egpj.exe") << QByteArray("a gpj.exe");
+        QTest::newRow("Latin-1") << QByteArray("J\xF6rg") << QByteArray("J\uFFFDrg");
+        QTest::newRow("cut character") << QByteArray("a\xE2\x82") << QByteArray("a\uFFFD\uFFFD");
+        QTest::newRow("overlong") << QByteArray("\xC0\xAF") << QByteArray("\uFFFD\uFFFD");
+        QTest::newRow("surrogate") << QByteArray("\xED\xA0\x80") << QByteArray("\uFFFD\uFFFD\uFFFD");
+        QTest::newRow("beyond Unicode")
+            << QByteArray("\xF4\x90\x80\x80") << QByteArray("\uFFFD\uFFFD\uFFFD\uFFFD");
+    }
+
+    void names_are_made_readable() {
+        QFETCH(QByteArray, name);
+        QFETCH(QByteArray, shown);
+        QCOMPARE(QByteArray::fromStdString(readable(name.toStdString())), shown);
+        QCOMPARE(QByteArray::fromStdString(quoted(fs::path(name.toStdString()))), "\"" + shown + "\"");
+    }
+
+    void reasons_end_a_sentence() {
+        for (const int error : {EACCES, ENOSPC, EIO, ENAMETOOLONG, ENOENT, EEXIST, EMFILE, 0}) {
+            const std::string reason = reason_of(error);
+            QVERIFY2(reason.size() > 5 && reason.ends_with('.'), reason.c_str());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(FilesTest)
+#include "files_test.moc"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/explore/demonstration.hpp"
 #include "app/explore/explore_window.hpp"
-#include "audio/spoken_voice.hpp"
+#include "audio/speech/spoken_voice.hpp"
 
 #include <QCommandLineParser>
 #include <QFile>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/controls/announcer.hpp"
-#include "audio/voice.hpp"
+#include "audio/speech/voice.hpp"
 
 namespace tp {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/explore/explore_session.hpp"
-#include "audio/recording_voice.hpp"
+#include "audio/speech/recording_voice.hpp"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/controls/recording_announcer.hpp"
 #include "app/explore/narrator.hpp"
-#include "audio/recording_voice.hpp"
+#include "audio/speech/recording_voice.hpp"
 
 #include <QTest>
 

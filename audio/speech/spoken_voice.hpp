@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audio/speech_queue.hpp"
-#include "audio/system_speech.hpp"
-#include "audio/voice.hpp"
+#include "audio/speech/speech_queue.hpp"
+#include "audio/speech/system_speech.hpp"
+#include "audio/speech/voice.hpp"
 
 namespace tp {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audio/spoken_voice.hpp"
+#include "audio/speech/spoken_voice.hpp"
 
 namespace tp {
 

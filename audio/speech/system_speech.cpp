@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audio/system_speech.hpp"
+#include "audio/speech/system_speech.hpp"
 
-#include "audio/speech_worker.hpp"
+#include "audio/speech/speech_worker.hpp"
 
 #include <iterator>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audio/voice.hpp"
+#include "audio/speech/voice.hpp"
 
 #include <QStringList>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audio/speech_queue.hpp"
+#include "audio/speech/speech_queue.hpp"
 
 #include <QStringList>
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audio/speech_worker.hpp"
+#include "audio/speech/speech_worker.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audio/recording_voice.hpp"
+#include "audio/speech/recording_voice.hpp"
 
 namespace tp {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audio/speech_engine.hpp"
-#include "audio/voice.hpp"
+#include "audio/speech/speech_engine.hpp"
+#include "audio/speech/voice.hpp"
 
 #include <deque>
 #include <optional>

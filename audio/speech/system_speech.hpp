@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audio/speech_engine.hpp"
+#include "audio/speech/speech_engine.hpp"
 
 #include <QObject>
 #include <QString>

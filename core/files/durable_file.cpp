@@ -119,4 +119,9 @@ std::string sync_folder(const fs::path& folder) {
     return {};
 }
 
+bool name_taken(const fs::path& file) {
+    std::error_code error;
+    return fs::exists(fs::symlink_status(file, error));
+}
+
 } // namespace tp

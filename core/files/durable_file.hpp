@@ -31,4 +31,7 @@ std::string make_folder(const std::filesystem::path& folder, Readers readers = R
 /// path: the working folder.
 std::string sync_folder(const std::filesystem::path& folder);
 
+/// Whether something has this name, be it a link to nothing.
+bool name_taken(const std::filesystem::path& file);
+
 } // namespace tp

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/bundle.hpp"
+#include "app/album/keeper/path_text.hpp"
+#include "app/album/keeper/photo_files.hpp"
+#include "core/files/file_words.hpp"
+#include "core/files/new_file.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <array>
+#include <fstream>
+#include <memory>
+#include <sys/stat.h>
+#include <system_error>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Packed {
+    fs::path file;
+    fs::path name; ///< in the bundle
+};
+
+/// The photograph and its companions, recordings one by one.
+std::vector<Packed> files_of(const fs::path& album, const fs::path& photo) {
+    std::vector<Packed> files;
+    std::error_code error;
+    const auto add = [&](const fs::path& file) {
+        if (fs::is_regular_file(file, error) && !is_temporary(file))
+            files.push_back({file, file.lexically_relative(album)});
+    };
+    for (const Companion& companion : companions_of(photo)) {
+        if (!fs::is_directory(companion.file, error)) {
+            add(companion.file);
+            continue;
+        }
+        for (const auto& file : fs::directory_iterator(companion.file, error))
+            add(file.path());
+    }
+    add(photo);
+    return files;
+}
+
+/// libarchive's own words, as the end of a sentence.
+std::string reason_of(archive* zip) {
+    const char* words = archive_error_string(zip);
+    return (words ? readable(words) : std::string("it cannot be written")) + ".";
+}
+
+class BundleWriter {
+public:
+    BundleWriter(NewFile& file, const BundleProgress& report, std::stop_token stop)
+        : file_(file), report_(report), stop_(std::move(stop)) {}
+
+    std::string write(const std::vector<Packed>& files) {
+        archive_write_set_format_zip(zip_.get());
+        archive_write_set_options(zip_.get(), "zip:compression=store,zip:hdrcharset=UTF-8");
+        archive_write_set_bytes_in_last_block(zip_.get(), 1);
+        const auto take = [](archive*, void* self, const void* bytes, std::size_t count) -> la_ssize_t {
+            return static_cast<BundleWriter*>(self)->take(bytes, count);
+        };
+        if (archive_write_open(zip_.get(), this, nullptr, take, nullptr) != ARCHIVE_OK)
+            return why();
+        for (const Packed& one : files)
+            total_ += size_of(one.file);
+        for (const Packed& one : files)
+            if (std::string problem = add(one); !problem.empty())
+                return problem;
+        return archive_write_close(zip_.get()) == ARCHIVE_OK ? std::string{} : why();
+    }
+
+private:
+    static std::uintmax_t size_of(const fs::path& file) {
+        std::error_code error;
+        const std::uintmax_t size = fs::file_size(file, error);
+        return error ? 0 : size;
+    }
+
+    la_ssize_t take(const void* bytes, std::size_t count) {
+        disk_ = file_.write({static_cast<const char*>(bytes), count});
+        return disk_.empty() ? static_cast<la_ssize_t>(count) : -1;
+    }
+
+    std::string why() const { return disk_.empty() ? reason_of(zip_.get()) : disk_; }
+
+    std::string add(const Packed& one) {
+        std::ifstream stream(one.file, std::ios::binary);
+        struct stat about {};
+        if (!stream || ::stat(one.file.c_str(), &about) != 0)
+            return quoted(one.file) + " cannot be read.";
+        const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(),
+                                                                                  archive_entry_free);
+        archive_entry_set_pathname_utf8(entry.get(), path_text(one.name).toUtf8().constData());
+        archive_entry_set_size(entry.get(), about.st_size);
+        archive_entry_set_filetype(entry.get(), AE_IFREG);
+        archive_entry_set_perm(entry.get(), 0600);
+        archive_entry_set_mtime(entry.get(), about.st_mtim.tv_sec, about.st_mtim.tv_nsec);
+        if (archive_write_header(zip_.get(), entry.get()) < ARCHIVE_WARN)
+            return why();
+        std::array<char, 1 << 16> block;
+        std::uintmax_t copied = 0;
+        while (stream && !stop_.stop_requested()) {
+            stream.read(block.data(), block.size());
+            const auto count = static_cast<std::size_t>(stream.gcount());
+            if (count > 0 &&
+                archive_write_data(zip_.get(), block.data(), count) != static_cast<la_ssize_t>(count))
+                return why();
+            copied += count;
+            done_ += count;
+            if (report_)
+                report_(done_, total_);
+        }
+        if (stop_.stop_requested())
+            return "it was stopped.";
+        return copied == static_cast<std::uintmax_t>(about.st_size)
+                   ? std::string{}
+                   : quoted(one.file) + " changed meanwhile.";
+    }
+
+    NewFile& file_;
+    const BundleProgress& report_;
+    std::stop_token stop_;
+    std::unique_ptr<archive, decltype(&archive_write_free)> zip_{archive_write_new(), archive_write_free};
+    std::string disk_;
+    std::uintmax_t done_ = 0, total_ = 0;
+};
+
+} // namespace
+
+std::string write_bundle(const fs::path& bundle, const fs::path& album, const std::vector<fs::path>& photos,
+                         const BundleProgress& report, std::stop_token stop) {
+    std::vector<Packed> files;
+    for (const fs::path& photo : photos) {
+        std::error_code error;
+        if (!fs::is_regular_file(photo, error))
+            return "There is no photograph " + quoted(photo) + ".";
+        if (!stays_below(photo.lexically_relative(album)))
+            return quoted(photo) + " is not in the album " + quoted(album) + ".";
+        for (Packed& one : files_of(album, photo))
+            files.push_back(std::move(one));
+    }
+    if (files.empty())
+        return "There is no photograph to export.";
+    auto file = NewFile::beside(bundle, Readers::owner_only);
+    std::string reason = file ? BundleWriter(*file, report, std::move(stop)).write(files) : file.error();
+    if (reason.empty())
+        reason = file->take_place();
+    return reason.empty() ? reason : "The bundle " + quoted(bundle) + " was not written: " + reason;
+}
+
+} // namespace tp

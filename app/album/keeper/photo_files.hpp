@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+/// The folder of a photograph's recordings: IMG_1.jpg.tags beside IMG_1.jpg.
+std::filesystem::path tags_folder(const std::filesystem::path& photo);
+/// The contours that a person mended: IMG_1.jpg.contours.svg.
+std::filesystem::path contours_file(const std::filesystem::path& photo);
+
+/// A file or folder that belongs to a photograph and goes where it goes.
+struct Companion {
+    std::filesystem::path file;
+    std::string suffix;   ///< what its name has behind the photograph's, ".xmp", or behind its stem
+    bool by_stem = false; ///< IMG_1.xmp: named by the stem, as Lightroom does
+};
+
+/// What lies beside a photograph and is its own: both spellings of a sidecar, contours, recordings. A sidecar
+/// named by the stem belongs to it only where no other photograph in the folder has that stem.
+std::vector<Companion> companions_of(const std::filesystem::path& photo);
+
+/// The name that a companion has beside a photograph of another name or folder.
+std::filesystem::path beside(const std::filesystem::path& photo, const Companion& companion);
+
+/// SHA-256 of a file's bytes, hexadecimal; a sentence where it cannot be read.
+Result<std::string> content_hash(const std::filesystem::path& file);
+
+} // namespace tp

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/trash.hpp"
+
+#include "app/album/keeper/path_text.hpp"
+#include "core/files/durable_file.hpp"
+#include "core/files/file_words.hpp"
+#include "core/files/whole_file.hpp"
+
+#include <QDateTime>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <system_error>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_list_bytes = 16 << 20;
+constexpr const char* list_name = "list.json";
+
+QByteArray list_of(const TrashEntry& entry) {
+    QJsonArray files;
+    for (const fs::path& file : entry.files)
+        files.append(path_text(file));
+    return QJsonDocument(QJsonObject{{"what", QString::fromStdString(entry.what)},
+                                     {"deleted", QString::fromStdString(entry.deleted)},
+                                     {"files", files}})
+        .toJson();
+}
+
+/// A folder of its own in the trash: the time it was deleted, and a number where that is taken.
+Result<std::string> new_folder(const fs::path& trash, const QDateTime& now) {
+    if (const std::string reason = make_folder(trash, Readers::owner_only); !reason.empty())
+        return Error{"Nothing was deleted, because the trash cannot be made: " + reason};
+    const std::string start = now.toString(QStringLiteral("yyyy-MM-ddThhmmss.zzz")).toStdString();
+    std::error_code error;
+    for (int number = 1;; ++number) {
+        const std::string id = number == 1 ? start : start + "-" + std::to_string(number);
+        if (fs::create_directory(trash / id, error))
+            return id;
+        if (error)
+            return Error{"Nothing was deleted, because the trash cannot be written to: " +
+                         reason_of(error.value())};
+    }
+}
+
+} // namespace
+
+fs::path Trash::kept(const std::string& id, std::size_t number) const {
+    return folder() / id / std::to_string(number);
+}
+
+Result<std::string> Trash::put(const std::vector<fs::path>& files, const std::string& what) {
+    TrashEntry entry;
+    entry.what = what;
+    for (const fs::path& file : files) {
+        const fs::path below = file.is_absolute() ? file.lexically_relative(album_) : file.lexically_normal();
+        if (!stays_below(below))
+            return Error{quoted(file) + " was not deleted, because it is not in the album " + quoted(album_) +
+                         "."};
+        if (!name_taken(album_ / below))
+            return Error{"There is no file " + quoted(file) + "."};
+        entry.files.push_back(below);
+    }
+    if (entry.files.empty())
+        return Error{"Nothing was named that could be deleted."};
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    entry.deleted = now.toString(Qt::ISODate).toStdString();
+    const auto id = new_folder(folder(), now);
+    if (!id)
+        return id;
+    entry.id = *id;
+    const auto list = list_of(entry);
+    std::string reason =
+        replace_file(folder() / *id / list_name, {list.data(), static_cast<std::size_t>(list.size())},
+                     Readers::owner_only);
+    for (std::size_t i = 0; i < entry.files.size() && reason.empty(); ++i)
+        reason = move_file(album_ / entry.files[i], kept(*id, i));
+    if (reason.empty())
+        return id;
+    if (const std::string stuck = move_back(entry); !stuck.empty())
+        return Error{stuck};
+    erase(*id);
+    return Error{"Nothing was deleted: " + reason};
+}
+
+std::string Trash::move_back(const TrashEntry& entry) const {
+    for (std::size_t i = 0; i < entry.files.size(); ++i) {
+        if (!name_taken(kept(entry.id, i)))
+            continue;
+        const fs::path place = album_ / entry.files[i];
+        std::string reason = make_folder(place.parent_path());
+        if (reason.empty())
+            reason = move_file(kept(entry.id, i), place);
+        if (!reason.empty())
+            return quoted(entry.files[i]) + " cannot be restored and stays in the trash: " + reason;
+    }
+    return {};
+}
+
+std::string Trash::restore(const std::string& id) {
+    const auto entry = read(id);
+    if (!entry)
+        return entry.error();
+    for (std::size_t i = 0; i < entry->files.size(); ++i)
+        if (name_taken(kept(id, i)) && name_taken(album_ / entry->files[i]))
+            return quoted(entry->files[i]) +
+                   " cannot be restored, because another file has its place now. Move that one away first.";
+    if (std::string stuck = move_back(*entry); !stuck.empty())
+        return stuck;
+    return erase(id);
+}
+
+std::string Trash::erase(const std::string& id) {
+    if (!stays_below(id) || id.find('/') != std::string::npos || !name_taken(folder() / id))
+        return "There is nothing of the name " + quoted(fs::path(id)) + " in the trash.";
+    // The list goes last, so that what a power cut leaves is still known to be in the trash.
+    std::error_code error;
+    for (const auto& file : fs::directory_iterator(folder() / id, error))
+        if (file.path().filename() != list_name)
+            fs::remove_all(file.path(), error);
+    if (!error)
+        fs::remove_all(folder() / id, error);
+    return error ? "The trash could not be emptied: " + reason_of(error.value()) : std::string{};
+}
+
+std::string Trash::empty() {
+    std::string first;
+    for (const TrashEntry& entry : entries())
+        if (std::string problem = erase(entry.id); first.empty())
+            first = problem;
+    return first;
+}
+
+Result<TrashEntry> Trash::read(const std::string& id) const {
+    if (!stays_below(id) || id.find('/') != std::string::npos)
+        return Error{"There is nothing of the name " + quoted(fs::path(id)) + " in the trash."};
+    const auto bytes = read_whole(folder() / id / list_name, most_list_bytes);
+    const Error unreadable{"The list of what was deleted in " + quoted(folder() / id) +
+                           " cannot be read; its files are still there."};
+    if (!bytes)
+        return name_taken(folder() / id)
+                   ? unreadable
+                   : Error{"There is nothing of the name " + quoted(fs::path(id)) + " in the trash."};
+    const QJsonObject list = QJsonDocument::fromJson(QByteArray::fromStdString(*bytes)).object();
+    TrashEntry entry{id, list["what"].toString().toStdString(), list["deleted"].toString().toStdString(), {}};
+    for (const QJsonValue& file : list["files"].toArray()) {
+        const auto path = path_of(file.toString());
+        if (!path || !stays_below(*path))
+            return unreadable;
+        entry.files.push_back(*path);
+    }
+    return entry.files.empty() ? Result<TrashEntry>(unreadable) : Result<TrashEntry>(entry);
+}
+
+std::vector<TrashEntry> Trash::entries(std::vector<std::string>* problems) const {
+    std::vector<TrashEntry> found;
+    std::error_code error;
+    for (const auto& place : fs::directory_iterator(folder(), error)) {
+        auto entry = read(place.path().filename().string());
+        if (entry)
+            found.push_back(*std::move(entry));
+        else if (problems)
+            problems->push_back(entry.error());
+    }
+    std::sort(found.begin(), found.end(),
+              [](const TrashEntry& a, const TrashEntry& b) { return a.id > b.id; });
+    return found;
+}
+
+std::vector<fs::path> Trash::files_in(const std::string& id) const {
+    std::vector<fs::path> files;
+    if (const auto entry = read(id))
+        for (std::size_t i = 0; i < entry->files.size(); ++i)
+            if (name_taken(kept(id, i)))
+                files.push_back(kept(id, i));
+    return files;
+}
+
+} // namespace tp

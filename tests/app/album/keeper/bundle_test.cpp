@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "album_folder.hpp"
+#include "app/album/keeper/bundle.hpp"
+
+#include <QTest>
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <random>
+
+using namespace tp;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Entry {
+    std::string name;
+    std::string bytes{"x"};
+    unsigned type = AE_IFREG;
+    std::string link{};
+};
+
+/// A zip file of these entries, as a foreign program would write it.
+void write_zip(const fs::path& file, const std::vector<Entry>& entries,
+               const char* options = "zip:compression=deflate") {
+    archive* zip = archive_write_new();
+    archive_write_set_format_zip(zip);
+    archive_write_set_options(zip, options);
+    if (archive_write_open_filename(zip, file.c_str()) != ARCHIVE_OK)
+        qFatal("%s", archive_error_string(zip));
+    for (const Entry& one : entries) {
+        archive_entry* entry = archive_entry_new();
+        archive_entry_set_pathname(entry, one.name.c_str());
+        archive_entry_set_filetype(entry, one.type);
+        archive_entry_set_perm(entry, 0666);
+        if (!one.link.empty())
+            archive_entry_set_symlink(entry, one.link.c_str());
+        archive_entry_set_size(entry, static_cast<la_int64_t>(one.bytes.size()));
+        archive_write_header(zip, entry);
+        archive_write_data(zip, one.bytes.data(), one.bytes.size());
+        archive_entry_free(entry);
+    }
+    archive_write_close(zip);
+    archive_write_free(zip);
+}
+
+} // namespace
+
+class BundleTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void what_is_packed_comes_out_the_same() {
+        const AlbumFolder album, out;
+        std::vector<fs::path> photos;
+        for (const std::string& name :
+             {std::string("a.jpg"), std::string("2026/Mai/ä 👵.png"), std::string("2026/J\xF6rg%.jpg")}) {
+            photos.push_back(album.write(name, "photo " + name));
+            album.write(name + ".xmp", "sidecar");
+            album.write(name + ".tags/1.flac", std::string(70'000, 'f') + name);
+            album.write(name + ".tags/2.flac", "");
+        }
+        const auto packed = album.files();
+        album.write("not named.jpg", "stays");
+        album.write("a.jpg.tags/.touchphoto-1-1.tmp", "half");
+        std::uintmax_t done = 0, total = 0;
+        const auto report = [&](std::uintmax_t now, std::uintmax_t all) {
+            QVERIFY(now >= done);
+            done = now;
+            total = all;
+        };
+        const fs::path bundle = out / "family.touchphoto";
+        QCOMPARE(write_bundle(bundle, album.path(), photos, report), std::string());
+        QCOMPARE(done, total);
+        QVERIFY(total > 210'000);
+        const AlbumFolder unpacked;
+        QCOMPARE(unpack_bundle(bundle, unpacked.path()), std::string());
+        QVERIFY(unpacked.files() == packed);
+    }
+
+    void hostile_bundles_are_refused_data() {
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<unsigned>("type");
+        QTest::addColumn<QByteArray>("link");
+        QTest::newRow("climbs out") << QByteArray("../evil.jpg") << unsigned(AE_IFREG) << QByteArray();
+        QTest::newRow("climbs out deep")
+            << QByteArray("a/../../evil.jpg") << unsigned(AE_IFREG) << QByteArray();
+        QTest::newRow("absolute") << QByteArray("/tmp/evil.jpg") << unsigned(AE_IFREG) << QByteArray();
+        QTest::newRow("back slashes") << QByteArray("..\\evil.jpg") << unsigned(AE_IFREG) << QByteArray();
+        QTest::newRow("hidden in percent")
+            << QByteArray("%:..%2Fevil.jpg") << unsigned(AE_IFREG) << QByteArray();
+        QTest::newRow("link") << QByteArray("a.jpg") << unsigned(AE_IFLNK) << QByteArray("/etc/passwd");
+        QTest::newRow("folder outside") << QByteArray("../evil") << unsigned(AE_IFDIR) << QByteArray();
+    }
+
+    void hostile_bundles_are_refused() {
+        QFETCH(QByteArray, name);
+        QFETCH(unsigned, type);
+        QFETCH(QByteArray, link);
+        const AlbumFolder place;
+        write_zip(place / "b", {{"fine.jpg"}, {name.toStdString(), "x", type, link.toStdString()}});
+        const std::string problem = unpack_bundle(place / "b", place / "inner/folder");
+        QVERIFY2(problem.starts_with("The bundle ") && problem.ends_with('.'), problem.c_str());
+        QVERIFY(!fs::exists(place / "evil.jpg") && !fs::exists(place / "inner/evil.jpg"));
+        for (const auto& file : fs::recursive_directory_iterator(place.path()))
+            QVERIFY(!file.is_symlink());
+    }
+
+    void a_bomb_goes_off_small() {
+        const AlbumFolder place;
+        write_zip(place / "bomb", {{"a.jpg", std::string(30'000'000, '\0')}});
+        QVERIFY(fs::file_size(place / "bomb") < 100'000);
+        const std::string problem = unpack_bundle(place / "bomb", place / "out");
+        QVERIFY2(problem.find("too large") != std::string::npos, problem.c_str());
+        BundleLimits limits;
+        limits.most_growth = 1e9;
+        limits.most_bytes = 1'000'000;
+        QVERIFY(!unpack_bundle(place / "bomb", place / "out2", limits).empty());
+        std::vector<Entry> many;
+        for (int i = 0; i < 20; ++i)
+            many.push_back({std::to_string(i), ""});
+        write_zip(place / "many", many);
+        limits.most_files = 10;
+        QVERIFY(unpack_bundle(place / "many", place / "out3", limits).find("more files") != std::string::npos);
+        write_zip(place / "twice", {{"a", "first"}, {"a", "second"}});
+        QVERIFY(unpack_bundle(place / "twice", place / "out4").find("already") != std::string::npos);
+        QCOMPARE(place.read("out4/a"), std::string("first"));
+    }
+
+    void damaged_bundles_are_refused_or_whole() {
+        const AlbumFolder album, place;
+        const auto photo = album.write("a.jpg", std::string(20'000, 'p') + "end");
+        album.write("a.jpg.tags/1.flac", std::string(20'000, 's'));
+        QCOMPARE(write_bundle(place / "b", album.path(), {photo}), std::string());
+        const std::string whole = place.read("b");
+        std::mt19937 random(7);
+        int refused = 0;
+        for (int i = 0; i < 300; ++i) {
+            std::string bytes = whole;
+            if (i % 3 == 0)
+                bytes.resize(random() % bytes.size());
+            else
+                for (int k = 0; k < 3; ++k)
+                    bytes[random() % bytes.size()] = static_cast<char>(random());
+            place.write("damaged", bytes);
+            const fs::path out = place / ("out" + std::to_string(i));
+            const std::string problem = unpack_bundle(place / "damaged", out);
+            refused += !problem.empty();
+            if (problem.empty() &&
+                fs::exists(out / "a.jpg")) // a name or a comment was hit, or nothing that counts
+                QCOMPARE(fs::file_size(out / "a.jpg"), std::uintmax_t{20'003});
+            fs::remove_all(out);
+        }
+        QVERIFY(refused > 200);
+    }
+
+    void what_cannot_be_packed_is_said_and_leaves_the_old_bundle() {
+        const AlbumFolder album, place;
+        place.write("b", "old");
+        const auto outside = place.write("c.jpg", "x");
+        const auto photo = album.write("a.jpg", std::string(200'000, 'p'));
+        QVERIFY(!write_bundle(place / "b", album.path(), {album / "missing.jpg"}).empty());
+        QVERIFY(!write_bundle(place / "b", album.path(), {outside}).empty());
+        QVERIFY(!write_bundle(place / "b", album.path(), {}).empty());
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(!write_bundle(place / "b", album.path(), {photo}, {}, stop.get_token()).empty());
+        QCOMPARE(place.read("b"), std::string("old"));
+        QCOMPARE(place.files().size(), std::size_t{2});
+        QVERIFY(!write_bundle(place / "no folder" / "b", album.path(), {photo}).empty());
+        QVERIFY(!unpack_bundle(place / "b", place / "out").empty());
+        QVERIFY(!unpack_bundle(place / "missing", place / "out2").empty());
+        QVERIFY(!unpack_bundle(place / "b", place.path()).empty());
+    }
+};
+
+QTEST_GUILESS_MAIN(BundleTest)
+#include "bundle_test.moc"

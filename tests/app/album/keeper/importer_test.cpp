@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "album_folder.hpp"
+#include "app/album/keeper/importer.hpp"
+#include "app/album/keeper/photo_files.hpp"
+
+#include <QTest>
+
+#include <csignal>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+using namespace tp;
+namespace fs = std::filesystem;
+using Fate = ImportedPhoto::Fate;
+
+class ImporterTest : public QObject {
+    Q_OBJECT
+
+    static std::map<std::string, std::string> photos_in(const AlbumFolder& album) {
+        auto files = album.files();
+        std::erase_if(files, [](const auto& file) { return file.first.starts_with(".touchphoto/"); });
+        return files;
+    }
+
+    static Importer::Known nothing() {
+        return [](const std::string&) { return std::nullopt; };
+    }
+
+private slots:
+    void a_photograph_comes_with_all_that_is_its_own() {
+        const AlbumFolder card, album;
+        card.write("DCIM/100/IMG_1.JPG", "one");
+        card.write("DCIM/100/IMG_1.JPG.xmp", "sidecar");
+        card.write("DCIM/100/IMG_1.JPG.contours.svg", "svg");
+        card.write("DCIM/100/IMG_1.JPG.tags/2026-memo.flac", "sound");
+        card.write("DCIM/100/IMG_2.jpg", "two");
+        card.write("DCIM/100/IMG_2.xmp", "Lightroom's");
+        card.write("DCIM/100/IMG_3.jpg", "three");
+        card.write("DCIM/100/IMG_3.png", "three too");
+        card.write("DCIM/100/IMG_3.xmp", "whose?");
+        card.write("DCIM/100/._IMG_1.JPG", "another system's");
+        card.write("DCIM/.thumbnails/IMG_1.JPG", "small");
+        card.write("DCIM/100/readme.txt", "text");
+        const auto before = card.files();
+        std::vector<ImportProgress> said;
+        const auto report =
+            Importer(album.path(), "Summer", nothing()).import({card / "DCIM"}, [&](const ImportProgress& p) {
+                said.push_back(p);
+            });
+        QVERIFY2(report.ok(), report.error().c_str());
+        QCOMPARE(report->count(Fate::imported), std::size_t{4});
+        QVERIFY((photos_in(album) == std::map<std::string, std::string>{
+                                         {"Summer/IMG_1.JPG", "one"},
+                                         {"Summer/IMG_1.JPG.xmp", "sidecar"},
+                                         {"Summer/IMG_1.JPG.contours.svg", "svg"},
+                                         {"Summer/IMG_1.JPG.tags/2026-memo.flac", "sound"},
+                                         {"Summer/IMG_2.jpg", "two"},
+                                         {"Summer/IMG_2.xmp", "Lightroom's"},
+                                         {"Summer/IMG_3.jpg", "three"},
+                                         {"Summer/IMG_3.png", "three too"},
+                                     }));
+        QVERIFY(card.files() == before);
+        QCOMPARE(said.size(), std::size_t{5});
+        QCOMPARE(said.back().done, std::size_t{4});
+        QCOMPARE(said.back().bytes_done, said.back().bytes_total);
+        QVERIFY(Importer::unfinished(album.path()).empty());
+        struct stat about {};
+        QCOMPARE(::stat((album / "Summer/IMG_1.JPG.tags/2026-memo.flac").c_str(), &about), 0);
+        QCOMPARE(about.st_mode & 0777u, 0600u);
+    }
+
+    void the_same_bytes_come_once() {
+        const AlbumFolder card, album;
+        card.write("a.jpg", "one");
+        card.write("copy of a.jpg", "one");
+        card.write("b.jpg", "known elsewhere");
+        const fs::path elsewhere = album.write("old/b.jpg", "known elsewhere");
+        const auto hash = content_hash(elsewhere);
+        const auto known = [&](const std::string& of) {
+            return of == *hash ? std::optional<fs::path>(elsewhere) : std::nullopt;
+        };
+        const auto report = Importer(album.path(), {}, known).import({card.path()});
+        QCOMPARE(report->count(Fate::imported), std::size_t{1});
+        QCOMPARE(report->count(Fate::duplicate), std::size_t{2});
+        QCOMPARE(report->photos[1].place, elsewhere);
+        const auto again = Importer(album.path(), {}, nothing()).import({card.path()});
+        QCOMPARE(again->count(Fate::duplicate), std::size_t{2}); // nothing() does not know what is in old/
+        QCOMPARE(photos_in(album).size(), std::size_t{3});
+    }
+
+    void a_name_that_is_taken_gets_a_number() {
+        const AlbumFolder card, album;
+        album.write("IMG_1.jpg", "another");
+        album.write("IMG_1 (2).jpg.xmp", "somebody's");
+        card.write("IMG_1.jpg", "new");
+        card.write("IMG_1.jpg.xmp", "new sidecar");
+        const auto report = Importer(album.path(), {}, nothing()).import({card / "IMG_1.jpg"});
+        QCOMPARE(report->photos[0].place, album / "IMG_1 (3).jpg");
+        QCOMPARE(album.read("IMG_1 (3).jpg"), std::string("new"));
+        QCOMPARE(album.read("IMG_1 (3).jpg.xmp"), std::string("new sidecar"));
+        QCOMPARE(album.read("IMG_1.jpg"), std::string("another"));
+    }
+
+    void a_stopped_import_goes_on_where_it_was() {
+        const AlbumFolder card, album;
+        for (int i = 0; i < 10; ++i)
+            card.write("IMG_" + std::to_string(i) + ".jpg", std::to_string(i));
+        std::stop_source stop;
+        const auto stopped = Importer(album.path(), "in", nothing())
+                                 .import(
+                                     {card.path()},
+                                     [&](const ImportProgress& p) {
+                                         if (p.done == 4)
+                                             stop.request_stop();
+                                     },
+                                     stop.get_token());
+        QVERIFY(stopped->stopped);
+        QCOMPARE(photos_in(album).size(), std::size_t{4});
+        QCOMPARE(Importer::unfinished(album.path()), std::vector<std::string>{stopped->id});
+        const auto rest = Importer::go_on(album.path(), stopped->id, nothing());
+        QVERIFY2(rest.ok(), rest.error().c_str());
+        QCOMPARE(rest->count(Fate::duplicate), std::size_t{4});
+        QCOMPARE(rest->count(Fate::imported), std::size_t{6});
+        QCOMPARE(photos_in(album).size(), std::size_t{10});
+        QVERIFY(Importer::unfinished(album.path()).empty());
+        QVERIFY(!Importer::go_on(album.path(), stopped->id, nothing()).ok());
+    }
+
+    /// A kill between a companion and its photograph leaves the companion; the next try uses it.
+    void a_companion_that_came_before_a_kill_is_used() {
+        const AlbumFolder card, album;
+        card.write("a.jpg", "photo");
+        card.write("a.jpg.xmp", "sidecar");
+        card.write("a.jpg.tags/1.flac", "1");
+        card.write("a.jpg.tags/2.flac", "2");
+        album.write("a.jpg.xmp", "sidecar");
+        album.write("a.jpg.tags/1.flac", "1");
+        const auto report = Importer(album.path(), {}, nothing()).import({card.path()});
+        QCOMPARE(report->photos[0].place, album / "a.jpg");
+        QVERIFY(photos_in(album) == card.files());
+    }
+
+    void another_recording_of_that_name_is_kept() {
+        const AlbumFolder card, album;
+        card.write("a.jpg", "photo");
+        card.write("a.jpg.tags/1.flac", "1");
+        album.write("a.jpg.tags/1.flac", "orphan of another photograph");
+        const auto report = Importer(album.path(), {}, nothing()).import({card.path()});
+        QCOMPARE(report->photos[0].place, album / "a (2).jpg");
+        QCOMPARE(album.read("a.jpg.tags/1.flac"), std::string("orphan of another photograph"));
+        QCOMPARE(album.read("a (2).jpg.tags/1.flac"), std::string("1"));
+    }
+
+    void one_that_fails_does_not_stop_the_others() {
+        const AlbumFolder card, album;
+        card.write("a.jpg", "photo");
+        fs::create_symlink("nowhere", card / "b.jpg");
+        card.write("large.jpg", std::string(100'000, 'x'));
+        card.write("z.jpg", "last");
+        const auto previous = std::signal(SIGXFSZ, SIG_IGN);
+        struct rlimit before {};
+        QCOMPARE(::getrlimit(RLIMIT_FSIZE, &before), 0);
+        const struct rlimit small { 4096, before.rlim_max };
+        QCOMPARE(::setrlimit(RLIMIT_FSIZE, &small), 0);
+        const auto report =
+            Importer(album.path(), {}, nothing()).import({card / "a.jpg", card / "b.jpg", card.path()});
+        ::setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, previous);
+        QVERIFY(report.ok());
+        QCOMPARE(report->count(Fate::failed), std::size_t{2});
+        QCOMPARE(report->count(Fate::imported), std::size_t{2});
+        for (const ImportedPhoto& photo : report->photos)
+            QCOMPARE(photo.fate == Fate::failed, !photo.problem.empty());
+        QVERIFY(
+            (photos_in(album) == std::map<std::string, std::string>{{"a.jpg", "photo"}, {"z.jpg", "last"}}));
+        QCOMPARE(Importer::unfinished(album.path()).size(), std::size_t{1});
+        const auto rest = Importer::go_on(album.path(), report->id, nothing());
+        QCOMPARE(album.read("large.jpg").size(), std::size_t{100'000});
+        QCOMPARE(rest->count(Fate::failed), std::size_t{1}); // the link to nowhere
+        QCOMPARE(Importer::give_up(album.path(), report->id), std::string());
+        QVERIFY(Importer::unfinished(album.path()).empty());
+    }
+
+    void what_is_not_there_is_said_before_anything_is_copied() {
+        const AlbumFolder card, album;
+        card.write("a.jpg", "photo");
+        QVERIFY(!Importer(album.path(), {}, nothing()).import({card / "a.jpg", card / "missing"}).ok());
+        QVERIFY(album.files().empty());
+        QVERIFY(!Importer::go_on(album.path(), "../x", nothing()).ok());
+        album.write(".touchphoto/import/bad.json", "{}");
+        QVERIFY(!Importer::go_on(album.path(), "bad", nothing()).ok());
+        album.write(".touchphoto/import/evil.json", R"({"into":"../..","sources":["/tmp"]})");
+        QVERIFY(!Importer::go_on(album.path(), "evil", nothing()).ok());
+    }
+
+    void strange_names_come_as_they_are() {
+        const AlbumFolder card, album;
+        const std::vector<std::string> names{std::string("J\xF6rg.jpg"),
+                                             "line\nend.jpg",
+                                             "👵🏽 שלום.jpg",
+                                             std::string(240, 'n') + ".jpg",
+                                             "100%.jpg",
+                                             " .jpg",
+                                             "-rf.jpg"};
+        for (const std::string& name : names)
+            card.write(name, name);
+        const auto report = Importer(album.path(), {}, nothing()).import({card.path()});
+        QCOMPARE(report->count(Fate::imported), names.size());
+        QVERIFY(photos_in(album) == card.files());
+    }
+};
+
+QTEST_GUILESS_MAIN(ImporterTest)
+#include "importer_test.moc"

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "album_folder.hpp"
+#include "app/album/keeper/trash.hpp"
+
+#include <QTest>
+
+#include <sys/stat.h>
+
+using namespace tp;
+namespace fs = std::filesystem;
+
+class TrashTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void what_is_deleted_comes_back_as_it_was() {
+        const AlbumFolder album;
+        album.write("2026/a.jpg", "photo");
+        album.write("2026/a.jpg.xmp", "sidecar");
+        album.write("2026/a.jpg.tags/memo.flac", "sound");
+        album.write(std::string("2026/J\xF6rg\n.jpg"), "not UTF-8");
+        const auto before = album.files();
+        Trash trash(album.path());
+        const auto id = trash.put({album / "2026/a.jpg", "2026/a.jpg.xmp", album / "2026/a.jpg.tags",
+                                   std::string("2026/J\xF6rg\n.jpg")},
+                                  "a.jpg with one recording");
+        QVERIFY2(id.ok(), id.error().c_str());
+        QVERIFY(!fs::exists(album / "2026/a.jpg"));
+        QVERIFY(!fs::exists(album / "2026/a.jpg.tags"));
+        QCOMPARE(trash.entries().size(), std::size_t{1});
+        QCOMPARE(trash.entries()[0].what, std::string("a.jpg with one recording"));
+        QCOMPARE(trash.files_in(*id).size(), std::size_t{4});
+        struct stat about {};
+        QCOMPARE(::stat(trash.folder().c_str(), &about), 0);
+        QCOMPARE(about.st_mode & 0777u, 0700u);
+        QCOMPARE(trash.restore(*id), std::string());
+        QVERIFY(trash.entries().empty());
+        QVERIFY(album.files() == before);
+    }
+
+    void the_newest_is_first_and_each_has_its_own_place() {
+        const AlbumFolder album;
+        Trash trash(album.path());
+        std::vector<std::string> ids;
+        for (int i = 0; i < 30; ++i) {
+            album.write("a.jpg", std::to_string(i));
+            const auto id = trash.put({"a.jpg"}, std::to_string(i));
+            QVERIFY(id.ok());
+            ids.push_back(*id);
+        }
+        QCOMPARE(trash.entries().size(), std::size_t{30});
+        QCOMPARE(trash.restore(ids[7]), std::string());
+        QCOMPARE(album.read("a.jpg"), std::string("7"));
+        QCOMPARE(trash.entries().size(), std::size_t{29});
+    }
+
+    void a_place_that_is_taken_is_not_written_over() {
+        const AlbumFolder album;
+        Trash trash(album.path());
+        album.write("a.jpg", "old");
+        album.write("b.jpg", "other");
+        const auto id = trash.put({"b.jpg", "a.jpg"}, "both");
+        album.write("a.jpg", "new");
+        const std::string problem = trash.restore(*id);
+        QVERIFY2(problem.find("a.jpg") != std::string::npos, problem.c_str());
+        QCOMPARE(album.read("a.jpg"), std::string("new"));
+        QVERIFY(!fs::exists(album / "b.jpg"));
+        fs::remove(album / "a.jpg");
+        QCOMPARE(trash.restore(*id), std::string());
+        QCOMPARE(album.read("a.jpg"), std::string("old"));
+    }
+
+    /// A power cut after some files went back leaves the others and the list.
+    void a_restoring_that_was_cut_off_goes_on() {
+        const AlbumFolder album;
+        Trash trash(album.path());
+        album.write("a.jpg", "a");
+        album.write("b.jpg", "b");
+        const auto id = trash.put({"a.jpg", "b.jpg"}, "both");
+        fs::rename(trash.files_in(*id)[0], album / "a.jpg");
+        QCOMPARE(trash.restore(*id), std::string());
+        QCOMPARE(album.read("a.jpg"), std::string("a"));
+        QCOMPARE(album.read("b.jpg"), std::string("b"));
+    }
+
+    void what_cannot_be_deleted_leaves_everything() {
+        const AlbumFolder album, other;
+        album.write("a.jpg", "a");
+        const auto before = album.files();
+        Trash trash(album.path());
+        QVERIFY(!trash.put({"a.jpg", "missing.jpg"}, "x").ok());
+        QVERIFY(!trash.put({"a.jpg", other.write("b.jpg", "b")}, "x").ok());
+        QVERIFY(!trash.put({"../a.jpg"}, "x").ok());
+        QVERIFY(!trash.put({album.path()}, "x").ok());
+        QVERIFY(!trash.put({}, "x").ok());
+        QVERIFY(album.files() == before);
+        QVERIFY(trash.entries().empty());
+    }
+
+    void emptied_is_gone() {
+        const AlbumFolder album;
+        Trash trash(album.path());
+        album.write("a.jpg.tags/x.flac", "a");
+        const auto id = trash.put({"a.jpg.tags"}, "x");
+        QVERIFY(!trash.erase("../x").empty());
+        QVERIFY(!trash.erase("unknown").empty());
+        QCOMPARE(trash.empty(), std::string());
+        QVERIFY(trash.entries().empty());
+        QVERIFY(!trash.restore(*id).empty());
+        QVERIFY(album.files().empty());
+    }
+
+    void a_list_that_was_spoilt_is_said_and_left_alone_data() {
+        QTest::addColumn<QByteArray>("list");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("not JSON") << QByteArray("{");
+        QTest::newRow("no files") << QByteArray(R"({"what":"x","files":[]})");
+        QTest::newRow("leads out") << QByteArray(R"({"what":"x","files":["../evil"]})");
+        QTest::newRow("absolute") << QByteArray(R"({"what":"x","files":["/tmp/evil"]})");
+    }
+
+    void a_list_that_was_spoilt_is_said_and_left_alone() {
+        QFETCH(QByteArray, list);
+        const AlbumFolder album;
+        Trash trash(album.path());
+        album.write("a.jpg", "a");
+        const auto id = trash.put({"a.jpg"}, "x");
+        album.write(fs::path(".touchphoto/trash") / *id / "list.json", list.toStdString());
+        std::vector<std::string> problems;
+        QVERIFY(trash.entries(&problems).empty());
+        QCOMPARE(problems.size(), std::size_t{1});
+        QVERIFY(!trash.restore(*id).empty());
+        QCOMPARE(trash.empty(), std::string());
+        QVERIFY(fs::exists(trash.folder() / *id / "0"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TrashTest)
+#include "trash_test.moc"

@@ -23,12 +23,13 @@ tp_may(tp_svg      tp_base tp_files tp_geometry tp_guidance  USES PkgConfig::pug
 tp_may(tp_servo    tp_base tp_geometry tp_guidance  USES Threads::Threads)
 tp_may(tp_study    tp_base tp_geometry tp_guidance tp_servo)
 tp_may(tp_device   ${_core})
-tp_may(tp_faces    ${_core}                         USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc
+tp_may(tp_exiv2                                     USES PkgConfig::exiv2)
+tp_may(tp_faces    ${_core} tp_exiv2                USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc
                                                          opencv_imgcodecs opencv_dnn opencv_objdetect Threads::Threads)
 tp_may(tp_speech   tp_base                          USES Qt6::Core Qt6::TextToSpeech)
 tp_may(tp_recordings tp_base tp_files               USES PkgConfig::sndfile PkgConfig::ebur128)
 tp_may(tp_sound    tp_base tp_files tp_recordings   USES Qt6::Core Qt6::Multimedia PkgConfig::soundtouch)
-tp_may(tp_metadata tp_base tp_files tp_recordings   USES PkgConfig::exiv2)
+tp_may(tp_metadata tp_base tp_files tp_recordings tp_exiv2 USES PkgConfig::exiv2 PkgConfig::pugixml)
 tp_may(tp_index    tp_base tp_files tp_recordings tp_metadata USES Qt6::Core Qt6::Sql)
 tp_may(tp_keeper   tp_base tp_files tp_recordings tp_metadata tp_index USES Qt6::Core PkgConfig::archive)
 tp_may(tp_scene    tp_base tp_files tp_geometry tp_guidance tp_svg tp_faces)

@@ -1,30 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/picture_metadata.hpp"
 
+#include "faces/exiv2/prepare_exiv2.hpp"
+
 #include <exiv2/exiv2.hpp>
 
 #include <cstdlib>
-#include <mutex>
 
 namespace tp {
-namespace {
-
-/// Exiv2 keeps its log level and its XMP parser in globals that are not safe to set up from two threads; the
-/// parser of XMP needs a lock from us to be used from two.
-void prepare_exiv2() {
-    static std::once_flag once;
-    static std::mutex xmp;
-    std::call_once(once, [] {
-        Exiv2::LogMsg::setLevel(Exiv2::LogMsg::mute);
-        Exiv2::XmpParser::initialize(
-            [](void* mutex, bool lock) {
-                lock ? static_cast<std::mutex*>(mutex)->lock() : static_cast<std::mutex*>(mutex)->unlock();
-            },
-            &xmp);
-    });
-}
-
-} // namespace
 
 PictureMetadata metadata_of(const Bytes& bytes) noexcept {
     PictureMetadata metadata;

@@ -28,6 +28,7 @@ QByteArray list_of(const TrashEntry& entry) {
     for (const fs::path& file : entry.files)
         files.append(path_text(file));
     return QJsonDocument(QJsonObject{{"what", QString::fromStdString(entry.what)},
+                                     {"note", QString::fromStdString(entry.note)},
                                      {"deleted", QString::fromStdString(entry.deleted)},
                                      {"files", files}})
         .toJson();
@@ -55,9 +56,11 @@ fs::path Trash::kept(const std::string& id, std::size_t number) const {
     return folder() / id / std::to_string(number);
 }
 
-Result<std::string> Trash::put(const std::vector<fs::path>& files, const std::string& what) {
+Result<std::string> Trash::put(const std::vector<fs::path>& files, const std::string& what,
+                               const std::string& note) {
     TrashEntry entry;
     entry.what = what;
+    entry.note = note;
     for (const fs::path& file : files) {
         const fs::path below = file.is_absolute() ? file.lexically_relative(album_) : file.lexically_normal();
         if (!stays_below(below))
@@ -104,14 +107,14 @@ std::string Trash::move_back(const TrashEntry& entry) const {
 }
 
 std::string Trash::restore(const std::string& id) {
-    const auto entry = read(id);
-    if (!entry)
-        return entry.error();
-    for (std::size_t i = 0; i < entry->files.size(); ++i)
-        if (name_taken(kept(id, i)) && name_taken(album_ / entry->files[i]))
-            return quoted(entry->files[i]) +
+    const auto what = entry(id);
+    if (!what)
+        return what.error();
+    for (std::size_t i = 0; i < what->files.size(); ++i)
+        if (name_taken(kept(id, i)) && name_taken(album_ / what->files[i]))
+            return quoted(what->files[i]) +
                    " cannot be restored, because another file has its place now. Move that one away first.";
-    if (std::string stuck = move_back(*entry); !stuck.empty())
+    if (std::string stuck = move_back(*what); !stuck.empty())
         return stuck;
     return erase(id);
 }
@@ -137,7 +140,7 @@ std::string Trash::empty() {
     return first;
 }
 
-Result<TrashEntry> Trash::read(const std::string& id) const {
+Result<TrashEntry> Trash::entry(const std::string& id) const {
     if (!stays_below(id) || id.find('/') != std::string::npos)
         return Error{"There is nothing of the name " + quoted(fs::path(id)) + " in the trash."};
     const auto bytes = read_whole(folder() / id / list_name, most_list_bytes);
@@ -148,7 +151,8 @@ Result<TrashEntry> Trash::read(const std::string& id) const {
                    ? unreadable
                    : Error{"There is nothing of the name " + quoted(fs::path(id)) + " in the trash."};
     const QJsonObject list = QJsonDocument::fromJson(QByteArray::fromStdString(*bytes)).object();
-    TrashEntry entry{id, list["what"].toString().toStdString(), list["deleted"].toString().toStdString(), {}};
+    TrashEntry entry{id, list["what"].toString().toStdString(), list["deleted"].toString().toStdString(), {},
+                     list["note"].toString().toStdString()};
     for (const QJsonValue& file : list["files"].toArray()) {
         const auto path = path_of(file.toString());
         if (!path || !stays_below(*path))
@@ -162,11 +166,11 @@ std::vector<TrashEntry> Trash::entries(std::vector<std::string>* problems) const
     std::vector<TrashEntry> found;
     std::error_code error;
     for (const auto& place : fs::directory_iterator(folder(), error)) {
-        auto entry = read(place.path().filename().string());
-        if (entry)
-            found.push_back(*std::move(entry));
+        auto what = entry(place.path().filename().string());
+        if (what)
+            found.push_back(*std::move(what));
         else if (problems)
-            problems->push_back(entry.error());
+            problems->push_back(what.error());
     }
     std::sort(found.begin(), found.end(),
               [](const TrashEntry& a, const TrashEntry& b) { return a.id > b.id; });
@@ -175,8 +179,8 @@ std::vector<TrashEntry> Trash::entries(std::vector<std::string>* problems) const
 
 std::vector<fs::path> Trash::files_in(const std::string& id) const {
     std::vector<fs::path> files;
-    if (const auto entry = read(id))
-        for (std::size_t i = 0; i < entry->files.size(); ++i)
+    if (const auto what = entry(id))
+        for (std::size_t i = 0; i < what->files.size(); ++i)
             if (name_taken(kept(id, i)))
                 files.push_back(kept(id, i));
     return files;

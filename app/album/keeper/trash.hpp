@@ -15,6 +15,7 @@ struct TrashEntry {
     std::string what;                         ///< in a person's words, such as "IMG_1.jpg with 3 recordings"
     std::string deleted;                      ///< ISO 8601, UTC
     std::vector<std::filesystem::path> files; ///< where they were, relative to the album's folder
+    std::string note; ///< what whoever deleted them needs to bring them back; the trash does not look at it
 };
 
 /// What was deleted from one folder of an album, in .touchphoto/trash inside it: moved, not copied, so that
@@ -28,7 +29,10 @@ public:
 
     /// Moves files or folders (absolute, or relative to the album's folder; below it) away. The entry's id;
     /// an error says why not, and then everything is where it was.
-    Result<std::string> put(const std::vector<std::filesystem::path>& files, const std::string& what);
+    Result<std::string> put(const std::vector<std::filesystem::path>& files, const std::string& what,
+                            const std::string& note = {});
+    /// What was deleted under this id.
+    Result<TrashEntry> entry(const std::string& id) const;
     /// Moves everything of an entry back to where it was, and forgets the entry. Where another file has taken
     /// a place nothing is moved and the error names it.
     std::string restore(const std::string& id);
@@ -44,7 +48,6 @@ public:
     std::filesystem::path folder() const { return album_ / ".touchphoto" / "trash"; }
 
 private:
-    Result<TrashEntry> read(const std::string& id) const;
     std::filesystem::path kept(const std::string& id, std::size_t number) const;
     std::string move_back(const TrashEntry& entry) const;
 

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/album_check.hpp"
+
+#include "app/album/keeper/album_keeper.hpp"
+#include "app/album/keeper/importer.hpp"
+#include "app/album/keeper/photo_files.hpp"
+#include "app/album/keeper/recording_facts.hpp"
+#include "app/album/metadata/conflicts.hpp"
+#include "app/album/metadata/photo_name.hpp"
+#include "app/album/metadata/read_record.hpp"
+#include "app/album/metadata/sidecar_names.hpp"
+#include "audio/recordings/repair_folder.hpp"
+#include "audio/recordings/wav_part.hpp"
+#include "core/files/durable_file.hpp"
+#include "core/files/file_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <map>
+#include <set>
+#include <sys/stat.h>
+#include <system_error>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Kind = Finding::Kind;
+
+constexpr std::string_view tags_end = ".tags", contours_end = ".contours.svg", xmp_end = ".xmp";
+
+/// Everything in the album, sorted by what it is; so that what is found does not depend on the order of names.
+struct Inventory {
+    std::vector<fs::path> photos, temporaries, tags, others;
+};
+
+bool is_own_folder(const fs::path& folder) { return folder.filename() == ".touchphoto"; }
+
+Inventory inventory_of(const fs::path& album) {
+    Inventory found;
+    std::error_code error;
+    for (fs::recursive_directory_iterator place(album, fs::directory_options::skip_permission_denied, error), end;
+         !error && place != end; place.increment(error)) {
+        const fs::path file = place->path();
+        const std::string name = file.filename().string();
+        if (place->is_directory(error)) {
+            if (name.ends_with(tags_end))
+                found.tags.push_back(file);
+            if (name.starts_with('.') && !is_own_folder(file))
+                place.disable_recursion_pending();
+            else if (is_own_folder(file.parent_path()) && name == "trash")
+                place.disable_recursion_pending();
+        } else if (is_temporary(file)) {
+            found.temporaries.push_back(file);
+        } else if (has_photo_name(file)) {
+            found.photos.push_back(file);
+        } else if (name.ends_with(contours_end) || name.ends_with(xmp_end)) {
+            found.others.push_back(file);
+        }
+    }
+    for (auto* list : {&found.photos, &found.temporaries, &found.tags, &found.others})
+        std::sort(list->begin(), list->end());
+    return found;
+}
+
+/// Whether the process whose number stands in a temporary file's name still runs.
+bool writer_lives(const fs::path& temporary) {
+    const std::string name = temporary.filename().string();
+    const std::size_t begin = name.find_first_of("0123456789");
+    const long pid = begin == std::string::npos ? 0 : std::strtol(name.c_str() + begin, nullptr, 10);
+    return pid > 0 && (::kill(static_cast<pid_t>(pid), 0) == 0 || errno == EPERM);
+}
+
+/// The photograph that a companion's name speaks of.
+fs::path photo_of(const fs::path& companion) {
+    std::string name = companion.filename().string();
+    for (const std::string_view end : {tags_end, contours_end, xmp_end})
+        if (name.ends_with(end))
+            return companion.parent_path() / name.substr(0, name.size() - end.size());
+    return companion;
+}
+
+bool has_photo_of_stem(const fs::path& stem) {
+    std::error_code error;
+    for (const auto& file : fs::directory_iterator(stem.parent_path(), error))
+        if (has_photo_name(file.path()) && file.path().stem() == stem.filename())
+            return true;
+    return false;
+}
+
+class Check {
+public:
+    Check(const fs::path& album, const CheckOptions& options, std::stop_token stop)
+        : album_(album), keeper_(album), options_(options), stop_(std::move(stop)) {}
+
+    CheckReport run() {
+        const Inventory there = inventory_of(album_);
+        for (const fs::path& file : there.temporaries)
+            half_written(file);
+        for (const fs::path& folder : there.tags)
+            unfinished_recordings(folder);
+        for (const fs::path& photo : there.photos) {
+            if (stop_.stop_requested()) {
+                report_.stopped = true;
+                return std::move(report_);
+            }
+            if (options_.report)
+                options_.report(report_.photos, photo);
+            check_photo(photo);
+            ++report_.photos;
+        }
+        left_behind(there);
+        imports_and_trash();
+        return std::move(report_);
+    }
+
+private:
+    /// Adds a finding; where it can and shall be mended, mends it by `action`, which returns why not.
+    template <typename Action>
+    void found(Kind kind, const fs::path& file, const std::string& sentence, const std::string& mend, Action action) {
+        Finding finding{kind, file, sentence, mend, false, {}};
+        if (options_.mend && !mend.empty()) {
+            finding.problem = action();
+            finding.mended = finding.problem.empty();
+        }
+        report_.findings.push_back(std::move(finding));
+    }
+    void found(Kind kind, const fs::path& file, const std::string& sentence) {
+        found(kind, file, sentence, {}, [] { return std::string{}; });
+    }
+
+    void half_written(const fs::path& file) {
+        if (writer_lives(file))
+            return;
+        found(Kind::half_written, file, quoted(file) + " was being written when its program ended.", "It is deleted.",
+              [&] {
+                  std::error_code error;
+                  fs::remove(file, error);
+                  return error ? reason_of(error.value()) : sync_folder(file.parent_path());
+              });
+    }
+
+    void unfinished_recordings(const fs::path& folder) {
+        std::error_code error;
+        bool any = false;
+        for (const auto& file : fs::directory_iterator(folder, error))
+            any = any || file.path().filename().string().ends_with(wav_part_end);
+        if (!any)
+            return;
+        if (!options_.mend) {
+            for (const auto& file : fs::directory_iterator(folder, error))
+                if (file.path().filename().string().ends_with(wav_part_end))
+                    found(Kind::unfinished_recording, file.path(),
+                          quoted(file.path()) + " was not finished, or is being recorded now.", "It is finished.",
+                          [] { return std::string{}; });
+            return;
+        }
+        const auto repaired = repair_folder(folder);
+        if (!repaired) {
+            found(Kind::unfinished_recording, folder, repaired.error());
+            return;
+        }
+        for (const RepairedPart& part : *repaired)
+            if (part.outcome != RepairedPart::Outcome::in_use)
+                found(Kind::unfinished_recording, part.part, quoted(part.part) + " was not finished.", "It is finished.",
+                      [&] { return part.outcome == RepairedPart::Outcome::failed ? part.sentence : std::string{}; });
+    }
+
+    void check_photo(const fs::path& photo) {
+        conflicts(photo);
+        unreadable_sidecar(photo);
+        const auto record = read_record(photo);
+        if (!record) {
+            found(Kind::unreadable_sidecar, photo, record.error());
+            return;
+        }
+        recordings(photo, *record);
+        if (options_.hashes && !record->content_hash.empty())
+            changed_photo(photo, record->content_hash);
+        if (!record->content_hash.empty())
+            by_hash_[record->content_hash] = photo;
+    }
+
+    void conflicts(const fs::path& photo) {
+        for (const fs::path& copy : conflict_copies(photo))
+            found(Kind::conflict_copy, copy,
+                  quoted(copy) + " is what another machine made of the sidecar of " + quoted(photo.filename()) + ".",
+                  "Both are brought together, and the copy goes to the trash.", [&] {
+                      if (std::error_code error; !fs::exists(copy, error)) // an earlier one's turn took all of them
+                          return std::string{};
+                      const auto told = merge_conflicts(photo, keeper_.trash().folder());
+                      if (!told)
+                          return told.error();
+                      report_.told.insert(report_.told.end(), told->begin(), told->end());
+                      return std::string{};
+                  });
+    }
+
+    void unreadable_sidecar(const fs::path& photo) {
+        const fs::path sidecar = sidecar_of(photo);
+        if (!name_taken(sidecar) || sidecar_is_readable(sidecar))
+            return;
+        found(Kind::unreadable_sidecar, sidecar, quoted(sidecar) + " cannot be read.",
+              "It goes to the trash, and a new one lists the photograph's recordings.", [&] {
+                  return keeper_.trash()
+                      .put({sidecar}, "unreadable sidecar of " + readable(photo.filename().string()))
+                      .error();
+              });
+    }
+
+    void recordings(const fs::path& photo, const PhotoRecord& record) {
+        const fs::path folder = tags_folder(photo);
+        std::error_code error;
+        std::set<std::string> there;
+        for (const auto& file : fs::directory_iterator(folder, error))
+            if (file.is_regular_file(error) && !is_temporary(file.path()) &&
+                !file.path().filename().string().ends_with(wav_part_end))
+                there.insert(file.path().filename().string());
+        for (const std::string& file : there) {
+            ++report_.recordings;
+            const auto facts = recording_facts(folder / file);
+            if (!facts) {
+                found(Kind::unreadable_recording, folder / file, facts.error());
+                continue;
+            }
+            if (std::none_of(record.tags.begin(), record.tags.end(), [&](const Tag& tag) { return tag.file == file; }))
+                found(Kind::unlisted_recording, folder / file,
+                      quoted(folder / file) + " is not in the list of its photograph.",
+                      "It is listed by its own comments.",
+                      [&] { return keeper_.list_recording(photo, file).error(); });
+        }
+        for (const Tag& tag : record.tags)
+            if (!there.contains(tag.file))
+                missing_recording(photo, tag);
+        open_to_others(folder, there);
+    }
+
+    void missing_recording(const fs::path& photo, const Tag& tag) {
+        const fs::path file = tags_folder(photo) / tag.file;
+        const std::string sentence = quoted(file) + " is listed but not there.";
+        if (keeper_.is_in_trash(photo, tag.file))
+            found(Kind::missing_recording, file, sentence, "It is in the trash, so it is taken off the list.",
+                  [&] { return keeper_.forget_recording(photo, tag.file); });
+        else
+            found(Kind::missing_recording, file, sentence + " Bring it back from a copy of the album.");
+    }
+
+    void open_to_others(const fs::path& folder, const std::set<std::string>& files) {
+        std::vector<fs::path> open;
+        struct stat about {};
+        for (const std::string& file : files)
+            if (::stat((folder / file).c_str(), &about) == 0 && (about.st_mode & 077u) != 0)
+                open.push_back(folder / file);
+        if (::stat(folder.c_str(), &about) != 0 || ((about.st_mode & 077u) == 0 && open.empty()))
+            return;
+        found(Kind::open_to_others, folder, "Other people on this machine may listen to recordings in " + quoted(folder) + ".",
+              "Only their owner may from then on.", [&] {
+                  for (const fs::path& file : open)
+                      if (::chmod(file.c_str(), 0600) != 0)
+                          return reason_of(errno);
+                  return ::chmod(folder.c_str(), 0700) == 0 ? std::string{} : reason_of(errno);
+              });
+    }
+
+    void changed_photo(const fs::path& photo, const std::string& known) {
+        const auto hash = content_hash(photo);
+        if (hash && *hash == known)
+            return;
+        if (!hash) {
+            found(Kind::changed_photo, photo, hash.error());
+            return;
+        }
+        found(Kind::changed_photo, photo, quoted(photo) + " was changed by another program since its sidecar was written.",
+              "The sidecar is told so.", [&] {
+                  SidecarChanges changes;
+                  changes.content_hash = *hash;
+                  return write_sidecar(photo, changes);
+              });
+    }
+
+    void left_behind(const Inventory& there) {
+        std::vector<fs::path> companions = there.tags;
+        companions.insert(companions.end(), there.others.begin(), there.others.end());
+        std::map<fs::path, std::vector<fs::path>> by_photo; // that is not there
+        std::error_code error;
+        for (const fs::path& companion : companions) {
+            const fs::path photo = photo_of(companion);
+            const bool of_a_stem = companion.extension() == xmp_end && has_photo_of_stem(photo);
+            if (!fs::is_regular_file(photo, error) && !of_a_stem && !conflict_original(companion.filename().string()) &&
+                fs::exists(companion, error))
+                by_photo[photo].push_back(companion);
+        }
+        for (const auto& [photo, files] : by_photo)
+            if (has_photo_name(photo)) // other programs' sidecars are not ours to judge
+                left_behind(photo, files);
+    }
+
+    void left_behind(const fs::path& photo, const std::vector<fs::path>& files) {
+        const auto hash = hash_in_sidecar(sidecar_of(photo));
+        const auto now = hash ? by_content(*hash) : std::nullopt;
+        const std::string sentence = "The photograph of " + quoted(files.front()) + " is not beside it any more.";
+        if (!now) {
+            found(Kind::left_behind, files.front(), sentence);
+            return;
+        }
+        found(Kind::left_behind, files.front(), sentence, "It goes to where the photograph is now, " + quoted(*now) + ".",
+              [&] { return keeper_.move_companions(photo, *now); });
+    }
+
+    /// The photograph of this album with these bytes; every photograph is read once for it.
+    std::optional<fs::path> by_content(const std::string& hash) {
+        if (!all_hashed_) {
+            all_hashed_ = true;
+            for (const fs::path& photo : inventory_of(album_).photos)
+                if (const auto own = content_hash(photo))
+                    by_hash_.emplace(*own, photo);
+        }
+        const auto place = by_hash_.find(hash);
+        return place == by_hash_.end() ? std::nullopt : std::optional(place->second);
+    }
+
+    void imports_and_trash() {
+        for (const std::string& id : Importer::unfinished(album_))
+            found(Kind::unfinished_import, album_ / ".touchphoto" / "import" / (id + ".json"),
+                  "An import was not finished; go on with it, or give it up.");
+        std::vector<std::string> problems;
+        keeper_.trash().entries(&problems);
+        for (const std::string& problem : problems)
+            found(Kind::damaged_trash, keeper_.trash().folder(), problem);
+    }
+
+    const fs::path& album_;
+    AlbumKeeper keeper_;
+    const CheckOptions& options_;
+    std::stop_token stop_;
+    CheckReport report_;
+    std::map<std::string, fs::path> by_hash_;
+    bool all_hashed_ = false;
+};
+
+} // namespace
+
+std::string_view name_of(Finding::Kind kind) {
+    constexpr std::array<std::string_view, 12> names{
+        "half_written",      "unfinished_recording", "unlisted_recording", "missing_recording",
+        "unreadable_recording", "unreadable_sidecar", "left_behind",       "conflict_copy",
+        "changed_photo",     "open_to_others",       "unfinished_import",  "damaged_trash"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+Result<CheckReport> check_album(const fs::path& album, const CheckOptions& options, std::stop_token stop) {
+    std::error_code error;
+    if (!fs::is_directory(album, error))
+        return Error{"There is no folder " + quoted(album) + "."};
+    return Check(album, options, std::move(stop)).run();
+}
+
+} // namespace tp

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/album_keeper.hpp"
+
+#include "app/album/keeper/album_lock.hpp"
+#include "app/album/keeper/path_text.hpp"
+#include "app/album/keeper/photo_files.hpp"
+#include "app/album/keeper/tag_note.hpp"
+#include "app/album/metadata/read_record.hpp"
+#include "core/files/durable_file.hpp"
+#include "core/files/file_words.hpp"
+
+#include <memory>
+#include <system_error>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+AlbumKeeper::AlbumKeeper(fs::path album) : album_(std::move(album)), trash_(album_) {}
+
+std::string AlbumKeeper::outside(const fs::path& photo) const {
+    std::error_code error;
+    if (!stays_below(photo.lexically_relative(album_)))
+        return quoted(photo) + " is not in the album " + quoted(album_) + ".";
+    if (!fs::is_regular_file(photo, error))
+        return "There is no photograph " + quoted(photo) + ".";
+    return {};
+}
+
+std::string AlbumKeeper::change_sidecar(const fs::path& photo, const Change& change) {
+    if (std::string problem = outside(photo); !problem.empty())
+        return problem;
+    const auto lock = AlbumLock::take(album_);
+    if (!lock)
+        return "Nothing can be changed in the album " + quoted(album_) + ": " + lock.error();
+    const auto record = read_record(photo);
+    if (!record)
+        return record.error();
+    SidecarChanges changes = change(*record);
+    if (changes == SidecarChanges{})
+        return {};
+    if (record->content_hash.empty()) { // by it the sidecar finds its photograph again
+        const auto hash = content_hash(photo);
+        if (!hash)
+            return hash.error();
+        changes.content_hash = *hash;
+    }
+    return write_sidecar(photo, changes);
+}
+
+std::string AlbumKeeper::delete_photo(const fs::path& photo) {
+    if (std::string problem = outside(photo); !problem.empty())
+        return problem;
+    const auto lock = AlbumLock::take(album_);
+    if (!lock)
+        return "Nothing can be deleted from the album " + quoted(album_) + ": " + lock.error();
+    std::vector<fs::path> files;
+    for (const Companion& companion : companions_of(photo))
+        files.push_back(companion.file);
+    files.push_back(photo);
+    const std::string what = readable(photo.filename().string());
+    const auto id = trash_.put(files, what);
+    if (!id)
+        return id.error();
+    auto current = std::make_shared<std::string>(*id);
+    history_.done({what + " was deleted", [this, current] { return restore(*current); },
+                   [this, current, files, what] {
+                       const auto again = trash_.put(files, what);
+                       if (again)
+                           *current = *again;
+                       return again.error();
+                   }});
+    return {};
+}
+
+std::string AlbumKeeper::describe(const fs::path& photo, const std::string& language, const std::string& alt_text,
+                                  const std::string& description) {
+    struct Texts {
+        std::string alt_text, description;
+    };
+    const auto set = [this, photo, language](const Texts& to, Texts* before) {
+        return change_sidecar(photo, [&](const PhotoRecord& record) {
+            const auto changed = [&](LanguageTexts texts, const std::string& text, std::string* earlier) {
+                if (const auto found = texts.find(language); earlier && found != texts.end())
+                    *earlier = found->second;
+                if (text.empty())
+                    texts.erase(language);
+                else
+                    texts[language] = text;
+                return texts;
+            };
+            SidecarChanges changes;
+            changes.alt_text = changed(record.alt_text, to.alt_text, before ? &before->alt_text : nullptr);
+            changes.description = changed(record.description, to.description, before ? &before->description : nullptr);
+            return changes;
+        });
+    };
+    Texts before;
+    const Texts after{alt_text, description};
+    if (std::string problem = set(after, &before); !problem.empty())
+        return problem;
+    history_.done({readable(photo.filename().string()) + " was described", [set, before] { return set(before, nullptr); },
+                   [set, after] { return set(after, nullptr); }});
+    return {};
+}
+
+std::string AlbumKeeper::move_companions(const fs::path& from, const fs::path& to) {
+    if (std::string problem = outside(to); !problem.empty())
+        return problem;
+    const auto lock = AlbumLock::take(album_);
+    if (!lock)
+        return "Nothing can be moved in the album " + quoted(album_) + ": " + lock.error();
+    const std::vector<Companion> companions = companions_of(from);
+    for (const Companion& companion : companions)
+        if (name_taken(beside(to, companion)))
+            return quoted(beside(to, companion)) + " is there already, so nothing was moved.";
+    std::vector<Companion> moved;
+    for (const Companion& companion : companions) {
+        const std::string reason = move_file(companion.file, beside(to, companion));
+        if (reason.empty()) {
+            moved.push_back(companion);
+            continue;
+        }
+        for (const Companion& back : moved)
+            move_file(beside(to, back), back.file);
+        return quoted(companion.file) + " cannot be moved: " + reason;
+    }
+    return {};
+}
+
+std::string AlbumKeeper::restore(const std::string& id) {
+    const auto entry = trash_.entry(id);
+    if (!entry)
+        return entry.error();
+    if (std::string problem = trash_.restore(id); !problem.empty())
+        return problem;
+    const auto note = tag_note(entry->note);
+    return note ? list(album_ / note->photo, note->tag) : std::string{};
+}
+
+} // namespace tp

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/album/keeper/trash.hpp"
+#include "app/album/keeper/undo_history.hpp"
+#include "app/album/metadata/photo_record.hpp"
+#include "app/album/metadata/write_sidecar.hpp"
+#include "core/base/result.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+/// Everything that a person does to the photographs in one folder of an album and below it. Each step is on the disk
+/// when it returns and can be taken back; the photograph's own bytes are never written.
+///
+/// A text that is returned is empty when done; else a sentence, and nothing was changed unless it says so. Two
+/// programs may work on one album: each step reads, changes and writes under the album's lock. One thread at a time.
+class AlbumKeeper {
+public:
+    explicit AlbumKeeper(std::filesystem::path album);
+
+    // Recordings. `file` is a tag's file name.
+
+    /// Takes in any sound file that can be decoded: it becomes a FLAC among the photograph's recordings.
+    Result<Tag> add_recording(const std::filesystem::path& photo, const std::filesystem::path& sound,
+                              const RecordingLabel& label);
+    /// Lists a recording that lies among the photograph's already, as the recorder leaves it, by its own comments.
+    Result<Tag> list_recording(const std::filesystem::path& photo, const std::string& file);
+    /// Changes what a recording says of itself, in the sidecar and in its own comments.
+    std::string label_recording(const std::filesystem::path& photo, const std::string& file, const RecordingLabel& label);
+    /// Plays the photograph's recordings in this order from now on; those not named follow by kind.
+    std::string order_recordings(const std::filesystem::path& photo, const std::vector<std::string>& files);
+    /// Keeps the part from `begin_s` to `end_s`; the whole one goes to the trash.
+    Result<Tag> trim_recording(const std::filesystem::path& photo, const std::string& file, double begin_s, double end_s);
+    std::string delete_recording(const std::filesystem::path& photo, const std::string& file);
+    /// Whether the trash holds this recording.
+    bool is_in_trash(const std::filesystem::path& photo, const std::string& file) const;
+    /// Takes a recording whose file is gone off the photograph's list.
+    std::string forget_recording(const std::filesystem::path& photo, const std::string& file);
+
+    // Photographs.
+
+    /// To the trash, with everything that is its own.
+    std::string delete_photo(const std::filesystem::path& photo);
+    /// The short and the long description in one language; empty takes it away.
+    std::string describe(const std::filesystem::path& photo, const std::string& language, const std::string& alt_text,
+                         const std::string& description);
+
+    /// Moves what belongs to a photograph, sidecar and recordings and all, to where the photograph is now. Nothing is
+    /// moved where a place is taken.
+    std::string move_companions(const std::filesystem::path& from, const std::filesystem::path& to);
+
+    // People.
+
+    /// Says who a face is, empty: nobody knows. A face of nearly the same place is renamed, else a region is added.
+    std::string name_face(const std::filesystem::path& photo, const FaceRegion& face);
+    /// Another name for a person on these photographs, recordings included; where there is a person of that name already
+    /// the two become one. How many photographs were changed.
+    Result<std::size_t> rename_person(const std::vector<std::filesystem::path>& photos, const std::string& from,
+                                      const std::string& to);
+
+    /// Keeps how somebody says a person's name; an earlier one goes to the trash.
+    std::string keep_name_recording(const std::string& person, const std::filesystem::path& sound);
+    /// Where it is kept, if it is.
+    std::optional<std::filesystem::path> name_recording(const std::string& person) const;
+
+    // Taking back.
+
+    /// Puts something from the trash back to where it was, recordings back into their photograph's list.
+    std::string restore(const std::string& id);
+    Trash& trash() { return trash_; }
+    UndoHistory& history() { return history_; }
+    const std::filesystem::path& album() const { return album_; }
+
+private:
+    using Change = std::function<SidecarChanges(const PhotoRecord&)>;
+    /// Reads, changes and writes the sidecar under the album's lock.
+    std::string change_sidecar(const std::filesystem::path& photo, const Change& change);
+    std::string list(const std::filesystem::path& photo, const Tag& tag);
+    std::string unlist(const std::filesystem::path& photo, const std::string& file);
+    std::string relabel(const std::filesystem::path& photo, const std::string& file, const RecordingLabel& label);
+    std::string set_orders(const std::filesystem::path& photo, const std::vector<std::string>& files);
+    Result<std::string> put_recording(const std::filesystem::path& photo, const Tag& tag);
+    Result<Tag> tag_of(const std::filesystem::path& photo, const std::string& file) const;
+    std::string outside(const std::filesystem::path& photo) const;
+    std::string rename_on(const std::filesystem::path& photo, const std::string& from, const std::string& to);
+
+    std::filesystem::path album_;
+    Trash trash_;
+    UndoHistory history_;
+};
+
+} // namespace tp

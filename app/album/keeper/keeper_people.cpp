@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/album_keeper.hpp"
+#include "app/album/keeper/photo_files.hpp"
+#include "app/album/metadata/read_record.hpp"
+#include "audio/recordings/import_recording.hpp"
+#include "core/files/durable_file.hpp"
+#include "core/files/file_words.hpp"
+
+#include <QByteArray>
+#include <QCryptographicHash>
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <system_error>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double same_face = 0.3; // overlap of two regions, as a share of both together, that makes them one face
+
+double overlap(const FaceRegion& a, const FaceRegion& b) {
+    const auto shared = [](double x, double w, double u, double v) {
+        return std::max(0.0, std::min(x + 0.5 * w, u + 0.5 * v) - std::max(x - 0.5 * w, u - 0.5 * v));
+    };
+    const double both = shared(a.x, a.width, b.x, b.width) * shared(a.y, a.height, b.y, b.height);
+    const double either = a.width * a.height + b.width * b.height - both;
+    return either > 0.0 ? both / either : 0.0;
+}
+
+bool makes_sense(const FaceRegion& face) {
+    const auto inside = [](double centre, double size) {
+        return std::isfinite(centre) && size > 0.0 && centre - 0.5 * size > -0.01 && centre + 0.5 * size < 1.01;
+    };
+    return inside(face.x, face.width) && inside(face.y, face.height);
+}
+
+auto find_face(std::vector<FaceRegion>& faces, const FaceRegion& like) {
+    const auto best = std::max_element(faces.begin(), faces.end(), [&](const FaceRegion& a, const FaceRegion& b) {
+        return overlap(a, like) < overlap(b, like);
+    });
+    return best != faces.end() && overlap(*best, like) >= same_face ? best : faces.end();
+}
+
+/// The persons of a photograph after its faces changed from one list to another: those who were only on a face that
+/// lost the name are taken out; persons without a face stay.
+std::vector<std::string> persons_after(std::vector<std::string> persons, const std::string& gone,
+                                       const std::string& come, const std::vector<FaceRegion>& faces) {
+    const auto on_a_face = [&](const std::string& name) {
+        return std::any_of(faces.begin(), faces.end(), [&](const FaceRegion& face) { return face.name == name; });
+    };
+    if (!gone.empty() && !on_a_face(gone))
+        std::erase(persons, gone);
+    if (!come.empty() && std::find(persons.begin(), persons.end(), come) == persons.end())
+        persons.push_back(come);
+    return persons;
+}
+
+/// Where the name of a person, spoken, is kept: readable where the name can be a file's.
+fs::path name_file(const fs::path& album, const std::string& person) {
+    constexpr qsizetype longest = 200; // bytes; a file's name has at most 255
+    const QByteArray name = QByteArray::fromStdString(person);
+    QByteArray file = name.toPercentEncoding(" ", "/%.\\");
+    if (QString::fromUtf8(name).toUtf8() == name && !name.contains('/') && !name.contains('%') && !name.contains('\0') &&
+        !name.startsWith('.'))
+        file = name;
+    if (file.size() > longest)
+        file = file.left(longest) + "-" + QCryptographicHash::hash(name, QCryptographicHash::Sha256).toHex().left(16);
+    return album / ".touchphoto" / "people" / (file.toStdString() + ".flac");
+}
+
+} // namespace
+
+std::string AlbumKeeper::name_face(const fs::path& photo, const FaceRegion& face) {
+    if (!makes_sense(face))
+        return "The place of the face must lie in the picture, 0 to 1 from its left and upper edge.";
+    struct Before {
+        bool was_there = false;
+        FaceRegion face;
+    };
+    const auto put = [this, photo](const FaceRegion& to, bool remove, Before* before) {
+        return change_sidecar(photo, [&](const PhotoRecord& record) {
+            SidecarChanges changes;
+            changes.faces = record.faces;
+            const auto there = find_face(*changes.faces, to);
+            const std::string gone = there == changes.faces->end() ? std::string{} : there->name;
+            if (before && there != changes.faces->end())
+                *before = {true, *there};
+            if (there == changes.faces->end())
+                changes.faces->push_back(to);
+            else if (remove)
+                changes.faces->erase(there);
+            else
+                there->name = to.name;
+            changes.persons =
+                persons_after(record.persons, gone, remove ? std::string{} : to.name, *changes.faces);
+            return changes;
+        });
+    };
+    Before before;
+    if (std::string problem = put(face, false, &before); !problem.empty())
+        return problem;
+    history_.done({face.name.empty() ? "a face lost its name" : "a face was named " + readable(face.name),
+                   [put, before, face] {
+                       return before.was_there ? put(before.face, false, nullptr) : put(face, true, nullptr);
+                   },
+                   [put, face] { return put(face, false, nullptr); }});
+    return {};
+}
+
+std::string AlbumKeeper::rename_on(const fs::path& photo, const std::string& from, const std::string& to) {
+    const auto record = read_record(photo);
+    if (!record)
+        return record.error();
+    for (const Tag& tag : record->tags)
+        if (tag.label.person == from || tag.label.speaker == from) {
+            RecordingLabel label = tag.label;
+            if (label.person == from)
+                label.person = to;
+            if (label.speaker == from)
+                label.speaker = to;
+            if (std::string problem = relabel(photo, tag.file, label); !problem.empty())
+                return problem;
+        }
+    return change_sidecar(photo, [&](const PhotoRecord& now) {
+        SidecarChanges changes;
+        std::vector<FaceRegion> faces = now.faces;
+        for (FaceRegion& face : faces)
+            if (face.name == from)
+                face.name = to;
+        const bool named = std::find(now.persons.begin(), now.persons.end(), from) != now.persons.end();
+        if (faces != now.faces)
+            changes.faces = faces;
+        if (named || faces != now.faces)
+            changes.persons = persons_after(now.persons, from, to, faces);
+        return changes;
+    });
+}
+
+Result<std::size_t> AlbumKeeper::rename_person(const std::vector<fs::path>& photos, const std::string& from,
+                                               const std::string& to) {
+    if (from.empty() || to.empty() || from == to)
+        return Error{"A person needs a name, and another one than before."};
+    /// What a photograph said before, so that a merge can be taken apart again.
+    struct Before {
+        fs::path photo;
+        PhotoRecord record;
+    };
+    const auto changed = std::make_shared<std::vector<Before>>();
+    const auto back = [this, changed, from, to] {
+        for (const Before& one : *changed) {
+            for (const Tag& tag : one.record.tags)
+                if (tag.label.person == from || tag.label.speaker == from)
+                    if (std::string problem = relabel(one.photo, tag.file, tag.label); !problem.empty())
+                        return problem;
+            std::string problem = change_sidecar(one.photo, [&](const PhotoRecord& now) {
+                SidecarChanges changes;
+                changes.faces = now.faces;
+                for (const FaceRegion& face : one.record.faces)
+                    if (const auto there = find_face(*changes.faces, face);
+                        face.name == from && there != changes.faces->end() && there->name == to)
+                        there->name = from;
+                changes.persons = now.persons;
+                const auto had = [&](const std::string& name) {
+                    return std::find(one.record.persons.begin(), one.record.persons.end(), name) !=
+                           one.record.persons.end();
+                };
+                if (!had(to))
+                    std::erase(*changes.persons, to);
+                if (had(from))
+                    changes.persons->push_back(from);
+                return changes;
+            });
+            if (!problem.empty())
+                return problem;
+        }
+        return std::string{};
+    };
+    for (const fs::path& photo : photos) {
+        const auto record = outside(photo).empty() ? read_record(photo) : Result<PhotoRecord>(Error{outside(photo)});
+        std::string problem = record ? std::string{} : record.error();
+        const bool concerned =
+            record &&
+            (std::any_of(record->faces.begin(), record->faces.end(),
+                         [&](const FaceRegion& face) { return face.name == from; }) ||
+             std::find(record->persons.begin(), record->persons.end(), from) != record->persons.end() ||
+             std::any_of(record->tags.begin(), record->tags.end(), [&](const Tag& tag) {
+                 return tag.label.person == from || tag.label.speaker == from;
+             }));
+        if (concerned) {
+            changed->push_back({photo, *record});
+            problem = rename_on(photo, from, to);
+        }
+        if (!problem.empty()) {
+            const std::string stuck = back();
+            return Error{problem + (stuck.empty() ? std::string{} : " Some photographs kept the new name: " + stuck)};
+        }
+    }
+    const std::size_t count = changed->size();
+    if (count > 0)
+        history_.done({readable(from) + " became " + readable(to), back, [this, changed, from, to] {
+                           for (const Before& one : *changed)
+                               if (std::string problem = rename_on(one.photo, from, to); !problem.empty())
+                                   return problem;
+                           return std::string{};
+                       }});
+    return count;
+}
+
+std::optional<fs::path> AlbumKeeper::name_recording(const std::string& person) const {
+    const fs::path file = name_file(album_, person);
+    std::error_code error;
+    return fs::is_regular_file(file, error) ? std::optional(file) : std::nullopt;
+}
+
+std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs::path& sound) {
+    if (person.empty())
+        return "A person needs a name before it can be recorded.";
+    const fs::path file = name_file(album_, person);
+    if (const std::string reason = make_folder(file.parent_path(), Readers::owner_only); !reason.empty())
+        return "The name cannot be kept: " + reason;
+    const auto taken_in = import_recording(sound, file.parent_path(), {RecordingKind::person, person, {}, {}, {}, {}});
+    if (!taken_in)
+        return quoted(sound) + " cannot be taken in: " + taken_in.error();
+    const auto earlier = std::make_shared<std::string>(); // in the trash
+    const auto put_away = [this, file, person](std::string& id) {
+        const auto put = trash_.put({file}, "how somebody says " + readable(person));
+        if (put)
+            id = *put;
+        return put.error();
+    };
+    std::string problem = name_taken(file) ? put_away(*earlier) : std::string{};
+    if (problem.empty())
+        problem = move_file(*taken_in, file);
+    if (!problem.empty())
+        return "The name cannot be kept: " + problem;
+    const auto later = std::make_shared<std::string>();
+    const auto exchange = [this, put_away](std::string& away, const std::string& back) {
+        std::string stuck = put_away(away);
+        return !stuck.empty() || back.empty() ? stuck : trash_.restore(back);
+    };
+    history_.done({"the name of " + readable(person) + " was recorded",
+                   [exchange, earlier, later] { return exchange(*later, *earlier); },
+                   [this, exchange, earlier, later] {
+                       return earlier->empty() ? trash_.restore(*later) : exchange(*earlier, *later);
+                   }});
+    return {};
+}
+
+} // namespace tp

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/album_keeper.hpp"
+#include "app/album/keeper/path_text.hpp"
+#include "app/album/keeper/photo_files.hpp"
+#include "app/album/keeper/recording_facts.hpp"
+#include "app/album/keeper/tag_note.hpp"
+#include "app/album/metadata/read_record.hpp"
+#include "audio/recordings/import_recording.hpp"
+#include "audio/recordings/recording_file.hpp"
+#include "audio/recordings/trim_recording.hpp"
+#include "core/files/durable_file.hpp"
+#include "core/files/file_words.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+auto find_tag(std::vector<Tag>& tags, const std::string& file) {
+    return std::find_if(tags.begin(), tags.end(), [&](const Tag& tag) { return tag.file == file; });
+}
+
+std::string words_for(const Tag& tag) {
+    const std::string kind(name_of(tag.label.kind));
+    return "the " + (tag.label.person.empty() ? kind : kind + " about " + readable(tag.label.person));
+}
+
+Error unknown(const fs::path& photo, const std::string& file) {
+    return Error{"There is no recording " + quoted(fs::path(file)) + " on " + quoted(photo.filename()) + "."};
+}
+
+} // namespace
+
+std::string AlbumKeeper::list(const fs::path& photo, const Tag& tag) {
+    return change_sidecar(photo, [&](const PhotoRecord& record) {
+        SidecarChanges changes;
+        changes.tags = record.tags;
+        if (const auto there = find_tag(*changes.tags, tag.file); there != changes.tags->end())
+            *there = tag;
+        else
+            changes.tags->push_back(tag);
+        return changes;
+    });
+}
+
+std::string AlbumKeeper::unlist(const fs::path& photo, const std::string& file) {
+    return change_sidecar(photo, [&](const PhotoRecord& record) {
+        SidecarChanges changes;
+        changes.tags = record.tags;
+        std::erase_if(*changes.tags, [&](const Tag& tag) { return tag.file == file; });
+        return changes;
+    });
+}
+
+Result<Tag> AlbumKeeper::tag_of(const fs::path& photo, const std::string& file) const {
+    if (std::string problem = outside(photo); !problem.empty())
+        return Error{problem};
+    auto record = read_record(photo);
+    if (!record)
+        return Error{record.error()};
+    const auto tag = find_tag(record->tags, file);
+    return tag == record->tags.end() ? Result<Tag>(unknown(photo, file)) : Result<Tag>(*tag);
+}
+
+Result<Tag> AlbumKeeper::add_recording(const fs::path& photo, const fs::path& sound, const RecordingLabel& label) {
+    if (std::string problem = outside(photo); !problem.empty())
+        return Error{problem};
+    if (const std::string reason = make_folder(tags_folder(photo), Readers::owner_only); !reason.empty())
+        return Error{"The recording cannot be kept: " + reason};
+    const auto kept = import_recording(sound, tags_folder(photo), label);
+    if (!kept)
+        return Error{quoted(sound) + " cannot be taken in: " + kept.error()};
+    return list_recording(photo, kept->filename().string());
+}
+
+Result<Tag> AlbumKeeper::list_recording(const fs::path& photo, const std::string& file) {
+    if (std::string problem = outside(photo); !problem.empty())
+        return Error{problem};
+    const auto tag = recording_facts(tags_folder(photo) / file);
+    if (!tag)
+        return Error{tag.error()};
+    if (std::string problem = list(photo, *tag); !problem.empty())
+        return Error{"The recording " + quoted(tags_folder(photo) / file) +
+                     " is kept, but the photograph's list could not be written: " + problem};
+    auto id = std::make_shared<std::string>();
+    history_.done({words_for(*tag) + " was added",
+                   [this, photo, tag = *tag, id] {
+                       const auto put = put_recording(photo, tag);
+                       if (put)
+                           *id = *put;
+                       return put.error();
+                   },
+                   [this, id] { return restore(*id); }});
+    return *tag;
+}
+
+Result<std::string> AlbumKeeper::put_recording(const fs::path& photo, const Tag& tag) {
+    const auto id = trash_.put({tags_folder(photo) / tag.file},
+                               words_for(tag) + " of " + readable(photo.filename().string()),
+                               note_of({photo.lexically_relative(album_), tag}));
+    if (!id)
+        return id;
+    if (std::string problem = unlist(photo, tag.file); !problem.empty()) {
+        if (const std::string stuck = trash_.restore(*id); !stuck.empty())
+            return Error{stuck};
+        return Error{problem};
+    }
+    return id;
+}
+
+std::string AlbumKeeper::delete_recording(const fs::path& photo, const std::string& file) {
+    const auto tag = tag_of(photo, file);
+    if (!tag)
+        return tag.error();
+    const auto put = put_recording(photo, *tag);
+    if (!put)
+        return put.error();
+    auto id = std::make_shared<std::string>(*put);
+    history_.done({words_for(*tag) + " was deleted", [this, id] { return restore(*id); },
+                   [this, photo, tag = *tag, id] {
+                       const auto again = put_recording(photo, tag);
+                       if (again)
+                           *id = *again;
+                       return again.error();
+                   }});
+    return {};
+}
+
+std::string AlbumKeeper::relabel(const fs::path& photo, const std::string& file, const RecordingLabel& label) {
+    auto tag = tag_of(photo, file);
+    if (!tag)
+        return tag.error();
+    const auto about = about_recording(tags_folder(photo) / file);
+    if (!about)
+        return quoted(tags_folder(photo) / file) + " cannot be changed: " + about.error();
+    RecordingNotes notes = about->notes;
+    notes.label = label;
+    if (const std::string reason = relabel_recording(tags_folder(photo) / file, notes); !reason.empty())
+        return quoted(tags_folder(photo) / file) + " cannot be changed: " + reason;
+    tag->label = label;
+    return list(photo, *tag);
+}
+
+std::string AlbumKeeper::label_recording(const fs::path& photo, const std::string& file, const RecordingLabel& label) {
+    const auto tag = tag_of(photo, file);
+    std::string problem = tag ? relabel(photo, file, label) : tag.error();
+    if (!problem.empty())
+        return problem;
+    history_.done({words_for(*tag) + " was labelled",
+                   [this, photo, file, before = tag->label] { return relabel(photo, file, before); },
+                   [this, photo, file, label] { return relabel(photo, file, label); }});
+    return {};
+}
+
+std::string AlbumKeeper::set_orders(const fs::path& photo, const std::vector<std::string>& files) {
+    return change_sidecar(photo, [&](const PhotoRecord& record) {
+        SidecarChanges changes;
+        changes.tags = record.tags;
+        for (Tag& tag : *changes.tags) {
+            const auto place = std::find(files.begin(), files.end(), tag.file);
+            tag.order = place == files.end() ? 0 : static_cast<int>(place - files.begin()) + 1;
+        }
+        return changes;
+    });
+}
+
+std::string AlbumKeeper::order_recordings(const fs::path& photo, const std::vector<std::string>& files) {
+    const auto record = outside(photo).empty() ? read_record(photo) : Result<PhotoRecord>(Error{outside(photo)});
+    if (!record)
+        return record.error();
+    std::vector<Tag> ordered = record->tags;
+    for (const std::string& file : files)
+        if (find_tag(ordered, file) == ordered.end())
+            return unknown(photo, file).sentence;
+    std::erase_if(ordered, [](const Tag& tag) { return tag.order <= 0; });
+    std::stable_sort(ordered.begin(), ordered.end(), [](const Tag& a, const Tag& b) { return a.order < b.order; });
+    std::vector<std::string> before;
+    for (const Tag& tag : ordered)
+        before.push_back(tag.file);
+    if (std::string problem = set_orders(photo, files); !problem.empty())
+        return problem;
+    history_.done({"the recordings of " + readable(photo.filename().string()) + " were put in order",
+                   [this, photo, before] { return set_orders(photo, before); },
+                   [this, photo, files] { return set_orders(photo, files); }});
+    return {};
+}
+
+Result<Tag> AlbumKeeper::trim_recording(const fs::path& photo, const std::string& file, double begin_s, double end_s) {
+    const auto whole = tag_of(photo, file);
+    if (!whole)
+        return Error{whole.error()};
+    const auto part = tp::trim_recording(tags_folder(photo) / file, begin_s, end_s);
+    if (!part)
+        return Error{quoted(tags_folder(photo) / file) + " cannot be trimmed: " + part.error()};
+    auto tag = recording_facts(*part);
+    if (!tag)
+        return tag;
+    tag->order = whole->order;
+    if (std::string problem = list(photo, *tag); !problem.empty())
+        return Error{problem};
+    const auto put = put_recording(photo, *whole);
+    if (!put)
+        return Error{put.error()};
+    auto whole_id = std::make_shared<std::string>(*put), part_id = std::make_shared<std::string>();
+    const auto exchange = [this, photo](const Tag& away, std::string& away_id, const std::string& back_id) {
+        if (std::string problem = restore(back_id); !problem.empty())
+            return problem;
+        const auto gone = put_recording(photo, away);
+        if (gone)
+            away_id = *gone;
+        return gone.error();
+    };
+    history_.done({words_for(*whole) + " was trimmed",
+                   [=, part = *tag] { return exchange(part, *part_id, *whole_id); },
+                   [=, whole = *whole] { return exchange(whole, *whole_id, *part_id); }});
+    return *tag;
+}
+
+bool AlbumKeeper::is_in_trash(const fs::path& photo, const std::string& file) const {
+    const std::vector<TrashEntry> entries = trash_.entries();
+    return std::any_of(entries.begin(), entries.end(), [&](const TrashEntry& entry) {
+        return std::find(entry.files.begin(), entry.files.end(),
+                         (tags_folder(photo) / file).lexically_relative(album_)) != entry.files.end();
+    });
+}
+
+std::string AlbumKeeper::forget_recording(const fs::path& photo, const std::string& file) {
+    if (name_taken(tags_folder(photo) / file))
+        return quoted(tags_folder(photo) / file) + " is there, so it stays on the list.";
+    return unlist(photo, file);
+}
+
+} // namespace tp

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/album/album_json.hpp"
+#include "app/cli/album/album_verbs.hpp"
+#include "app/cli/album/album_words.hpp"
+#include "core/files/file_words.hpp"
+
+#include <QJsonArray>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace tp {
+
+namespace {
+
+void print_as_json(const CheckReport& report) {
+    QJsonArray findings;
+    for (const Finding& finding : report.findings)
+        findings.append(to_json(finding));
+    print_line({{"photos", static_cast<qint64>(report.photos)},
+                {"recordings", static_cast<qint64>(report.recordings)},
+                {"findings", findings},
+                {"told", json_texts(report.told)},
+                {"stopped", report.stopped}});
+}
+
+void print_for_a_person(const CheckReport& report, bool mend) {
+    std::printf("%zu photographs, %zu recordings\n", report.photos, report.recordings);
+    for (const Finding& finding : report.findings) {
+        std::printf("%s", finding.sentence.c_str());
+        if (!finding.mend.empty())
+            std::printf(" %s%s", mend ? finding.mended ? "Mended: " : "Not mended: " : "With --mend: ",
+                        finding.problem.empty() ? finding.mend.c_str() : finding.problem.c_str());
+        std::printf("\n");
+    }
+    for (const std::string& sentence : report.told)
+        std::printf("%s\n", sentence.c_str());
+    if (report.findings.empty() && !report.stopped)
+        std::printf("Everything is as it is promised to be.\n");
+}
+
+} // namespace
+
+int album_check(const QStringList& words) {
+    VerbLine line("album check",
+                  "Compares an album's folder, and all below it, with what is promised: each recording is whole\n"
+                  "and listed, each sidecar readable, nothing half-written, nothing left behind. Ends in 1 where\n"
+                  "something is not so and was not mended.");
+    line.option("mend", "Mends what can be mended; what has to make way goes to the album's trash.")
+        .option("no-hashes", "Does not read the photographs themselves: quicker, sees no changed bytes.")
+        .option("json", "One JSON object on stdout.")
+        .argument("ALBUM", "The album's folder.");
+    if (const auto ended = line.parse(words, 1, 1))
+        return *ended;
+    StopOnSignal stop;
+    CheckOptions options;
+    options.mend = line.has("mend");
+    options.hashes = !line.has("no-hashes");
+    options.report = [&](std::size_t photos, const std::filesystem::path& current) {
+        stop.look();
+        if (photos % 100 == 0)
+            say(std::to_string(photos) + " photographs looked at, now " + quoted(current.filename()));
+    };
+    const auto report = check_album(path_given(line.arguments().first()), options, stop.token());
+    if (!report)
+        return refused(report.error());
+    if (line.has("json"))
+        print_as_json(*report);
+    else
+        print_for_a_person(*report, options.mend);
+    if (report->stopped)
+        return stop.exit_code();
+    return std::all_of(report->findings.begin(), report->findings.end(),
+                       [](const Finding& finding) { return finding.mended; })
+               ? exit_done
+               : exit_bad_input;
+}
+
+} // namespace tp

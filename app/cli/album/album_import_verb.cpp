@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/album_import.hpp"
+#include "app/album/keeper/importer.hpp"
+#include "app/cli/album/album_index_words.hpp"
+#include "app/cli/album/album_json.hpp"
+#include "app/cli/album/album_verbs.hpp"
+#include "core/files/file_words.hpp"
+
+#include <cstdio>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Fate = ImportedPhoto::Fate;
+
+void print_photo(const ImportedPhoto& photo, bool json) {
+    if (json)
+        return print_line(to_json(photo));
+    const std::string name = quoted(photo.source.filename());
+    if (photo.fate == Fate::imported)
+        std::printf("%s is now %s.\n", name.c_str(), quoted(photo.place).c_str());
+    else if (photo.fate == Fate::duplicate)
+        std::printf("%s is in the album already, as %s.\n", name.c_str(), quoted(photo.place).c_str());
+    std::fflush(stdout);
+    if (!photo.problem.empty())
+        say_problem(photo.problem);
+}
+
+void say_progress(const ImportProgress& progress) {
+    if (progress.current.empty())
+        return;
+    std::string line = std::to_string(progress.done + 1) + " of " + std::to_string(progress.total) + ": " +
+                       readable(progress.current.filename().string());
+    if (progress.seconds_left)
+        line += ", about " + std::to_string(static_cast<long>(*progress.seconds_left) + 1) + " s left";
+    say(line);
+}
+
+int ended(const ImportReport& report, const StopOnSignal& stop) {
+    if (report.stopped) {
+        say("The import was stopped. It goes on with --continue.");
+        return stop.exit_code();
+    }
+    say(std::to_string(report.count(Fate::imported)) + " imported, " + std::to_string(report.count(Fate::duplicate)) +
+        " in the album already, " + std::to_string(report.count(Fate::failed)) + " not imported.");
+    return report.count(Fate::failed) == 0 ? exit_done : exit_bad_input;
+}
+
+} // namespace
+
+int album_import(const QStringList& words) {
+    VerbLine line("album import",
+                  "Copies photographs into an album: files, folders, a camera's card, .touchphoto bundles. Sidecars,\n"
+                  "contours and recordings come along; so does a sound of the same name (IMG_1.WAV). What the album\n"
+                  "holds already is not copied again. The sources are only read. An import that was stopped or killed\n"
+                  "goes on with --continue.");
+    add_index_options(line)
+        .option("into", "A folder of the album, made where it is missing.", "FOLDER")
+        .option("continue", "Goes on with imports that were not finished.")
+        .option("give-up", "Forgets imports that were not finished; what they brought stays.")
+        .option("json", "A JSON object a photograph, each at once.")
+        .argument("ALBUM", "The album's folder.")
+        .argument("SOURCE", "What is imported.", "[SOURCE...]");
+    if (const auto over = line.parse(words, 1, 10'000))
+        return *over;
+    const fs::path album = path_given(line.arguments().first());
+    std::vector<fs::path> sources;
+    for (const QString& word : line.arguments().mid(1))
+        sources.push_back(path_given(word));
+    const bool go_on = line.has("continue"), give_up = line.has("give-up");
+    if (sources.empty() != (go_on || give_up) || (go_on && give_up))
+        return wrong_usage("album import", "It needs something to import, or --continue, or --give-up.");
+    std::error_code error;
+    if (!fs::is_directory(album, error))
+        return refused("There is no folder " + quoted(album) + ".");
+    if (give_up) {
+        for (const std::string& id : Importer::unfinished(album))
+            if (const std::string problem = Importer::give_up(album, id); !problem.empty())
+                return refused(problem);
+        return exit_done;
+    }
+    StopOnSignal stop;
+    auto index = open_index(line, {album});
+    if (!index)
+        return refused(index.error());
+    if (const auto scanned = scan_with_progress(*index, {album}, stop); !scanned)
+        return refused(scanned.error());
+    ImportTools tools;
+    tools.known = [&](const std::string& hash) {
+        const auto found = index->photo_with(hash);
+        return found ? *found : std::nullopt;
+    };
+    tools.progress = [&](const ImportProgress& progress) {
+        stop.look();
+        say_progress(progress);
+    };
+    tools.done = [&](const ImportedPhoto& photo) { print_photo(photo, line.has("json")); };
+    tools.stop = stop.token();
+    if (!go_on) {
+        const auto report = import_into_album(album, line.text("into").toStdString(), sources, tools);
+        return report ? ended(*report, stop) : refused(report.error());
+    }
+    int result = exit_done;
+    for (const std::string& id : Importer::unfinished(album)) {
+        const auto report = continue_import(album, id, tools);
+        if (const int end = report ? ended(*report, stop) : refused(report.error()); end != exit_done)
+            result = end;
+    }
+    return result;
+}
+
+int album_export(const QStringList& words) {
+    VerbLine line("album export",
+                  "Writes photographs with everything that is theirs as one .touchphoto file, which is a zip file.");
+    line.option("to", "The file.", "FILE.touchphoto")
+        .argument("ALBUM", "The album's folder.")
+        .argument("PHOTO", "Photographs or folders of it; none: all.", "[PHOTO...]");
+    if (const auto over = line.parse(words, 1, 10'000))
+        return *over;
+    if (!line.has("to"))
+        return wrong_usage("album export", "It needs --to FILE.touchphoto.");
+    const fs::path album = path_given(line.arguments().first());
+    std::vector<fs::path> photos;
+    for (const QString& word : line.arguments().mid(1))
+        photos.push_back(path_given(word));
+    if (photos.empty())
+        photos.push_back(album);
+    StopOnSignal stop;
+    const std::string problem = export_bundle(
+        path_given(line.text("to")), album, photos, [&](std::uintmax_t, std::uintmax_t) { stop.look(); }, stop.token());
+    if (stop.token().stop_requested())
+        return stop.exit_code();
+    return problem.empty() ? int{exit_done} : refused(problem);
+}
+
+} // namespace tp

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/album_keeper.hpp"
+#include "app/album/metadata/read_record.hpp"
+#include "app/cli/album/album_json.hpp"
+#include "app/cli/album/album_verbs.hpp"
+#include "app/cli/album/album_words.hpp"
+#include "core/files/file_words.hpp"
+
+#include <array>
+#include <cstdio>
+#include <optional>
+
+namespace tp {
+
+namespace {
+
+void add_label_options(VerbLine& line) {
+    line.option("kind", "memo, person, place, story or ambient.", "KIND")
+        .option("person", "Whom it is about.", "NAME")
+        .option("speaker", "Who speaks; several are separated by \"; \".", "NAME")
+        .option("language", "BCP 47, such as de-AT.", "TAG")
+        .option("recorded", "When, such as 2026-05-01T10:15:00+02:00.", "TIME")
+        .option("transcript", "What is said, typed.", "TEXT");
+}
+
+/// The label with what the options say in place of its own; an error where one makes no sense.
+Result<RecordingLabel> labelled(const VerbLine& line, RecordingLabel label) {
+    if (line.has("kind")) {
+        const auto kind = recording_kind(line.text("kind").toStdString());
+        if (!kind)
+            return Error{"The kind of a recording is memo, person, place, story or ambient."};
+        label.kind = *kind;
+    }
+    const auto take = [&](const char* option, std::string& text) {
+        if (line.has(option))
+            text = line.text(option).toStdString();
+    };
+    take("person", label.person);
+    take("speaker", label.speaker);
+    take("language", label.language);
+    take("recorded", label.recorded);
+    take("transcript", label.transcript);
+    return label;
+}
+
+void print_tag(const Tag& tag, bool json) {
+    if (json)
+        return print_line(to_json(tag));
+    const auto kind = name_of(tag.label.kind);
+    std::printf("%s\t%.*s\t%.1f s\t%s\t%s\n", readable(tag.file).c_str(), static_cast<int>(kind.size()), kind.data(),
+                tag.duration_s, readable(tag.label.person).c_str(), readable(tag.label.speaker).c_str());
+}
+
+std::filesystem::path photo_given(const VerbLine& line) { return path_given(line.arguments().first()); }
+
+int ended(const std::string& problem) { return problem.empty() ? int{exit_done} : refused(problem); }
+
+int tag_list(const QStringList& words) {
+    VerbLine line("album tag list", "The recordings of a photograph.");
+    line.option("json", "A JSON object a line.").argument("PHOTO", "The photograph.");
+    if (const auto over = line.parse(words, 1, 1))
+        return *over;
+    const auto record = read_record(photo_given(line));
+    if (!record)
+        return refused(record.error());
+    for (const std::string& problem : record->problems)
+        say_problem(problem);
+    for (const Tag& tag : record->tags)
+        print_tag(tag, line.has("json"));
+    return record->problems.empty() ? exit_done : exit_bad_input;
+}
+
+int tag_add(const QStringList& words) {
+    VerbLine line("album tag add",
+                  "Adds a sound file to a photograph: it is kept as FLAC beside it and listed in its sidecar. When\n"
+                  "this ends in 0, a power cut does not undo it.");
+    line.option("from", "The sound file: WAV, FLAC, Ogg, MP3, AIFF.", "FILE").option("json", "The recording as JSON.");
+    add_label_options(line);
+    line.argument("PHOTO", "The photograph.");
+    if (const auto over = line.parse(words, 1, 1))
+        return *over;
+    if (!line.has("from"))
+        return wrong_usage("album tag add", "It needs --from FILE.");
+    const auto label = labelled(line, {});
+    if (!label)
+        return wrong_usage("album tag add", label.error());
+    AlbumKeeper keeper(album_around(photo_given(line)));
+    const auto tag = keeper.add_recording(photo_given(line), path_given(line.text("from")), *label);
+    if (!tag)
+        return refused(tag.error());
+    print_tag(*tag, line.has("json"));
+    return exit_done;
+}
+
+int tag_label(const QStringList& words) {
+    VerbLine line("album tag label", "Changes what a recording says of itself; what is not named stays.");
+    add_label_options(line);
+    line.argument("PHOTO", "The photograph.").argument("RECORDING", "Its file, as \"tag list\" names it.");
+    if (const auto over = line.parse(words, 2, 2))
+        return *over;
+    const std::string file = line.arguments()[1].toStdString();
+    const auto record = read_record(photo_given(line));
+    if (!record)
+        return refused(record.error());
+    RecordingLabel before;
+    for (const Tag& tag : record->tags)
+        if (tag.file == file)
+            before = tag.label;
+    const auto label = labelled(line, before);
+    if (!label)
+        return wrong_usage("album tag label", label.error());
+    return ended(AlbumKeeper(album_around(photo_given(line))).label_recording(photo_given(line), file, *label));
+}
+
+int tag_order(const QStringList& words) {
+    VerbLine line("album tag order", "Plays a photograph's recordings in this order; the others follow by kind.");
+    line.argument("PHOTO", "The photograph.").argument("RECORDING", "Their files, in order.", "RECORDING...");
+    if (const auto over = line.parse(words, 1, 1000))
+        return *over;
+    std::vector<std::string> files;
+    for (const QString& word : line.arguments().mid(1))
+        files.push_back(word.toStdString());
+    return ended(AlbumKeeper(album_around(photo_given(line))).order_recordings(photo_given(line), files));
+}
+
+int tag_trim(const QStringList& words) {
+    VerbLine line("album tag trim", "Keeps a part of a recording; the whole one goes to the trash.");
+    line.option("begin", "Seconds from its beginning.", "S", "0")
+        .option("end", "Seconds from its beginning.", "S")
+        .option("json", "The new recording as JSON.")
+        .argument("PHOTO", "The photograph.")
+        .argument("RECORDING", "Its file, as \"tag list\" names it.");
+    if (const auto over = line.parse(words, 2, 2))
+        return *over;
+    const auto end = line.positive("end");
+    bool is_number = false;
+    const double begin = line.text("begin").toDouble(&is_number);
+    if (!end || !is_number || begin < 0.0)
+        return wrong_usage("album tag trim", end ? "--begin must be a number of seconds." : end.error());
+    AlbumKeeper keeper(album_around(photo_given(line)));
+    const auto tag = keeper.trim_recording(photo_given(line), line.arguments()[1].toStdString(), begin, *end);
+    if (!tag)
+        return refused(tag.error());
+    print_tag(*tag, line.has("json"));
+    return exit_done;
+}
+
+int tag_delete(const QStringList& words) {
+    VerbLine line("album tag delete", "Moves a recording to the album's trash.");
+    line.argument("PHOTO", "The photograph.").argument("RECORDING", "Its file, as \"tag list\" names it.");
+    if (const auto over = line.parse(words, 2, 2))
+        return *over;
+    return ended(AlbumKeeper(album_around(photo_given(line)))
+                     .delete_recording(photo_given(line), line.arguments()[1].toStdString()));
+}
+
+} // namespace
+
+int album_tag(const QStringList& words) {
+    static constexpr std::array<SubVerb, 6> verbs{{
+        {"add", "add a sound file to a photograph", tag_add},
+        {"list", "the recordings of a photograph", tag_list},
+        {"label", "change what a recording says of itself", tag_label},
+        {"order", "the order in which they are played", tag_order},
+        {"trim", "keep a part of one", tag_trim},
+        {"delete", "move one to the trash", tag_delete},
+    }};
+    return run_sub_verb("album tag", verbs, words);
+}
+
+} // namespace tp

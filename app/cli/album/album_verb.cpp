@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/album/album_verbs.hpp"
+#include "app/cli/album/album_words.hpp"
+#include "app/cli/verbs.hpp"
+
+#include <array>
+
+namespace tp {
+
+int album_verb(const QStringList& words) {
+    static constexpr std::array<SubVerb, 11> verbs{{
+        {"scan", "bring the index of an album up to date", album_scan},
+        {"list", "the photographs of an album, by time, person or year", album_list},
+        {"search", "photographs by what is known of them", album_search},
+        {"show", "everything known of one photograph", album_show},
+        {"import", "copy photographs into an album, with all that is theirs", album_import},
+        {"export", "photographs with all that is theirs as one .touchphoto file", album_export},
+        {"tag", "recordings: add, list, label, order, trim, delete", album_tag},
+        {"person", "people: list, rename, merge, name faces, record names", album_person},
+        {"trash", "what was deleted: list, restore, empty", album_trash},
+        {"check", "compare an album with what is promised, and mend it", album_check},
+        {"rebuild", "throw the index away and make it again", album_rebuild},
+    }};
+    return run_sub_verb("album", verbs, words);
+}
+
+} // namespace tp

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/album/album_words.hpp"
+
+#include <QFile>
+
+#include <cstdio>
+#include <system_error>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+fs::path path_given(const QString& word) {
+    const fs::path path(QFile::encodeName(word).toStdString());
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path();
+}
+
+fs::path album_around(const fs::path& photo) {
+    std::error_code error;
+    for (fs::path folder = photo.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+        if (fs::is_directory(folder / ".touchphoto", error))
+            return folder;
+    return photo.parent_path();
+}
+
+int refused(const std::string& sentence) {
+    say_problem(sentence);
+    return exit_bad_input;
+}
+
+int run_sub_verb(const char* verb, std::span<const SubVerb> verbs, const QStringList& words) {
+    for (const SubVerb& one : verbs)
+        if (!words.isEmpty() && words.first() == QLatin1String(one.name))
+            return one.run(words.mid(1));
+    const bool help = !words.isEmpty() && (words.first() == "--help" || words.first() == "-h");
+    if (!help && !words.isEmpty())
+        return wrong_usage(QString::fromLatin1(verb), "There is no \"" + words.first().toStdString() + "\" in it.");
+    std::FILE* where = help ? stdout : stderr;
+    std::fprintf(where, "touchphoto-lab %s VERB [options] …\n\n", verb);
+    for (const SubVerb& one : verbs)
+        std::fprintf(where, "  %-9s %s\n", one.name, one.about);
+    std::fprintf(where, "\ntouchphoto-lab %s VERB --help says more about one.\n", verb);
+    return help ? exit_done : exit_usage;
+}
+
+} // namespace tp

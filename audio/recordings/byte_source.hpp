@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace tp {
+
+/// Bytes that can be read at any place: a file's, or a test's in memory.
+class ByteSource {
+public:
+    virtual ~ByteSource() = default;
+    virtual std::uint64_t size() const = 0;
+    /// Fills `to` from the byte `at` on; how many there were. Fewer than asked: they end there, or the disk
+    /// reports a fault.
+    virtual std::size_t read(std::uint64_t at, std::span<char> to) const = 0;
+};
+
+/// A view of memory that outlives it.
+class MemoryBytes : public ByteSource {
+public:
+    explicit MemoryBytes(std::string_view bytes) : bytes_(bytes) {}
+    std::uint64_t size() const override { return bytes_.size(); }
+    std::size_t read(std::uint64_t at, std::span<char> to) const override;
+
+private:
+    std::string_view bytes_;
+};
+
+/// A file's bytes; its size is what it was when it was opened.
+class FileBytes : public ByteSource {
+public:
+    /// An error is the end of a sentence. Pipes, devices and folders are refused, because reading them may
+    /// never end.
+    static Result<std::unique_ptr<FileBytes>> open(const std::filesystem::path& file);
+    /// Of a file that is open already; the descriptor stays the caller's.
+    static Result<std::unique_ptr<FileBytes>> of(int descriptor);
+    FileBytes(const FileBytes&) = delete;
+    FileBytes& operator=(const FileBytes&) = delete;
+    ~FileBytes() override;
+
+    std::uint64_t size() const override { return size_; }
+    std::size_t read(std::uint64_t at, std::span<char> to) const override;
+
+private:
+    FileBytes(int descriptor, bool own) : descriptor_(descriptor), own_(own) {}
+    std::string measure();
+
+    int descriptor_;
+    bool own_;
+    std::uint64_t size_ = 0;
+};
+
+} // namespace tp

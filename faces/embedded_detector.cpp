@@ -2,6 +2,7 @@
 #include "faces/embedded_detector.hpp"
 
 #include "faces/model_catalog.hpp"
+#include "faces/shrunk_rows.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -12,6 +13,7 @@ namespace tp {
 namespace {
 
 constexpr std::array levels{160, 320, 640, 1280}; ///< longer side of what the net is shown, px
+constexpr std::size_t kept_levels = 2;            ///< whose nets are kept
 constexpr int usual_finest = 640; ///< pictures are shrunk to about this before they are shrunk further
 /// Of the longer side of a picture, how far it is shrunk for a thorough look: a face of 40 px is then as
 /// large as the net knows them.
@@ -41,26 +43,10 @@ cv::Mat logistic(const cv::Mat& x) {
     return 1.0 / (1.0 + result);
 }
 
-/// Shrinks by the largest whole number that keeps the longer side at `longer` px or more: averaging whole
-/// blocks is several times faster than areas of any size.
-cv::Mat shrunk_by_blocks(const cv::Mat& picture, int longer) {
-    const int factor =
-        std::min(std::max(picture.cols, picture.rows) / longer, std::min(picture.cols, picture.rows));
-    if (factor < 2)
-        return picture;
-    const cv::Size size(picture.cols / factor, picture.rows / factor);
-    cv::Mat result;
-    cv::resize(picture(cv::Rect(0, 0, size.width * factor, size.height * factor)), result, size, 0, 0,
-               cv::INTER_AREA);
-    return result;
-}
-
 cv::Mat resized(const cv::Mat& picture, int longer) {
-    const double scale = static_cast<double>(longer) / std::max(picture.cols, picture.rows);
-    const auto side = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * scale))); };
     cv::Mat result;
-    cv::resize(picture, result, cv::Size(side(picture.cols), side(picture.rows)), 0, 0,
-               scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+    cv::resize(picture, result, size_with_longer_side(picture.size(), longer), 0, 0,
+               longer < std::max(picture.cols, picture.rows) ? cv::INTER_AREA : cv::INTER_LINEAR);
     return result;
 }
 
@@ -104,15 +90,15 @@ std::vector<int> tile_starts(int side) {
 }
 
 /// The same in tiles that overlap by more than the largest face that is looked for there.
-std::vector<Detection> faces_in_tiles(cv::dnn::Net& net, const cv::Mat& picture,
+std::vector<Detection> faces_in_tiles(cv::dnn::Net& net, const ShrunkRows& picture,
                                       const std::stop_token& stop) {
     std::vector<Detection> found;
-    for (const int y : tile_starts(picture.rows))
-        for (const int x : tile_starts(picture.cols)) {
+    for (const int y : tile_starts(picture.size().height)) {
+        const cv::Mat band = picture.rows({y, std::min(y + tile, picture.size().height)});
+        for (const int x : tile_starts(band.cols)) {
             if (stop.stop_requested())
                 return found;
-            const cv::Rect here = cv::Rect(x, y, tile, tile) & cv::Rect(0, 0, picture.cols, picture.rows);
-            for (Detection face : faces_in(net, picture(here))) {
+            for (Detection face : faces_in(net, band.colRange(x, std::min(x + tile, band.cols)))) {
                 const Vec2 corner(x, y);
                 face.box = {face.box.min + corner, face.box.max + corner};
                 face.right_eye += corner;
@@ -120,6 +106,7 @@ std::vector<Detection> faces_in_tiles(cv::dnn::Net& net, const cv::Mat& picture,
                 found.push_back(face);
             }
         }
+    }
     return found;
 }
 
@@ -135,36 +122,43 @@ Detection scaled(const Detection& face, Vec2 by) {
 } // namespace
 
 EmbeddedDetector::EmbeddedDetector() {
-    for (std::size_t i = 0; i <= levels.size(); ++i) // the last one for tiles
+    for (std::size_t i = 0; i < kept_levels; ++i)
         nets_.push_back(embedded_net(EmbeddedModel::detector));
 }
 
-std::vector<Detection> EmbeddedDetector::detect(const cv::Mat& picture, Effort effort,
+std::vector<Detection> EmbeddedDetector::detect(const cv::Mat& picture, Effort effort, Looks& looks,
                                                 const std::stop_token& stop) {
     const int longer = std::max(picture.cols, picture.rows);
-    const cv::Mat base = shrunk_by_blocks(picture, usual_finest);
-    std::vector<Detection> found;
-    for (std::size_t i = 0; i < levels.size() && !stop.stop_requested(); ++i) {
-        const bool enlarges = levels[i] > longer;
-        if (enlarges && i > 1)
+    cv::Mat base; ///< made where it is needed
+    while (looks.taken < levels.size() && !stop.stop_requested()) {
+        const std::size_t level = looks.taken;
+        const bool enlarges = levels[level] > longer;
+        if (enlarges && level > 1)
             break;
-        const cv::Mat shown = resized(levels[i] > usual_finest ? picture : base, levels[i]);
+        if (base.empty() && levels[level] <= usual_finest)
+            base = shrunk_by_blocks(picture, usual_finest);
+        const cv::Mat shown = resized(levels[level] > usual_finest ? picture : base, levels[level]);
         const Vec2 back(static_cast<double>(picture.cols) / shown.cols,
                         static_cast<double>(picture.rows) / shown.rows);
-        const std::vector<Detection> here = faces_in(nets_[i], shown);
+        cv::dnn::Net net = level < nets_.size() ? nets_[level] : embedded_net(EmbeddedModel::detector);
+        const std::vector<Detection> here = faces_in(net, shown);
         for (const Detection& face : here)
-            found.push_back(scaled(face, back));
+            looks.shown.push_back(scaled(face, back));
+        ++looks.taken;
         if (effort == Effort::usual && has_large_face(here))
             break;
     }
     if (const int finest = static_cast<int>(thorough_share * longer);
-        effort == Effort::thorough && finest > levels.back() && !stop.stop_requested()) {
-        const cv::Mat shown = resized(shrunk_by_blocks(picture, finest), finest);
-        const double back = static_cast<double>(picture.cols) / shown.cols;
-        for (const Detection& face : faces_in_tiles(nets_.back(), shown, stop))
-            found.push_back(scaled(face, Vec2(back)));
+        effort == Effort::thorough && finest > levels.back() && looks.taken == levels.size() &&
+        !stop.stop_requested()) {
+        const ShrunkRows shown(picture, finest);
+        const double back = static_cast<double>(picture.cols) / shown.size().width;
+        cv::dnn::Net net = embedded_net(EmbeddedModel::detector);
+        for (const Detection& face : faces_in_tiles(net, shown, stop))
+            looks.shown.push_back(scaled(face, Vec2(back)));
+        ++looks.taken;
     }
-    return without_doubles(std::move(found), most_overlap);
+    return without_doubles(looks.shown, most_overlap);
 }
 
 } // namespace tp

@@ -15,12 +15,14 @@ namespace tp {
 class EmbeddedDetector : public Detector {
 public:
     EmbeddedDetector();
-    std::vector<Detection> detect(const cv::Mat& picture, Effort effort,
-                                  const std::stop_token& stop = {}) override;
+    using Detector::detect;
+    std::vector<Detection> detect(const cv::Mat& picture, Effort effort, Looks& looks,
+                                  const std::stop_token& stop) override;
 
 private:
-    std::vector<cv::dnn::Net>
-        nets_; ///< one a level, and one for tiles: a net that changes its input size allocates anew
+    /// Those for the coarse levels, which most pictures need: a net that changes its input size allocates
+    /// anew. For a finer look one is made, in a fraction of the time of the look: it holds tens of megabytes.
+    std::vector<cv::dnn::Net> nets_;
 };
 
 } // namespace tp

@@ -128,15 +128,26 @@ struct FaceExtractor::Parts {
         return located;
     }
 
-    std::vector<LocatedFace> locate(const cv::Mat& picture, Effort effort, ExtractionTimes& times,
+    /// Looks thoroughly, where `most` allows it, only if a usual look finds no face.
+    std::vector<LocatedFace> locate(const cv::Mat& picture, Effort most, ExtractionTimes& times,
                                     const std::stop_token& stop) const {
-        stop_if_asked(stop);
-        Stopwatch watch;
-        const std::vector<Detection> detections = detector->detect(picture, effort, stop);
-        times.detect += watch.lap();
-        std::vector<LocatedFace> located = confirmed(picture, detections, stop);
-        times.landmarks += watch.lap();
-        return located;
+        Looks looks;
+        std::vector<Detection> refused; // the landmarks would say the same of them again
+        for (const Effort effort : {Effort::usual, Effort::thorough}) {
+            stop_if_asked(stop);
+            Stopwatch watch;
+            std::vector<Detection> detections = detector->detect(picture, effort, looks, stop);
+            std::erase_if(detections, [&](const Detection& detection) {
+                return std::find(refused.begin(), refused.end(), detection) != refused.end();
+            });
+            times.detect += watch.lap();
+            std::vector<LocatedFace> located = confirmed(picture, detections, stop);
+            times.landmarks += watch.lap();
+            if (!located.empty() || effort == most)
+                return located;
+            refused = std::move(detections);
+        }
+        return {};
     }
 
     static double surest(const std::vector<LocatedFace>& located) {
@@ -186,9 +197,7 @@ struct FaceExtractor::Parts {
     }
 
     void extract(cv::Mat picture, Extraction& result, const std::stop_token& stop) const {
-        std::vector<LocatedFace> located = locate(picture, Effort::usual, result.milliseconds, stop);
-        if (located.empty())
-            located = locate(picture, Effort::thorough, result.milliseconds, stop);
+        std::vector<LocatedFace> located = locate(picture, Effort::thorough, result.milliseconds, stop);
         if (surest(located) < least_confidence_turned)
             look_turned(picture, located, result, stop);
         Stopwatch watch;

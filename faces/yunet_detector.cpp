@@ -28,7 +28,8 @@ Result<std::unique_ptr<Detector>> YunetDetector::load(const std::filesystem::pat
     }
 }
 
-std::vector<Detection> YunetDetector::detect(const cv::Mat& picture, Effort effort, const std::stop_token&) {
+std::vector<Detection> YunetDetector::detect(const cv::Mat& picture, Effort effort, Looks&,
+                                             const std::stop_token&) {
     const double longest = effort == Effort::usual ? usual_side : thorough_side;
     const double scale = std::min(1.0, longest / std::max(picture.cols, picture.rows));
     cv::Mat shrunk = picture;

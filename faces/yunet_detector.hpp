@@ -17,8 +17,9 @@ public:
     /// An error where the file is not a YuNet that this OpenCV can run.
     static Result<std::unique_ptr<Detector>> load(const std::filesystem::path& file);
     explicit YunetDetector(cv::Ptr<cv::FaceDetectorYN> net) : net_(std::move(net)) {}
-    std::vector<Detection> detect(const cv::Mat& picture, Effort effort,
-                                  const std::stop_token& stop = {}) override;
+    using Detector::detect;
+    std::vector<Detection> detect(const cv::Mat& picture, Effort effort, Looks& looks,
+                                  const std::stop_token& stop) override;
 
 private:
     cv::Ptr<cv::FaceDetectorYN> net_;

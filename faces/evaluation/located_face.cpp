@@ -32,9 +32,10 @@ std::optional<Landmarks> located(LandmarkModel& model, const cv::Mat& picture,
 }
 
 std::vector<Detection> surest_first(Detector& detector, const cv::Mat& picture) {
-    std::vector<Detection> places = detector.detect(picture, Effort::usual);
+    Looks looks;
+    std::vector<Detection> places = detector.detect(picture, Effort::usual, looks, {});
     if (places.empty())
-        places = detector.detect(picture, Effort::thorough);
+        places = detector.detect(picture, Effort::thorough, looks, {});
     std::sort(places.begin(), places.end(),
               [](const Detection& a, const Detection& b) { return a.score > b.score; });
     return places;

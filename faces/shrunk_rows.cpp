@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/shrunk_rows.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace tp {
+namespace {
+
+constexpr int rows_at_once = 32; ///< of the result: these are held as floating-point numbers
+
+cv::Mat in_blocks(const cv::Mat& picture, cv::Size size, int factor) {
+    if (factor < 2)
+        return picture;
+    cv::Mat result;
+    cv::resize(picture(cv::Rect(0, 0, size.width * factor, size.height * factor)), result, size, 0, 0,
+               cv::INTER_AREA);
+    return result;
+}
+
+struct Part {
+    int row;
+    float share;
+};
+
+/// Which rows make row `y` where every `scale` ≥ 1 of `height` rows become one.
+std::vector<Part> parts_of(int y, double scale, int height) {
+    constexpr double nothing = 1e-3; ///< what cv::resize leaves out, rows
+    const double from = y * scale, to = from + scale, whole = std::min(scale, height - from);
+    const int last = std::min(static_cast<int>(std::floor(to)), height - 1);
+    const int first = std::min(static_cast<int>(std::ceil(from)), last);
+    std::vector<Part> parts;
+    if (first - from > nothing)
+        parts.push_back({first - 1, static_cast<float>((first - from) / whole)});
+    for (int row = first; row < last; ++row)
+        parts.push_back({row, static_cast<float>(1.0 / whole)});
+    if (to - last > nothing)
+        parts.push_back({last, static_cast<float>(std::min(std::min(to - last, 1.0), whole) / whole)});
+    return parts;
+}
+
+} // namespace
+
+int block_factor(cv::Size picture, int longer) {
+    return std::max(1, std::min(std::max(picture.width, picture.height) / longer,
+                                std::min(picture.width, picture.height)));
+}
+
+cv::Mat shrunk_by_blocks(const cv::Mat& picture, int longer) {
+    const int factor = block_factor(picture.size(), longer);
+    return in_blocks(picture, {picture.cols / factor, picture.rows / factor}, factor);
+}
+
+cv::Size size_with_longer_side(cv::Size picture, int longer) {
+    const double scale = static_cast<double>(longer) / std::max(picture.width, picture.height);
+    const auto side = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * scale))); };
+    return {side(picture.width), side(picture.height)};
+}
+
+ShrunkRows::ShrunkRows(const cv::Mat& picture, int longer)
+    : picture_(picture), factor_(block_factor(picture.size(), longer)),
+      in_blocks_(picture.cols / factor_, picture.rows / factor_),
+      size_(size_with_longer_side(in_blocks_, longer)) {}
+
+cv::Mat ShrunkRows::rows(cv::Range wanted) const {
+    const double scale =
+        1.0 / (static_cast<double>(size_.height) / in_blocks_.height); // as cv::resize has it
+    cv::Mat result(wanted.size(), size_.width, CV_8UC3), above, narrow;
+    std::vector<float> sum(3 * static_cast<std::size_t>(size_.width));
+    for (int begin = wanted.start; begin < wanted.end; begin += rows_at_once) {
+        const int end = std::min(begin + rows_at_once, wanted.end);
+        const int first = parts_of(begin, scale, in_blocks_.height).front().row;
+        const int last = parts_of(end - 1, scale, in_blocks_.height).back().row;
+        const cv::Mat band = in_blocks(picture_.rowRange(first * factor_, (last + 1) * factor_),
+                                       {in_blocks_.width, last + 1 - first}, factor_);
+        band.convertTo(above, CV_32F);
+        cv::resize(above, narrow, {size_.width, above.rows}, 0, 0, cv::INTER_AREA);
+        for (int y = begin; y < end; ++y) {
+            std::fill(sum.begin(), sum.end(), 0.0F);
+            for (const Part& part : parts_of(y, scale, in_blocks_.height)) {
+                const float* row = narrow.ptr<float>(part.row - first);
+                for (std::size_t i = 0; i < sum.size(); ++i)
+                    sum[i] += part.share * row[i]; // cv::scaleAdd rounds otherwise where it fuses these
+            }
+            std::transform(sum.begin(), sum.end(), result.ptr<uchar>(y - wanted.start),
+                           [](float value) { return cv::saturate_cast<uchar>(value); });
+        }
+    }
+    return result;
+}
+
+} // namespace tp

@@ -324,7 +324,7 @@ private:
     }
 
     void imports_and_trash() {
-        for (const std::string& id : Importer::unfinished(album_))
+        for (const std::string& id : unfinished_imports(album_))
             found(Kind::unfinished_import, album_ / ".touchphoto" / "import" / (id + ".json"),
                   "An import was not finished; go on with it, or give it up.");
         std::vector<std::string> problems;

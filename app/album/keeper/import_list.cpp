@@ -35,6 +35,11 @@ Error unknown(const std::string& id) {
 
 } // namespace
 
+bool ImportList::makes_sense() const {
+    return (into.empty() || stays_below(into)) &&
+           std::all_of(sources.begin(), sources.end(), [](const fs::path& source) { return source.is_absolute(); });
+}
+
 Result<std::string> ImportList::save(const fs::path& album) const {
     QJsonArray names;
     for (const fs::path& source : sources)
@@ -71,16 +76,16 @@ Result<ImportList> ImportList::read(const fs::path& album, const std::string& id
                            " cannot be read; import its folder again, nothing comes twice."};
     ImportList list;
     const auto into = path_of(object["into"].toString());
-    if (!into || !object["sources"].isArray() || (!into->empty() && !stays_below(*into)))
+    if (!into || !object["sources"].isArray())
         return unreadable;
     list.into = *into;
     for (const QJsonValue& source : object["sources"].toArray()) {
         const auto path = path_of(source.toString());
-        if (!path || !path->is_absolute())
+        if (!path)
             return unreadable;
         list.sources.push_back(*path);
     }
-    return list;
+    return list.makes_sense() ? Result<ImportList>(list) : unreadable;
 }
 
 std::vector<std::string> ImportList::all(const fs::path& album) {

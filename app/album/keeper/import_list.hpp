@@ -14,6 +14,8 @@ struct ImportList {
     std::filesystem::path into;                 ///< relative to the album's folder; empty: the folder itself
     std::vector<std::filesystem::path> sources; ///< absolute
 
+    /// Whether everything is where an import may read and write.
+    bool makes_sense() const;
     /// On the disk when it returns; the import's id.
     Result<std::string> save(const std::filesystem::path& album) const;
     static Result<ImportList> read(const std::filesystem::path& album, const std::string& id);

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/importer.hpp"
 
+#include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/import_list.hpp"
+#include "app/album/keeper/import_sources.hpp"
+#include "app/album/keeper/photo_copy.hpp"
 #include "app/album/keeper/photo_files.hpp"
-#include "app/album/metadata/photo_name.hpp"
+#include "audio/recordings/sound_beside.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <system_error>
 
 namespace tp {
@@ -17,103 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int most_names = 10'000;
-
-std::uintmax_t size_of(const fs::path& file) {
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);
-    return error ? 0 : size;
-}
-
-/// The photographs that the sources name or hold, each once, in the order of the sources and of names in
-/// folders.
-std::vector<fs::path> photos_of(const std::vector<fs::path>& sources) {
-    std::vector<fs::path> photos;
-    for (const fs::path& source : sources) {
-        std::error_code error;
-        if (!fs::is_directory(source, error)) {
-            photos.push_back(source);
-            continue;
-        }
-        std::vector<fs::path> inside;
-        for (fs::recursive_directory_iterator
-                 place(source, fs::directory_options::skip_permission_denied, error),
-             end;
-             !error && place != end; place.increment(error)) {
-            if (place->path().filename().string().starts_with('.') && place->is_directory(error))
-                place.disable_recursion_pending();
-            else if (has_photo_name(place->path()) && place->is_regular_file(error))
-                inside.push_back(place->path());
-        }
-        std::sort(inside.begin(), inside.end());
-        photos.insert(photos.end(), inside.begin(), inside.end());
-    }
-    return photos;
-}
-
-/// The same bytes, or one of the files cannot be read.
-bool same_bytes(const fs::path& a, const fs::path& b) {
-    if (size_of(a) != size_of(b))
-        return false;
-    const auto first = content_hash(a), second = content_hash(b);
-    return first && second && *first == *second;
-}
-
-/// "IMG_1 (2).jpg" for the second photograph of that name.
-fs::path numbered(const fs::path& place, int number) {
-    if (number == 1)
-        return place;
-    fs::path name = place.stem();
-    name += " (" + std::to_string(number) + ")";
-    name += place.extension();
-    return place.parent_path() / name;
-}
-
-/// Whether something else than these bytes has the place of a file, or of a file in a folder.
-bool is_taken(const fs::path& from, const fs::path& to) {
-    std::error_code error;
-    if (!name_taken(to))
-        return false;
-    if (!fs::is_directory(from, error))
-        return !same_bytes(from, to);
-    for (const auto& file : fs::directory_iterator(from, error))
-        if (is_taken(file.path(), to / file.path().filename()))
-            return true;
-    return false;
-}
-
-/// Copies a file, or the files of a folder, that are not there yet. A folder holds recordings: nobody else
-/// may hear them.
-std::string bring(const fs::path& from, const fs::path& to, Readers readers = Readers::as_usual) {
-    std::error_code error;
-    if (!fs::is_directory(from, error))
-        return name_taken(to) ? std::string{} : copy_whole(from, to, readers);
-    std::string problem = make_folder(to, Readers::owner_only);
-    for (const auto& file : fs::directory_iterator(from, error))
-        if (problem.empty() && file.is_regular_file(error) && !is_temporary(file.path()))
-            problem = bring(file.path(), to / file.path().filename(), Readers::owner_only);
-    return problem;
-}
-
-struct Destination {
-    fs::path place;
-    bool is_there = false; ///< an earlier import brought the same bytes
-};
-
-/// A name in the album that is free for the photograph and each of its companions, or where an earlier try
-/// brought the same bytes.
-Result<Destination> destination(const fs::path& source, const fs::path& wanted,
-                                const std::vector<Companion>& companions) {
-    for (int number = 1; number < most_names; ++number) {
-        const fs::path place = numbered(wanted, number);
-        if (name_taken(place) && same_bytes(source, place))
-            return Destination{place, true};
-        const auto taken = [&](const Companion& one) { return is_taken(one.file, beside(place, one)); };
-        if (!name_taken(place) && std::none_of(companions.begin(), companions.end(), taken))
-            return Destination{place, false};
-    }
-    return Error{"there are too many photographs of that name in the album."};
-}
+using Fate = ImportedPhoto::Fate;
 
 /// How long the rest takes at the speed so far.
 class Clock {
@@ -129,112 +37,127 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+class Import {
+public:
+    Import(const fs::path& album, const std::string& id, const ImportList& list, const ImportTools& tools, bool goes_on)
+        : album_(album), list_(list), tools_(tools), keeper_(album), goes_on_(goes_on) {
+        report_.id = id;
+    }
+
+    ImportReport run() {
+        const ImportSources sources(list_.sources, album_ / ".touchphoto" / "import" / report_.id, tools_.stop);
+        for (const auto& [bundle, problem] : sources.problems())
+            add({bundle, {}, Fate::failed, problem});
+        progress_.total = sources.photos().size();
+        for (const PhotoToImport& photo : sources.photos())
+            progress_.bytes_total += photo.bytes;
+        const Clock clock;
+        for (const PhotoToImport& photo : sources.photos()) {
+            progress_.seconds_left = clock.seconds_left(progress_.bytes_done, progress_.bytes_total);
+            tell(photo.file);
+            if (tools_.stop.stop_requested())
+                break;
+            add(import_one(photo));
+            ++progress_.done;
+            progress_.bytes_done += photo.bytes;
+        }
+        report_.stopped = tools_.stop.stop_requested();
+        if (!report_.stopped) {
+            progress_.seconds_left = 0.0;
+            tell({});
+            if (report_.count(Fate::failed) == 0)
+                ImportList::remove(album_, report_.id);
+        }
+        return std::move(report_);
+    }
+
+private:
+    void tell(const fs::path& current) {
+        progress_.current = current;
+        if (tools_.progress)
+            tools_.progress(progress_);
+    }
+
+    void add(ImportedPhoto photo) {
+        report_.photos.push_back(std::move(photo));
+        if (tools_.done)
+            tools_.done(report_.photos.back());
+    }
+
+    std::optional<fs::path> known(const std::string& hash) const {
+        if (const auto earlier = this_time_.find(hash); earlier != this_time_.end())
+            return earlier->second;
+        const auto place = tools_.known ? tools_.known(hash) : std::nullopt;
+        return place && name_taken(*place) ? place : std::nullopt;
+    }
+
+    ImportedPhoto import_one(const PhotoToImport& source) {
+        const auto hash = content_hash(source.file);
+        if (!hash)
+            return {source.file, {}, Fate::failed, hash.error()};
+        if (const auto place = known(*hash)) // when an import goes on, a kill may have come before the sound
+            return {source.file, *place, Fate::duplicate, goes_on_ ? take_sound(source.file, *place) : std::string{}};
+        const auto copied = copy_photo(source.file, album_ / list_.into / source.folder);
+        if (!copied)
+            return {source.file, {}, Fate::failed, quoted(source.file) + " was not imported: " + copied.error()};
+        this_time_[*hash] = copied->place;
+        return {source.file, copied->place, copied->was_there ? Fate::duplicate : Fate::imported,
+                take_sound(source.file, copied->place)};
+    }
+
+    /// The sound that a camera recorded with the photograph; why it did not come along.
+    std::string take_sound(const fs::path& photo, const fs::path& place) {
+        const auto sound = sound_beside(photo);
+        std::error_code error;
+        const fs::directory_iterator recordings(tags_folder(place), error);
+        if (!sound || recordings != fs::directory_iterator()) // its own came along, or this one did before
+            return {};
+        return keeper_.add_recording(place, *sound, {RecordingKind::ambient, {}, {}, {}, {}, {}}).error();
+    }
+
+    const fs::path& album_;
+    const ImportList& list_;
+    const ImportTools& tools_;
+    AlbumKeeper keeper_;
+    bool goes_on_;
+    ImportReport report_;
+    ImportProgress progress_;
+    std::map<std::string, fs::path> this_time_; ///< by SHA-256
+};
+
 } // namespace
 
-std::size_t ImportReport::count(ImportedPhoto::Fate fate) const {
-    return static_cast<std::size_t>(std::count_if(
-        photos.begin(), photos.end(), [&](const ImportedPhoto& photo) { return photo.fate == fate; }));
+std::size_t ImportReport::count(Fate fate) const {
+    return static_cast<std::size_t>(std::count_if(photos.begin(), photos.end(),
+                                                  [&](const ImportedPhoto& photo) { return photo.fate == fate; }));
 }
 
-Importer::Importer(fs::path album, fs::path into, Known known)
-    : album_(std::move(album)), into_(std::move(into)), known_(std::move(known)) {}
-
-Result<ImportReport> Importer::import(const std::vector<fs::path>& sources, const Report& report,
-                                      std::stop_token stop) {
+Result<ImportReport> import_photos(const fs::path& album, const fs::path& into, const std::vector<fs::path>& sources,
+                                   const ImportTools& tools) {
     std::error_code error;
-    std::vector<fs::path> whole;
+    ImportList list{into.lexically_normal(), {}};
     for (const fs::path& source : sources) {
         if (!name_taken(source))
             return Error{"There is no file or folder " + quoted(source) + "."};
-        whole.push_back(fs::absolute(source, error));
+        list.sources.push_back(fs::absolute(source, error));
     }
-    const ImportList list{into_, whole};
-    const auto id = list.save(album_);
-    return id ? run(*id, whole, report, stop) : Error{"The import cannot begin: " + id.error()};
+    if (!list.makes_sense())
+        return Error{quoted(into) + " is not a folder in the album."};
+    if (const std::string reason = make_folder(album / list.into); !reason.empty())
+        return Error{"The folder " + quoted(album / list.into) + " cannot be made: " + reason};
+    const auto id = list.save(album);
+    if (!id)
+        return Error{"The import cannot begin: " + id.error()};
+    return Import(album, *id, list, tools, false).run();
 }
 
-std::vector<std::string> Importer::unfinished(const fs::path& album) { return ImportList::all(album); }
-
-Result<ImportReport> Importer::go_on(const fs::path& album, const std::string& id, Known known,
-                                     const Report& report, std::stop_token stop) {
+Result<ImportReport> go_on_importing(const fs::path& album, const std::string& id, const ImportTools& tools) {
     const auto list = ImportList::read(album, id);
-    if (!list)
-        return Error{list.error()};
-    return Importer(album, list->into, std::move(known)).run(id, list->sources, report, stop);
+    return list ? Result<ImportReport>(Import(album, id, *list, tools, true).run()) : Error{list.error()};
 }
 
-std::string Importer::give_up(const fs::path& album, const std::string& id) {
-    return ImportList::remove(album, id);
-}
+std::vector<std::string> unfinished_imports(const fs::path& album) { return ImportList::all(album); }
 
-Result<ImportReport> Importer::run(const std::string& id, const std::vector<fs::path>& sources,
-                                   const Report& report, std::stop_token stop) {
-    const std::vector<fs::path> photos = photos_of(sources);
-    ImportReport result{id, {}, false};
-    ImportProgress progress;
-    progress.total = photos.size();
-    for (const fs::path& photo : photos)
-        progress.bytes_total += size_of(photo);
-    if (const std::string reason = make_folder(album_ / into_); !reason.empty())
-        return Error{"The folder " + quoted(album_ / into_) + " cannot be made: " + reason};
-    const Clock clock;
-    for (const fs::path& photo : photos) {
-        progress.current = photo;
-        progress.seconds_left = clock.seconds_left(progress.bytes_done, progress.bytes_total);
-        if (report)
-            report(progress);
-        if (stop.stop_requested()) {
-            result.stopped = true;
-            return result;
-        }
-        result.photos.push_back(import_one(photo));
-        ++progress.done;
-        progress.bytes_done += size_of(photo);
-    }
-    progress.current.clear();
-    progress.seconds_left = 0.0;
-    if (report)
-        report(progress);
-    if (result.count(ImportedPhoto::Fate::failed) == 0)
-        ImportList::remove(album_, id);
-    return result;
-}
-
-ImportedPhoto Importer::import_one(const fs::path& source) {
-    ImportedPhoto photo{source, {}, ImportedPhoto::Fate::failed, {}};
-    const auto hash = content_hash(source);
-    if (!hash) {
-        photo.problem = hash.error();
-        return photo;
-    }
-    const auto earlier = std::find_if(this_time_.begin(), this_time_.end(),
-                                      [&](const auto& one) { return one.first == *hash; });
-    std::optional<fs::path> known = known_ ? known_(*hash) : std::nullopt;
-    if (earlier != this_time_.end())
-        known = earlier->second;
-    const std::vector<Companion> companions = companions_of(source);
-    const auto to = known && name_taken(*known)
-                        ? Result<Destination>(Destination{*known, true})
-                        : destination(source, album_ / into_ / source.filename(), companions);
-    if (to && to->is_there) {
-        photo.fate = ImportedPhoto::Fate::duplicate;
-        photo.place = to->place;
-        this_time_.emplace_back(*hash, to->place);
-        return photo;
-    }
-    std::string problem = to ? std::string{} : to.error();
-    for (std::size_t i = 0; i < companions.size() && problem.empty(); ++i)
-        problem = bring(companions[i].file, beside(to->place, companions[i]));
-    if (problem.empty())
-        problem = copy_whole(source, to->place);
-    if (!problem.empty()) {
-        photo.problem = quoted(source) + " was not imported: " + problem;
-        return photo;
-    }
-    photo.place = to->place;
-    photo.fate = ImportedPhoto::Fate::imported;
-    this_time_.emplace_back(*hash, to->place);
-    return photo;
-}
+std::string give_up_import(const fs::path& album, const std::string& id) { return ImportList::remove(album, id); }
 
 } // namespace tp

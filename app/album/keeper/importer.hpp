@@ -17,7 +17,7 @@ namespace tp {
 struct ImportProgress {
     std::size_t done = 0, total = 0; ///< photographs
     std::uintmax_t bytes_done = 0, bytes_total = 0;
-    std::filesystem::path current;
+    std::filesystem::path current;      ///< empty at the end
     std::optional<double> seconds_left; ///< by the speed so far; none in the first second
 };
 
@@ -31,7 +31,7 @@ struct ImportedPhoto {
     std::filesystem::path source;
     std::filesystem::path place;
     Fate fate = Fate::imported;
-    std::string problem; ///< with `imported`: what came along only in part
+    std::string problem; ///< where imported: what did not come along
 };
 
 struct ImportReport {
@@ -41,42 +41,35 @@ struct ImportReport {
     std::size_t count(ImportedPhoto::Fate fate) const;
 };
 
-/// Copies photographs with all that is theirs into a folder of an album: from folders, a camera's card or
-/// single files.
-///
-/// What is to be imported is on the disk before the first byte is copied, so that an import that was stopped,
-/// killed or cut off goes on where it was. A photograph is copied after its companions: where it is,
-/// everything of it is. The sources are only read.
-class Importer {
-public:
+/// What an import is given; all but `known` may be empty.
+struct ImportTools {
     /// Where the album already has a photograph of this SHA-256, if it does.
-    using Known = std::function<std::optional<std::filesystem::path>(const std::string& hash)>;
-    using Report = std::function<void(const ImportProgress&)>;
-
-    /// `into` is a folder relative to the album's; empty: the album's own.
-    Importer(std::filesystem::path album, std::filesystem::path into, Known known);
-
-    /// An error only where nothing could be begun.
-    Result<ImportReport> import(const std::vector<std::filesystem::path>& sources, const Report& report = {},
-                                std::stop_token stop = {});
-
-    /// Imports into `album` that were not finished, oldest first.
-    static std::vector<std::string> unfinished(const std::filesystem::path& album);
-    /// Goes on with one of them.
-    static Result<ImportReport> go_on(const std::filesystem::path& album, const std::string& id, Known known,
-                                      const Report& report = {}, std::stop_token stop = {});
-    /// Gives one up; what was imported stays.
-    static std::string give_up(const std::filesystem::path& album, const std::string& id);
-
-private:
-    Result<ImportReport> run(const std::string& id, const std::vector<std::filesystem::path>& sources,
-                             const Report& report, std::stop_token stop);
-    ImportedPhoto import_one(const std::filesystem::path& source);
-
-    std::filesystem::path album_;
-    std::filesystem::path into_;
-    Known known_;
-    std::vector<std::pair<std::string, std::filesystem::path>> this_time_; ///< hash → place
+    std::function<std::optional<std::filesystem::path>(const std::string& hash)> known;
+    std::function<void(const ImportProgress&)> progress; ///< before each photograph, and at the end
+    std::function<void(const ImportedPhoto&)> done;      ///< after each
+    std::stop_token stop;
 };
+
+// Copies photographs with all that is theirs into a folder of an album: from folders, whose own folders are kept, a
+// camera's card, single files or .touchphoto bundles. A sound of the photograph's name (IMG_1.WAV) becomes its ambient
+// recording.
+//
+// What is to be imported is on the disk before the first byte is copied, so that an import that was stopped, killed or cut
+// off goes on where it was. A photograph is copied after its companions: where it is, everything of it is. The sources
+// are only read.
+
+/// `into` is a folder relative to the album's; empty: the album's own. An error only where nothing could be begun.
+Result<ImportReport> import_photos(const std::filesystem::path& album, const std::filesystem::path& into,
+                                   const std::vector<std::filesystem::path>& sources, const ImportTools& tools);
+
+/// Goes on with an import that was not finished.
+Result<ImportReport> go_on_importing(const std::filesystem::path& album, const std::string& id,
+                                     const ImportTools& tools);
+
+/// The imports that were not finished, oldest first.
+std::vector<std::string> unfinished_imports(const std::filesystem::path& album);
+
+/// Gives one up; what it brought stays.
+std::string give_up_import(const std::filesystem::path& album, const std::string& id);
 
 } // namespace tp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/album/keeper/album_import.hpp"
+#include "app/album/keeper/bundle.hpp"
 #include "app/album/keeper/importer.hpp"
 #include "app/cli/album/album_index_words.hpp"
 #include "app/cli/album/album_json.hpp"
@@ -77,8 +77,8 @@ int album_import(const QStringList& words) {
     if (!fs::is_directory(album, error))
         return refused("There is no folder " + quoted(album) + ".");
     if (give_up) {
-        for (const std::string& id : Importer::unfinished(album))
-            if (const std::string problem = Importer::give_up(album, id); !problem.empty())
+        for (const std::string& id : unfinished_imports(album))
+            if (const std::string problem = give_up_import(album, id); !problem.empty())
                 return refused(problem);
         return exit_done;
     }
@@ -100,12 +100,12 @@ int album_import(const QStringList& words) {
     tools.done = [&](const ImportedPhoto& photo) { print_photo(photo, line.has("json")); };
     tools.stop = stop.token();
     if (!go_on) {
-        const auto report = import_into_album(album, line.text("into").toStdString(), sources, tools);
+        const auto report = import_photos(album, line.text("into").toStdString(), sources, tools);
         return report ? ended(*report, stop) : refused(report.error());
     }
     int result = exit_done;
-    for (const std::string& id : Importer::unfinished(album)) {
-        const auto report = continue_import(album, id, tools);
+    for (const std::string& id : unfinished_imports(album)) {
+        const auto report = go_on_importing(album, id, tools);
         if (const int end = report ? ended(*report, stop) : refused(report.error()); end != exit_done)
             result = end;
     }

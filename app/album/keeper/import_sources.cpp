@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/import_sources.hpp"
+
+#include "app/album/keeper/bundle.hpp"
+#include "app/album/metadata/photo_name.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::uintmax_t size_of(const fs::path& file) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    return error ? 0 : size;
+}
+
+} // namespace
+
+ImportSources::ImportSources(const std::vector<fs::path>& sources, fs::path unpack_in, std::stop_token stop)
+    : unpack_in_(std::move(unpack_in)) {
+    std::error_code error;
+    fs::remove_all(unpack_in_, error); // what a kill left
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        if (fs::is_directory(sources[i], error)) {
+            add_folder(sources[i]);
+        } else if (sources[i].extension() == ".touchphoto") {
+            const fs::path folder = unpack_in_ / std::to_string(i);
+            const std::string problem = unpack_bundle(sources[i], folder, {}, {}, stop);
+            if (problem.empty())
+                add_folder(folder);
+            else if (!stop.stop_requested())
+                problems_.emplace_back(sources[i], problem);
+        } else {
+            photos_.push_back({sources[i], {}, size_of(sources[i])});
+        }
+    }
+}
+
+ImportSources::~ImportSources() {
+    std::error_code error;
+    fs::remove_all(unpack_in_, error);
+}
+
+void ImportSources::add_folder(const fs::path& folder) {
+    std::vector<PhotoToImport> inside;
+    std::error_code error;
+    for (fs::recursive_directory_iterator place(folder, fs::directory_options::skip_permission_denied, error), end;
+         !error && place != end; place.increment(error)) {
+        const fs::path file = place->path();
+        if (place->is_directory(error) && file.filename().string().starts_with('.'))
+            place.disable_recursion_pending();
+        else if (has_photo_name(file) && place->is_regular_file(error))
+            inside.push_back({file, file.parent_path().lexically_proximate(folder), size_of(file)});
+    }
+    for (PhotoToImport& photo : inside)
+        if (photo.folder == ".")
+            photo.folder.clear();
+    std::sort(inside.begin(), inside.end(),
+              [](const PhotoToImport& a, const PhotoToImport& b) { return a.file < b.file; });
+    photos_.insert(photos_.end(), inside.begin(), inside.end());
+}
+
+} // namespace tp

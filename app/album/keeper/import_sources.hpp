@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+/// One photograph to import, and the folder it goes to, relative to where the import goes.
+struct PhotoToImport {
+    std::filesystem::path file;
+    std::filesystem::path folder;
+    std::uintmax_t bytes = 0;
+};
+
+/// The photographs that files, folders and bundles hold; a bundle is unpacked into a folder that goes with this object.
+class ImportSources {
+public:
+    /// `unpack_in` is a folder on the album's disk. A bundle that cannot be unpacked is a sentence in `problems`.
+    ImportSources(const std::vector<std::filesystem::path>& sources, std::filesystem::path unpack_in, std::stop_token stop);
+    ~ImportSources();
+    ImportSources(const ImportSources&) = delete;
+    ImportSources& operator=(const ImportSources&) = delete;
+
+    /// In the order of the sources, by name within a folder.
+    const std::vector<PhotoToImport>& photos() const { return photos_; }
+    /// Bundles that could not be unpacked, with why.
+    const std::vector<std::pair<std::filesystem::path, std::string>>& problems() const { return problems_; }
+
+private:
+    void add_folder(const std::filesystem::path& folder);
+
+    std::filesystem::path unpack_in_;
+    std::vector<PhotoToImport> photos_;
+    std::vector<std::pair<std::filesystem::path, std::string>> problems_;
+};
+
+} // namespace tp

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/photo_copy.hpp"
+
+#include "app/album/keeper/photo_files.hpp"
+#include "core/files/durable_file.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int most_names = 10'000;
+
+std::uintmax_t size_of(const fs::path& file) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    return error ? 0 : size;
+}
+
+/// The same bytes, or one of the files cannot be read.
+bool same_bytes(const fs::path& a, const fs::path& b) {
+    if (size_of(a) != size_of(b))
+        return false;
+    const auto first = content_hash(a), second = content_hash(b);
+    return first && second && *first == *second;
+}
+
+/// "IMG_1 (2).jpg" for the second photograph of that name.
+fs::path numbered(const fs::path& place, int number) {
+    if (number == 1)
+        return place;
+    fs::path name = place.stem();
+    name += " (" + std::to_string(number) + ")";
+    name += place.extension();
+    return place.parent_path() / name;
+}
+
+/// Whether something else than these bytes has the place of a file, or of a file in a folder.
+bool is_taken(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    if (!name_taken(to))
+        return false;
+    if (!fs::is_directory(from, error))
+        return !same_bytes(from, to);
+    for (const auto& file : fs::directory_iterator(from, error))
+        if (is_taken(file.path(), to / file.path().filename()))
+            return true;
+    return false;
+}
+
+/// Copies a file, or the files of a folder, that are not there yet. A folder holds recordings: nobody else
+/// may hear them.
+std::string bring(const fs::path& from, const fs::path& to, Readers readers = Readers::as_usual) {
+    std::error_code error;
+    if (!fs::is_directory(from, error))
+        return name_taken(to) ? std::string{} : copy_whole(from, to, readers);
+    std::string problem = make_folder(to, Readers::owner_only);
+    for (const auto& file : fs::directory_iterator(from, error))
+        if (problem.empty() && file.is_regular_file(error) && !is_temporary(file.path()))
+            problem = bring(file.path(), to / file.path().filename(), Readers::owner_only);
+    return problem;
+}
+
+/// A name in the album that is free for the photograph and each of its companions, or where an earlier try
+/// brought the same bytes.
+Result<CopiedPhoto> destination(const fs::path& source, const fs::path& wanted,
+                                const std::vector<Companion>& companions) {
+    for (int number = 1; number < most_names; ++number) {
+        const fs::path place = numbered(wanted, number);
+        if (name_taken(place) && same_bytes(source, place))
+            return CopiedPhoto{place, true};
+        const auto taken = [&](const Companion& one) { return is_taken(one.file, beside(place, one)); };
+        if (!name_taken(place) && std::none_of(companions.begin(), companions.end(), taken))
+            return CopiedPhoto{place, false};
+    }
+    return Error{"there are too many photographs of that name in the album."};
+}
+
+} // namespace
+
+Result<CopiedPhoto> copy_photo(const fs::path& photo, const fs::path& folder) {
+    const std::vector<Companion> companions = companions_of(photo);
+    const auto to = destination(photo, folder / photo.filename(), companions);
+    if (!to || to->was_there)
+        return to;
+    std::string problem = make_folder(folder);
+    for (std::size_t i = 0; i < companions.size() && problem.empty(); ++i)
+        problem = bring(companions[i].file, beside(to->place, companions[i]));
+    if (problem.empty())
+        problem = copy_whole(photo, to->place);
+    return problem.empty() ? to : Result<CopiedPhoto>(Error{problem});
+}
+
+} // namespace tp

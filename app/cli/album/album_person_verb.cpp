@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/index/album_queries.hpp"
+#include "app/album/keeper/album_keeper.hpp"
+#include "app/cli/album/album_index_words.hpp"
+#include "app/cli/album/album_json.hpp"
+#include "app/cli/album/album_verbs.hpp"
+#include "app/cli/album/album_words.hpp"
+#include "core/files/file_words.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path first_path(const VerbLine& line) { return path_given(line.arguments().first()); }
+
+int person_list(const QStringList& words) {
+    VerbLine line("album person list", "The people of an album, with how many photographs show each.");
+    add_index_options(line).option("json", "A JSON object a line.").argument("ALBUM", "The album's folder.");
+    if (const auto over = line.parse(words, 1, 1))
+        return *over;
+    auto index = filled_index(line, {first_path(line)});
+    if (!index)
+        return refused(index.error());
+    const auto people = people_of(*index);
+    if (!people)
+        return refused(people.error());
+    const AlbumKeeper keeper(first_path(line));
+    for (const Person& person : *people) {
+        const auto spoken = keeper.name_recording(person.name);
+        if (line.has("json"))
+            print_line({{"person", json_text(person.name)},
+                        {"photos", static_cast<qint64>(person.photos)},
+                        {"recording", spoken ? QJsonValue(json_text(spoken->string())) : QJsonValue(QJsonValue::Null)}});
+        else
+            std::printf("%s\t%zu%s\n", readable(person.name).c_str(), person.photos, spoken ? "\tname recorded" : "");
+    }
+    return exit_done;
+}
+
+int person_rename(const QStringList& words) {
+    VerbLine line("album person rename",
+                  "Gives a person another name on every photograph of an album, or only on those that are named. Where\n"
+                  "somebody has that name already, the two become one; to take two people apart, name the photographs.");
+    add_index_options(line)
+        .argument("ALBUM", "The album's folder.")
+        .argument("FROM", "The name so far.")
+        .argument("TO", "The new one.")
+        .argument("PHOTO", "Only on these.", "[PHOTO...]");
+    if (const auto over = line.parse(words, 3, 100'000))
+        return *over;
+    const std::string from = line.arguments()[1].toStdString(), to = line.arguments()[2].toStdString();
+    std::vector<fs::path> photos;
+    for (const QString& word : line.arguments().mid(3))
+        photos.push_back(path_given(word));
+    if (photos.empty()) {
+        auto index = open_index(line, {first_path(line)});
+        if (!index)
+            return refused(index.error());
+        StopOnSignal stop;
+        if (const auto scanned = scan_with_progress(*index, {first_path(line)}, stop); !scanned)
+            return refused(scanned.error());
+        const auto found = photos_with(*index, from);
+        if (!found)
+            return refused(found.error());
+        photos = *found;
+    }
+    const auto changed = AlbumKeeper(first_path(line)).rename_person(photos, from, to);
+    if (!changed)
+        return refused(changed.error());
+    std::printf("%zu photographs changed.\n", *changed);
+    return *changed > 0 ? exit_done : refused("Nobody of the name " + quoted(fs::path(from)) + " is on them.");
+}
+
+int person_name(const QStringList& words) {
+    VerbLine line("album person name", "Says who a face on a photograph is; without a name nobody knows.");
+    line.option("face", "Centre and size, 0 to 1 of the stored picture from its upper left.", "X,Y,WIDTH,HEIGHT")
+        .argument("PHOTO", "The photograph.")
+        .argument("NAME", "The person.", "[NAME]");
+    if (const auto over = line.parse(words, 1, 2))
+        return *over;
+    const QStringList numbers = line.text("face").split(QLatin1Char(','));
+    std::array<double, 4> place{};
+    bool well = numbers.size() == 4;
+    for (int i = 0; well && i < 4; ++i)
+        place[static_cast<std::size_t>(i)] = numbers[i].toDouble(&well);
+    if (!well)
+        return wrong_usage("album person name", "--face needs four numbers, such as 0.5,0.4,0.2,0.3.");
+    const std::string name = line.arguments().value(1).toStdString();
+    const std::string problem = AlbumKeeper(album_around(first_path(line)))
+                                    .name_face(first_path(line), {place[0], place[1], place[2], place[3], name});
+    return problem.empty() ? int{exit_done} : refused(problem);
+}
+
+int person_record(const QStringList& words) {
+    VerbLine line("album person record", "Keeps how somebody says a person's name.");
+    line.option("from", "The sound file.", "FILE").argument("ALBUM", "The album's folder.").argument("NAME", "The person.");
+    if (const auto over = line.parse(words, 2, 2))
+        return *over;
+    if (!line.has("from"))
+        return wrong_usage("album person record", "It needs --from FILE.");
+    const std::string problem = AlbumKeeper(first_path(line))
+                                    .keep_name_recording(line.arguments()[1].toStdString(), path_given(line.text("from")));
+    return problem.empty() ? int{exit_done} : refused(problem);
+}
+
+} // namespace
+
+int album_person(const QStringList& words) {
+    static constexpr std::array<SubVerb, 4> verbs{{
+        {"list", "the people of an album", person_list},
+        {"rename", "another name for a person, or two people made one", person_rename},
+        {"name", "say who a face is", person_name},
+        {"record", "keep how somebody says a name", person_record},
+    }};
+    return run_sub_verb("album person", verbs, words);
+}
+
+} // namespace tp

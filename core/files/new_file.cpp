@@ -43,6 +43,11 @@ int rename_to_free(const fs::path& from, const fs::path& to) {
     return 0;
 }
 
+/// Gives `from` the name `to`; 0, or the system's error.
+int rename_over(const fs::path& from, const fs::path& to) {
+    return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
 } // namespace
 
 Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
@@ -98,12 +103,25 @@ std::string NewFile::take_place(Existing existing) {
     // fsync of any descriptor brings to the disk what others wrote to the file
     if (::fsync(descriptor_) != 0)
         return reason_of(errno);
-    const int renamed = existing == Existing::kept ? rename_to_free(temporary_, place_)
-                        : ::rename(temporary_.c_str(), place_.c_str()) == 0 ? 0
-                                                                            : errno;
+    bool swapped = false;
+    int renamed = 0;
+    switch (existing) {
+    case Existing::replaced:
+        renamed = rename_over(temporary_, place_);
+        break;
+    case Existing::kept:
+        renamed = rename_to_free(temporary_, place_);
+        break;
+    case Existing::swapped:
+        swapped = ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0;
+        if (!swapped)
+            renamed = errno == EINVAL || errno == ENOSYS ? rename_over(temporary_, place_) : errno;
+        break;
+    }
     if (renamed != 0)
         return reason_of(renamed);
-    temporary_.clear();
+    if (!swapped)
+        temporary_.clear();
     return sync_folder(place_.parent_path());
 }
 

@@ -16,7 +16,12 @@ enum class Readers {
 };
 
 /// What happens to a file that has the name already.
-enum class Existing { replaced, kept };
+enum class Existing {
+    replaced,
+    kept,
+    swapped, ///< it lies under `temporary()` until the `NewFile` is destroyed: nobody's last word is lost
+             ///< unseen
+};
 
 /// A file being written beside its place, under a temporary name; it takes its place only when it is whole
 /// and on the disk. Destroyed before that it leaves nothing behind.
@@ -35,7 +40,8 @@ public:
     /// Brings it to the disk and gives it its name. When this returns empty, a power cut finds it whole; else
     /// it is the reason why not, and what had the name is as it was (or, where only the folder could not be
     /// brought to the disk, replaced by the whole new one until a power cut). `kept`: "there is a file of
-    /// that name already."
+    /// that name already." `swapped`: "its folder is gone." where there is none; a file system that cannot
+    /// swap replaces, and `temporary()` is empty.
     std::string take_place(Existing existing = Existing::replaced);
 
 private:

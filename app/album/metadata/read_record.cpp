@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/metadata/read_record.hpp"
+
+#include "app/album/metadata/photo_metadata.hpp"
+#include "app/album/metadata/sidecar_names.hpp"
+#include "app/album/metadata/xmp_record.hpp"
+#include "core/files/file_words.hpp"
+#include "core/files/whole_file.hpp"
+
+#include <utility>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+RecordParts parts_from_sidecar(const fs::path& sidecar, const PictureShape& shape) {
+    RecordParts parts;
+    const auto bytes = read_whole(sidecar, XmpPacket::most_bytes);
+    if (!bytes) {
+        parts.problems.push_back(bytes.error());
+        return parts;
+    }
+    const auto packet = XmpPacket::from(*bytes);
+    if (!packet) {
+        parts.problems.push_back("The sidecar " + quoted(sidecar) + " cannot be read: " + packet.error());
+        return parts;
+    }
+    return parts_from_xmp(*packet, shape);
+}
+
+} // namespace
+
+Result<PhotoRecord> read_record(const fs::path& photo) {
+    auto metadata = photo_metadata(photo);
+    if (!metadata)
+        return Error{metadata.error()};
+    RecordParts parts;
+    for (const fs::path& sidecar : sidecars_of(photo))
+        complete(parts, parts_from_sidecar(sidecar, metadata->shape));
+    complete(parts, std::move(metadata->parts));
+
+    PhotoRecord record;
+    record.orientation = metadata->shape.orientation;
+    record.width = metadata->shape.width;
+    record.height = metadata->shape.height;
+    record.taken = std::move(parts.taken).value_or(std::string{});
+    record.place = parts.place;
+    record.place_name = std::move(parts.place_name).value_or(std::string{});
+    record.alt_text = std::move(parts.alt_text).value_or(LanguageTexts{});
+    record.description = std::move(parts.description).value_or(LanguageTexts{});
+    record.faces = std::move(parts.faces).value_or(std::vector<FaceRegion>{});
+    record.persons = std::move(parts.persons).value_or(std::vector<std::string>{});
+    record.keywords = std::move(parts.keywords).value_or(std::vector<std::string>{});
+    record.tags = std::move(parts.tags).value_or(std::vector<Tag>{});
+    record.content_hash = std::move(parts.content_hash).value_or(std::string{});
+    record.problems = std::move(parts.problems);
+    return record;
+}
+
+} // namespace tp

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/metadata/sidecar_names.hpp"
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// All spellings, likely ones first: asking for each by name is cheap however large the folder is.
+constexpr std::array<std::string_view, 8> extensions = {".xmp", ".XMP", ".Xmp", ".xMp",
+                                                        ".xmP", ".XMp", ".XmP", ".xMP"};
+
+std::optional<fs::path> existing(const fs::path& stem) {
+    for (const std::string_view extension : extensions) {
+        fs::path file = stem;
+        file += extension;
+        std::error_code error;
+        if (fs::exists(fs::symlink_status(file, error)))
+            return file;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+fs::path sidecar_of(const fs::path& photo) {
+    if (auto file = existing(photo))
+        return *std::move(file);
+    fs::path file = photo;
+    file += extensions.front();
+    return file;
+}
+
+std::vector<fs::path> sidecars_of(const fs::path& photo) {
+    std::vector<fs::path> found;
+    if (auto file = existing(photo))
+        found.push_back(*std::move(file));
+    if (photo.has_extension())
+        if (auto file = existing(photo.parent_path() / photo.stem()))
+            found.push_back(*std::move(file));
+    return found;
+}
+
+} // namespace tp

@@ -33,7 +33,8 @@ using Kind = Finding::Kind;
 
 constexpr std::string_view tags_end = ".tags", contours_end = ".contours.svg", xmp_end = ".xmp";
 
-/// Everything in the album, sorted by what it is; so that what is found does not depend on the order of names.
+/// Everything in the album, sorted by what it is; so that what is found does not depend on the order of
+/// names.
 struct Inventory {
     std::vector<fs::path> photos, temporaries, tags, others;
 };
@@ -43,7 +44,8 @@ bool is_own_folder(const fs::path& folder) { return folder.filename() == ".touch
 Inventory inventory_of(const fs::path& album) {
     Inventory found;
     std::error_code error;
-    for (fs::recursive_directory_iterator place(album, fs::directory_options::skip_permission_denied, error), end;
+    for (fs::recursive_directory_iterator place(album, fs::directory_options::skip_permission_denied, error),
+         end;
          !error && place != end; place.increment(error)) {
         const fs::path file = place->path();
         const std::string name = file.filename().string();
@@ -121,7 +123,8 @@ public:
 private:
     /// Adds a finding; where it can and shall be mended, mends it by `action`, which returns why not.
     template <typename Action>
-    void found(Kind kind, const fs::path& file, const std::string& sentence, const std::string& mend, Action action) {
+    void found(Kind kind, const fs::path& file, const std::string& sentence, const std::string& mend,
+               Action action) {
         Finding finding{kind, file, sentence, mend, false, {}};
         if (options_.mend && !mend.empty()) {
             finding.problem = action();
@@ -136,8 +139,8 @@ private:
     void half_written(const fs::path& file) {
         if (writer_lives(file))
             return;
-        found(Kind::half_written, file, quoted(file) + " was being written when its program ended.", "It is deleted.",
-              [&] {
+        found(Kind::half_written, file, quoted(file) + " was being written when its program ended.",
+              "It is deleted.", [&] {
                   std::error_code error;
                   fs::remove(file, error);
                   return error ? reason_of(error.value()) : sync_folder(file.parent_path());
@@ -155,8 +158,8 @@ private:
             for (const auto& file : fs::directory_iterator(folder, error))
                 if (file.path().filename().string().ends_with(wav_part_end))
                     found(Kind::unfinished_recording, file.path(),
-                          quoted(file.path()) + " was not finished, or is being recorded now.", "It is finished.",
-                          [] { return std::string{}; });
+                          quoted(file.path()) + " was not finished, or is being recorded now.",
+                          "It is finished.", [] { return std::string{}; });
             return;
         }
         const auto repaired = repair_folder(folder);
@@ -166,8 +169,11 @@ private:
         }
         for (const RepairedPart& part : *repaired)
             if (part.outcome != RepairedPart::Outcome::in_use)
-                found(Kind::unfinished_recording, part.part, quoted(part.part) + " was not finished.", "It is finished.",
-                      [&] { return part.outcome == RepairedPart::Outcome::failed ? part.sentence : std::string{}; });
+                found(Kind::unfinished_recording, part.part, quoted(part.part) + " was not finished.",
+                      "It is finished.", [&] {
+                          return part.outcome == RepairedPart::Outcome::failed ? part.sentence
+                                                                               : std::string{};
+                      });
     }
 
     void check_photo(const fs::path& photo) {
@@ -188,9 +194,11 @@ private:
     void conflicts(const fs::path& photo) {
         for (const fs::path& copy : conflict_copies(photo))
             found(Kind::conflict_copy, copy,
-                  quoted(copy) + " is what another machine made of the sidecar of " + quoted(photo.filename()) + ".",
+                  quoted(copy) + " is what another machine made of the sidecar of " +
+                      quoted(photo.filename()) + ".",
                   "Both are brought together, and the copy goes to the trash.", [&] {
-                      if (std::error_code error; !fs::exists(copy, error)) // an earlier one's turn took all of them
+                      if (std::error_code error;
+                          !fs::exists(copy, error)) // an earlier one's turn took all of them
                           return std::string{};
                       const auto told = merge_conflicts(photo, keeper_.trash().folder());
                       if (!told)
@@ -202,7 +210,7 @@ private:
 
     void unreadable_sidecar(const fs::path& photo) {
         const fs::path sidecar = sidecar_of(photo);
-        if (!name_taken(sidecar) || sidecar_is_readable(sidecar))
+        if (!name_taken(sidecar) || content_hash_in(sidecar))
             return;
         found(Kind::unreadable_sidecar, sidecar, quoted(sidecar) + " cannot be read.",
               "It goes to the trash, and a new one lists the photograph's recordings.", [&] {
@@ -227,7 +235,8 @@ private:
                 found(Kind::unreadable_recording, folder / file, facts.error());
                 continue;
             }
-            if (std::none_of(record.tags.begin(), record.tags.end(), [&](const Tag& tag) { return tag.file == file; }))
+            if (std::none_of(record.tags.begin(), record.tags.end(),
+                             [&](const Tag& tag) { return tag.file == file; }))
                 found(Kind::unlisted_recording, folder / file,
                       quoted(folder / file) + " is not in the list of its photograph.",
                       "It is listed by its own comments.",
@@ -257,7 +266,8 @@ private:
                 open.push_back(folder / file);
         if (::stat(folder.c_str(), &about) != 0 || ((about.st_mode & 077u) == 0 && open.empty()))
             return;
-        found(Kind::open_to_others, folder, "Other people on this machine may listen to recordings in " + quoted(folder) + ".",
+        found(Kind::open_to_others, folder,
+              "Other people on this machine may listen to recordings in " + quoted(folder) + ".",
               "Only their owner may from then on.", [&] {
                   for (const fs::path& file : open)
                       if (::chmod(file.c_str(), 0600) != 0)
@@ -274,7 +284,8 @@ private:
             found(Kind::changed_photo, photo, hash.error());
             return;
         }
-        found(Kind::changed_photo, photo, quoted(photo) + " was changed by another program since its sidecar was written.",
+        found(Kind::changed_photo, photo,
+              quoted(photo) + " was changed by another program since its sidecar was written.",
               "The sidecar is told so.", [&] {
                   SidecarChanges changes;
                   changes.content_hash = *hash;
@@ -290,8 +301,8 @@ private:
         for (const fs::path& companion : companions) {
             const fs::path photo = photo_of(companion);
             const bool of_a_stem = companion.extension() == xmp_end && has_photo_of_stem(photo);
-            if (!fs::is_regular_file(photo, error) && !of_a_stem && !conflict_original(companion.filename().string()) &&
-                fs::exists(companion, error))
+            if (!fs::is_regular_file(photo, error) && !of_a_stem &&
+                !conflict_original(companion.filename().string()) && fs::exists(companion, error))
                 by_photo[photo].push_back(companion);
         }
         for (const auto& [photo, files] : by_photo)
@@ -300,14 +311,16 @@ private:
     }
 
     void left_behind(const fs::path& photo, const std::vector<fs::path>& files) {
-        const auto hash = hash_in_sidecar(sidecar_of(photo));
-        const auto now = hash ? by_content(*hash) : std::nullopt;
-        const std::string sentence = "The photograph of " + quoted(files.front()) + " is not beside it any more.";
+        const auto hash = content_hash_in(sidecar_of(photo));
+        const auto now = hash && !hash->empty() ? by_content(*hash) : std::nullopt;
+        const std::string sentence =
+            "The photograph of " + quoted(files.front()) + " is not beside it any more.";
         if (!now) {
             found(Kind::left_behind, files.front(), sentence);
             return;
         }
-        found(Kind::left_behind, files.front(), sentence, "It goes to where the photograph is now, " + quoted(*now) + ".",
+        found(Kind::left_behind, files.front(), sentence,
+              "It goes to where the photograph is now, " + quoted(*now) + ".",
               [&] { return keeper_.move_companions(photo, *now); });
     }
 
@@ -346,9 +359,9 @@ private:
 
 std::string_view name_of(Finding::Kind kind) {
     constexpr std::array<std::string_view, 12> names{
-        "half_written",      "unfinished_recording", "unlisted_recording", "missing_recording",
-        "unreadable_recording", "unreadable_sidecar", "left_behind",       "conflict_copy",
-        "changed_photo",     "open_to_others",       "unfinished_import",  "damaged_trash"};
+        "half_written",         "unfinished_recording", "unlisted_recording", "missing_recording",
+        "unreadable_recording", "unreadable_sidecar",   "left_behind",        "conflict_copy",
+        "changed_photo",        "open_to_others",       "unfinished_import",  "damaged_trash"};
     return names[static_cast<std::size_t>(kind)];
 }
 

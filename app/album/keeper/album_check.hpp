@@ -22,9 +22,9 @@ struct Finding {
         missing_recording,    ///< a listed recording without its file
         unreadable_recording,
         unreadable_sidecar,
-        left_behind,   ///< a sidecar, contours or recordings whose photograph is not beside them
-        conflict_copy, ///< another machine changed the same sidecar
-        changed_photo, ///< its bytes are not those that its sidecar knew
+        left_behind,    ///< a sidecar, contours or recordings whose photograph is not beside them
+        conflict_copy,  ///< another machine changed the same sidecar
+        changed_photo,  ///< its bytes are not those that its sidecar knew
         open_to_others, ///< recordings that other people on this machine may hear
         unfinished_import,
         damaged_trash,
@@ -53,8 +53,9 @@ struct CheckOptions {
     std::function<void(std::size_t photos, const std::filesystem::path& current)> report = {};
 };
 
-/// Goes through a folder of an album and everything below it and compares what is there with what is promised. Without
-/// `mend` nothing is written. With it nothing is deleted but half-written files: what has to make way goes to the trash.
+/// Goes through a folder of an album and everything below it and compares what is there with what is
+/// promised. Without `mend` nothing is written. With it nothing is deleted but half-written files: what has
+/// to make way goes to the trash.
 Result<CheckReport> check_album(const std::filesystem::path& album, const CheckOptions& options = {},
                                 std::stop_token stop = {});
 

@@ -73,8 +73,8 @@ std::string AlbumKeeper::delete_photo(const fs::path& photo) {
     return {};
 }
 
-std::string AlbumKeeper::describe(const fs::path& photo, const std::string& language, const std::string& alt_text,
-                                  const std::string& description) {
+std::string AlbumKeeper::describe(const fs::path& photo, const std::string& language,
+                                  const std::string& alt_text, const std::string& description) {
     struct Texts {
         std::string alt_text, description;
     };
@@ -91,7 +91,8 @@ std::string AlbumKeeper::describe(const fs::path& photo, const std::string& lang
             };
             SidecarChanges changes;
             changes.alt_text = changed(record.alt_text, to.alt_text, before ? &before->alt_text : nullptr);
-            changes.description = changed(record.description, to.description, before ? &before->description : nullptr);
+            changes.description =
+                changed(record.description, to.description, before ? &before->description : nullptr);
             return changes;
         });
     };
@@ -99,7 +100,8 @@ std::string AlbumKeeper::describe(const fs::path& photo, const std::string& lang
     const Texts after{alt_text, description};
     if (std::string problem = set(after, &before); !problem.empty())
         return problem;
-    history_.done({readable(photo.filename().string()) + " was described", [set, before] { return set(before, nullptr); },
+    history_.done({readable(photo.filename().string()) + " was described",
+                   [set, before] { return set(before, nullptr); },
                    [set, after] { return set(after, nullptr); }});
     return {};
 }

@@ -15,28 +15,36 @@
 
 namespace tp {
 
-/// Everything that a person does to the photographs in one folder of an album and below it. Each step is on the disk
-/// when it returns and can be taken back; the photograph's own bytes are never written.
+/// Everything that a person does to the photographs in one folder of an album and below it. Each step is on
+/// the disk when it returns and can be taken back; the photograph's own bytes are never written.
 ///
-/// A text that is returned is empty when done; else a sentence, and nothing was changed unless it says so. Two
-/// programs may work on one album: each step reads, changes and writes under the album's lock. One thread at a time.
+/// A text that is returned is empty when done; else a sentence, and nothing was changed unless it says so.
+/// Two programs may work on one album: each step reads, changes and writes under the album's lock. One thread
+/// at a time.
 class AlbumKeeper {
 public:
     explicit AlbumKeeper(std::filesystem::path album);
 
     // Recordings. `file` is a tag's file name.
 
+    struct Added {
+        Tag tag;
+        std::string warning; ///< a sentence where not all of the sound could be read
+    };
     /// Takes in any sound file that can be decoded: it becomes a FLAC among the photograph's recordings.
-    Result<Tag> add_recording(const std::filesystem::path& photo, const std::filesystem::path& sound,
+    Result<Added> add_recording(const std::filesystem::path& photo, const std::filesystem::path& sound,
                               const RecordingLabel& label);
-    /// Lists a recording that lies among the photograph's already, as the recorder leaves it, by its own comments.
+    /// Lists a recording that lies among the photograph's already, as the recorder leaves it, by its own
+    /// comments.
     Result<Tag> list_recording(const std::filesystem::path& photo, const std::string& file);
     /// Changes what a recording says of itself, in the sidecar and in its own comments.
-    std::string label_recording(const std::filesystem::path& photo, const std::string& file, const RecordingLabel& label);
+    std::string label_recording(const std::filesystem::path& photo, const std::string& file,
+                                const RecordingLabel& label);
     /// Plays the photograph's recordings in this order from now on; those not named follow by kind.
     std::string order_recordings(const std::filesystem::path& photo, const std::vector<std::string>& files);
     /// Keeps the part from `begin_s` to `end_s`; the whole one goes to the trash.
-    Result<Tag> trim_recording(const std::filesystem::path& photo, const std::string& file, double begin_s, double end_s);
+    Result<Tag> trim_recording(const std::filesystem::path& photo, const std::string& file, double begin_s,
+                               double end_s);
     std::string delete_recording(const std::filesystem::path& photo, const std::string& file);
     /// Whether the trash holds this recording.
     bool is_in_trash(const std::filesystem::path& photo, const std::string& file) const;
@@ -48,21 +56,22 @@ public:
     /// To the trash, with everything that is its own.
     std::string delete_photo(const std::filesystem::path& photo);
     /// The short and the long description in one language; empty takes it away.
-    std::string describe(const std::filesystem::path& photo, const std::string& language, const std::string& alt_text,
-                         const std::string& description);
+    std::string describe(const std::filesystem::path& photo, const std::string& language,
+                         const std::string& alt_text, const std::string& description);
 
-    /// Moves what belongs to a photograph, sidecar and recordings and all, to where the photograph is now. Nothing is
-    /// moved where a place is taken.
+    /// Moves what belongs to a photograph, sidecar and recordings and all, to where the photograph is now.
+    /// Nothing is moved where a place is taken.
     std::string move_companions(const std::filesystem::path& from, const std::filesystem::path& to);
 
     // People.
 
-    /// Says who a face is, empty: nobody knows. A face of nearly the same place is renamed, else a region is added.
+    /// Says who a face is, empty: nobody knows. A face of nearly the same place is renamed, else a region is
+    /// added.
     std::string name_face(const std::filesystem::path& photo, const FaceRegion& face);
-    /// Another name for a person on these photographs, recordings included; where there is a person of that name already
-    /// the two become one. How many photographs were changed.
-    Result<std::size_t> rename_person(const std::vector<std::filesystem::path>& photos, const std::string& from,
-                                      const std::string& to);
+    /// Another name for a person on these photographs, recordings included; where there is a person of that
+    /// name already the two become one. How many photographs were changed.
+    Result<std::size_t> rename_person(const std::vector<std::filesystem::path>& photos,
+                                      const std::string& from, const std::string& to);
 
     /// Keeps how somebody says a person's name; an earlier one goes to the trash.
     std::string keep_name_recording(const std::string& person, const std::filesystem::path& sound);
@@ -83,7 +92,8 @@ private:
     std::string change_sidecar(const std::filesystem::path& photo, const Change& change);
     std::string list(const std::filesystem::path& photo, const Tag& tag);
     std::string unlist(const std::filesystem::path& photo, const std::string& file);
-    std::string relabel(const std::filesystem::path& photo, const std::string& file, const RecordingLabel& label);
+    std::string relabel(const std::filesystem::path& photo, const std::string& file,
+                        const RecordingLabel& label);
     std::string set_orders(const std::filesystem::path& photo, const std::vector<std::string>& files);
     Result<std::string> put_recording(const std::filesystem::path& photo, const Tag& tag);
     Result<Tag> tag_of(const std::filesystem::path& photo, const std::string& file) const;

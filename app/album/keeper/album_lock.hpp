@@ -7,8 +7,8 @@
 
 namespace tp {
 
-/// The right to change the files of one folder of an album: one program at a time reads, changes and writes. It ends with
-/// its process, however that ends (flock). Held for moments only; who asks waits.
+/// The right to change the files of one folder of an album: one program at a time reads, changes and writes.
+/// It ends with its process, however that ends (flock). Held for moments only; who asks waits.
 class AlbumLock {
 public:
     /// An error is the end of a sentence.

@@ -37,7 +37,8 @@ Error unknown(const std::string& id) {
 
 bool ImportList::makes_sense() const {
     return (into.empty() || stays_below(into)) &&
-           std::all_of(sources.begin(), sources.end(), [](const fs::path& source) { return source.is_absolute(); });
+           std::all_of(sources.begin(), sources.end(),
+                       [](const fs::path& source) { return source.is_absolute(); });
 }
 
 Result<std::string> ImportList::save(const fs::path& album) const {

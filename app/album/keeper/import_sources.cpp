@@ -49,7 +49,8 @@ ImportSources::~ImportSources() {
 void ImportSources::add_folder(const fs::path& folder) {
     std::vector<PhotoToImport> inside;
     std::error_code error;
-    for (fs::recursive_directory_iterator place(folder, fs::directory_options::skip_permission_denied, error), end;
+    for (fs::recursive_directory_iterator place(folder, fs::directory_options::skip_permission_denied, error),
+         end;
          !error && place != end; place.increment(error)) {
         const fs::path file = place->path();
         if (place->is_directory(error) && file.filename().string().starts_with('.'))

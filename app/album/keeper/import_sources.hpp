@@ -18,11 +18,14 @@ struct PhotoToImport {
     std::uintmax_t bytes = 0;
 };
 
-/// The photographs that files, folders and bundles hold; a bundle is unpacked into a folder that goes with this object.
+/// The photographs that files, folders and bundles hold; a bundle is unpacked into a folder that goes with
+/// this object.
 class ImportSources {
 public:
-    /// `unpack_in` is a folder on the album's disk. A bundle that cannot be unpacked is a sentence in `problems`.
-    ImportSources(const std::vector<std::filesystem::path>& sources, std::filesystem::path unpack_in, std::stop_token stop);
+    /// `unpack_in` is a folder on the album's disk. A bundle that cannot be unpacked is a sentence in
+    /// `problems`.
+    ImportSources(const std::vector<std::filesystem::path>& sources, std::filesystem::path unpack_in,
+                  std::stop_token stop);
     ~ImportSources();
     ImportSources(const ImportSources&) = delete;
     ImportSources& operator=(const ImportSources&) = delete;

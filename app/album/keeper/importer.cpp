@@ -6,7 +6,7 @@
 #include "app/album/keeper/import_sources.hpp"
 #include "app/album/keeper/photo_copy.hpp"
 #include "app/album/keeper/photo_files.hpp"
-#include "audio/recordings/sound_beside.hpp"
+#include "audio/recordings/camera_sound.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
@@ -39,13 +39,15 @@ private:
 
 class Import {
 public:
-    Import(const fs::path& album, const std::string& id, const ImportList& list, const ImportTools& tools, bool goes_on)
+    Import(const fs::path& album, const std::string& id, const ImportList& list, const ImportTools& tools,
+           bool goes_on)
         : album_(album), list_(list), tools_(tools), keeper_(album), goes_on_(goes_on) {
         report_.id = id;
     }
 
     ImportReport run() {
-        const ImportSources sources(list_.sources, album_ / ".touchphoto" / "import" / report_.id, tools_.stop);
+        const ImportSources sources(list_.sources, album_ / ".touchphoto" / "import" / report_.id,
+                                    tools_.stop);
         for (const auto& [bundle, problem] : sources.problems())
             add({bundle, {}, Fate::failed, problem});
         progress_.total = sources.photos().size();
@@ -96,10 +98,12 @@ private:
         if (!hash)
             return {source.file, {}, Fate::failed, hash.error()};
         if (const auto place = known(*hash)) // when an import goes on, a kill may have come before the sound
-            return {source.file, *place, Fate::duplicate, goes_on_ ? take_sound(source.file, *place) : std::string{}};
+            return {source.file, *place, Fate::duplicate,
+                    goes_on_ ? take_sound(source.file, *place) : std::string{}};
         const auto copied = copy_photo(source.file, album_ / list_.into / source.folder);
         if (!copied)
-            return {source.file, {}, Fate::failed, quoted(source.file) + " was not imported: " + copied.error()};
+            return {
+                source.file, {}, Fate::failed, quoted(source.file) + " was not imported: " + copied.error()};
         this_time_[*hash] = copied->place;
         return {source.file, copied->place, copied->was_there ? Fate::duplicate : Fate::imported,
                 take_sound(source.file, copied->place)};
@@ -128,12 +132,12 @@ private:
 } // namespace
 
 std::size_t ImportReport::count(Fate fate) const {
-    return static_cast<std::size_t>(std::count_if(photos.begin(), photos.end(),
-                                                  [&](const ImportedPhoto& photo) { return photo.fate == fate; }));
+    return static_cast<std::size_t>(std::count_if(
+        photos.begin(), photos.end(), [&](const ImportedPhoto& photo) { return photo.fate == fate; }));
 }
 
-Result<ImportReport> import_photos(const fs::path& album, const fs::path& into, const std::vector<fs::path>& sources,
-                                   const ImportTools& tools) {
+Result<ImportReport> import_photos(const fs::path& album, const fs::path& into,
+                                   const std::vector<fs::path>& sources, const ImportTools& tools) {
     std::error_code error;
     ImportList list{into.lexically_normal(), {}};
     for (const fs::path& source : sources) {
@@ -158,6 +162,8 @@ Result<ImportReport> go_on_importing(const fs::path& album, const std::string& i
 
 std::vector<std::string> unfinished_imports(const fs::path& album) { return ImportList::all(album); }
 
-std::string give_up_import(const fs::path& album, const std::string& id) { return ImportList::remove(album, id); }
+std::string give_up_import(const fs::path& album, const std::string& id) {
+    return ImportList::remove(album, id);
+}
 
 } // namespace tp

@@ -50,17 +50,19 @@ struct ImportTools {
     std::stop_token stop;
 };
 
-// Copies photographs with all that is theirs into a folder of an album: from folders, whose own folders are kept, a
-// camera's card, single files or .touchphoto bundles. A sound of the photograph's name (IMG_1.WAV) becomes its ambient
-// recording.
+// Copies photographs with all that is theirs into a folder of an album: from folders, whose own folders are
+// kept, a camera's card, single files or .touchphoto bundles. A sound of the photograph's name (IMG_1.WAV)
+// becomes its ambient recording.
 //
-// What is to be imported is on the disk before the first byte is copied, so that an import that was stopped, killed or cut
-// off goes on where it was. A photograph is copied after its companions: where it is, everything of it is. The sources
-// are only read.
+// What is to be imported is on the disk before the first byte is copied, so that an import that was stopped,
+// killed or cut off goes on where it was. A photograph is copied after its companions: where it is,
+// everything of it is. The sources are only read.
 
-/// `into` is a folder relative to the album's; empty: the album's own. An error only where nothing could be begun.
+/// `into` is a folder relative to the album's; empty: the album's own. An error only where nothing could be
+/// begun.
 Result<ImportReport> import_photos(const std::filesystem::path& album, const std::filesystem::path& into,
-                                   const std::vector<std::filesystem::path>& sources, const ImportTools& tools);
+                                   const std::vector<std::filesystem::path>& sources,
+                                   const ImportTools& tools);
 
 /// Goes on with an import that was not finished.
 Result<ImportReport> go_on_importing(const std::filesystem::path& album, const std::string& id,

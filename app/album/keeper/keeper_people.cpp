@@ -2,7 +2,7 @@
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
-#include "audio/recordings/import_recording.hpp"
+#include "audio/recordings/import_sound.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double same_face = 0.3; // overlap of two regions, as a share of both together, that makes them one face
+constexpr double same_face =
+    0.3; // overlap of two regions, as a share of both together, that makes them one face
 
 double overlap(const FaceRegion& a, const FaceRegion& b) {
     const auto shared = [](double x, double w, double u, double v) {
@@ -34,24 +35,27 @@ double overlap(const FaceRegion& a, const FaceRegion& b) {
 
 bool makes_sense(const FaceRegion& face) {
     const auto inside = [](double centre, double size) {
-        return std::isfinite(centre) && size > 0.0 && centre - 0.5 * size > -0.01 && centre + 0.5 * size < 1.01;
+        return std::isfinite(centre) && size > 0.0 && centre - 0.5 * size > -0.01 &&
+               centre + 0.5 * size < 1.01;
     };
     return inside(face.x, face.width) && inside(face.y, face.height);
 }
 
 auto find_face(std::vector<FaceRegion>& faces, const FaceRegion& like) {
-    const auto best = std::max_element(faces.begin(), faces.end(), [&](const FaceRegion& a, const FaceRegion& b) {
-        return overlap(a, like) < overlap(b, like);
-    });
+    const auto best =
+        std::max_element(faces.begin(), faces.end(), [&](const FaceRegion& a, const FaceRegion& b) {
+            return overlap(a, like) < overlap(b, like);
+        });
     return best != faces.end() && overlap(*best, like) >= same_face ? best : faces.end();
 }
 
-/// The persons of a photograph after its faces changed from one list to another: those who were only on a face that
-/// lost the name are taken out; persons without a face stay.
+/// The persons of a photograph after its faces changed from one list to another: those who were only on a
+/// face that lost the name are taken out; persons without a face stay.
 std::vector<std::string> persons_after(std::vector<std::string> persons, const std::string& gone,
                                        const std::string& come, const std::vector<FaceRegion>& faces) {
     const auto on_a_face = [&](const std::string& name) {
-        return std::any_of(faces.begin(), faces.end(), [&](const FaceRegion& face) { return face.name == name; });
+        return std::any_of(faces.begin(), faces.end(),
+                           [&](const FaceRegion& face) { return face.name == name; });
     };
     if (!gone.empty() && !on_a_face(gone))
         std::erase(persons, gone);
@@ -65,11 +69,12 @@ fs::path name_file(const fs::path& album, const std::string& person) {
     constexpr qsizetype longest = 200; // bytes; a file's name has at most 255
     const QByteArray name = QByteArray::fromStdString(person);
     QByteArray file = name.toPercentEncoding(" ", "/%.\\");
-    if (QString::fromUtf8(name).toUtf8() == name && !name.contains('/') && !name.contains('%') && !name.contains('\0') &&
-        !name.startsWith('.'))
+    if (QString::fromUtf8(name).toUtf8() == name && !name.contains('/') && !name.contains('%') &&
+        !name.contains('\0') && !name.startsWith('.'))
         file = name;
     if (file.size() > longest)
-        file = file.left(longest) + "-" + QCryptographicHash::hash(name, QCryptographicHash::Sha256).toHex().left(16);
+        file = file.left(longest) + "-" +
+               QCryptographicHash::hash(name, QCryptographicHash::Sha256).toHex().left(16);
     return album / ".touchphoto" / "people" / (file.toStdString() + ".flac");
 }
 
@@ -181,7 +186,8 @@ Result<std::size_t> AlbumKeeper::rename_person(const std::vector<fs::path>& phot
         return std::string{};
     };
     for (const fs::path& photo : photos) {
-        const auto record = outside(photo).empty() ? read_record(photo) : Result<PhotoRecord>(Error{outside(photo)});
+        const auto record =
+            outside(photo).empty() ? read_record(photo) : Result<PhotoRecord>(Error{outside(photo)});
         std::string problem = record ? std::string{} : record.error();
         const bool concerned =
             record &&
@@ -197,7 +203,8 @@ Result<std::size_t> AlbumKeeper::rename_person(const std::vector<fs::path>& phot
         }
         if (!problem.empty()) {
             const std::string stuck = back();
-            return Error{problem + (stuck.empty() ? std::string{} : " Some photographs kept the new name: " + stuck)};
+            return Error{problem +
+                         (stuck.empty() ? std::string{} : " Some photographs kept the new name: " + stuck)};
         }
     }
     const std::size_t count = changed->size();
@@ -223,7 +230,8 @@ std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs
     const fs::path file = name_file(album_, person);
     if (const std::string reason = make_folder(file.parent_path(), Readers::owner_only); !reason.empty())
         return "The name cannot be kept: " + reason;
-    const auto taken_in = import_recording(sound, file.parent_path(), {RecordingKind::person, person, {}, {}, {}, {}});
+    const auto taken_in =
+        import_sound(sound, file.parent_path(), {{RecordingKind::person, person, {}, {}, {}, {}}, {}});
     if (!taken_in)
         return quoted(sound) + " cannot be taken in: " + taken_in.error();
     const auto earlier = std::make_shared<std::string>(); // in the trash
@@ -235,7 +243,7 @@ std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs
     };
     std::string problem = name_taken(file) ? put_away(*earlier) : std::string{};
     if (problem.empty())
-        problem = move_file(*taken_in, file);
+        problem = move_file(taken_in->file, file);
     if (!problem.empty())
         return "The name cannot be kept: " + problem;
     const auto later = std::make_shared<std::string>();

@@ -5,13 +5,15 @@
 #include "app/album/keeper/recording_facts.hpp"
 #include "app/album/keeper/tag_note.hpp"
 #include "app/album/metadata/read_record.hpp"
-#include "audio/recordings/import_recording.hpp"
+#include "audio/recordings/import_sound.hpp"
 #include "audio/recordings/recording_file.hpp"
-#include "audio/recordings/trim_recording.hpp"
+#include "audio/recordings/trim.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <memory>
 
 namespace tp {
@@ -66,15 +68,15 @@ Result<Tag> AlbumKeeper::tag_of(const fs::path& photo, const std::string& file) 
     return tag == record->tags.end() ? Result<Tag>(unknown(photo, file)) : Result<Tag>(*tag);
 }
 
-Result<Tag> AlbumKeeper::add_recording(const fs::path& photo, const fs::path& sound, const RecordingLabel& label) {
+Result<AlbumKeeper::Added> AlbumKeeper::add_recording(const fs::path& photo, const fs::path& sound,
+                                                      const RecordingLabel& label) {
     if (std::string problem = outside(photo); !problem.empty())
         return Error{problem};
-    if (const std::string reason = make_folder(tags_folder(photo), Readers::owner_only); !reason.empty())
-        return Error{"The recording cannot be kept: " + reason};
-    const auto kept = import_recording(sound, tags_folder(photo), label);
+    const auto kept = import_sound(sound, tags_folder(photo), {label, {}});
     if (!kept)
         return Error{quoted(sound) + " cannot be taken in: " + kept.error()};
-    return list_recording(photo, kept->filename().string());
+    auto tag = list_recording(photo, kept->file.filename().string());
+    return tag ? Result<Added>(Added{*std::move(tag), kept->warning}) : Error{tag.error()};
 }
 
 Result<Tag> AlbumKeeper::list_recording(const fs::path& photo, const std::string& file) {
@@ -130,7 +132,8 @@ std::string AlbumKeeper::delete_recording(const fs::path& photo, const std::stri
     return {};
 }
 
-std::string AlbumKeeper::relabel(const fs::path& photo, const std::string& file, const RecordingLabel& label) {
+std::string AlbumKeeper::relabel(const fs::path& photo, const std::string& file,
+                                 const RecordingLabel& label) {
     auto tag = tag_of(photo, file);
     if (!tag)
         return tag.error();
@@ -145,7 +148,8 @@ std::string AlbumKeeper::relabel(const fs::path& photo, const std::string& file,
     return list(photo, *tag);
 }
 
-std::string AlbumKeeper::label_recording(const fs::path& photo, const std::string& file, const RecordingLabel& label) {
+std::string AlbumKeeper::label_recording(const fs::path& photo, const std::string& file,
+                                         const RecordingLabel& label) {
     const auto tag = tag_of(photo, file);
     std::string problem = tag ? relabel(photo, file, label) : tag.error();
     if (!problem.empty())
@@ -169,7 +173,8 @@ std::string AlbumKeeper::set_orders(const fs::path& photo, const std::vector<std
 }
 
 std::string AlbumKeeper::order_recordings(const fs::path& photo, const std::vector<std::string>& files) {
-    const auto record = outside(photo).empty() ? read_record(photo) : Result<PhotoRecord>(Error{outside(photo)});
+    const auto record =
+        outside(photo).empty() ? read_record(photo) : Result<PhotoRecord>(Error{outside(photo)});
     if (!record)
         return record.error();
     std::vector<Tag> ordered = record->tags;
@@ -177,7 +182,8 @@ std::string AlbumKeeper::order_recordings(const fs::path& photo, const std::vect
         if (find_tag(ordered, file) == ordered.end())
             return unknown(photo, file).sentence;
     std::erase_if(ordered, [](const Tag& tag) { return tag.order <= 0; });
-    std::stable_sort(ordered.begin(), ordered.end(), [](const Tag& a, const Tag& b) { return a.order < b.order; });
+    std::stable_sort(ordered.begin(), ordered.end(),
+                     [](const Tag& a, const Tag& b) { return a.order < b.order; });
     std::vector<std::string> before;
     for (const Tag& tag : ordered)
         before.push_back(tag.file);
@@ -189,11 +195,20 @@ std::string AlbumKeeper::order_recordings(const fs::path& photo, const std::vect
     return {};
 }
 
-Result<Tag> AlbumKeeper::trim_recording(const fs::path& photo, const std::string& file, double begin_s, double end_s) {
+Result<Tag> AlbumKeeper::trim_recording(const fs::path& photo, const std::string& file, double begin_s,
+                                        double end_s) {
     const auto whole = tag_of(photo, file);
     if (!whole)
         return Error{whole.error()};
-    const auto part = tp::trim_recording(tags_folder(photo) / file, begin_s, end_s);
+    const auto about = about_recording(tags_folder(photo) / file);
+    if (!about || !(begin_s >= 0.0 && begin_s < end_s))
+        return Error{quoted(tags_folder(photo) / file) + " cannot be trimmed: " +
+                     (about ? "the part must begin before it ends." : about.error())};
+    const auto frame = [&](double seconds) {
+        const double last = static_cast<double>(about->frames);
+        return static_cast<std::uint64_t>(std::llround(std::min(seconds * about->format.rate, last)));
+    };
+    const auto part = tp::trim_recording(tags_folder(photo) / file, frame(begin_s), frame(end_s));
     if (!part)
         return Error{quoted(tags_folder(photo) / file) + " cannot be trimmed: " + part.error()};
     auto tag = recording_facts(*part);

@@ -41,12 +41,13 @@ std::optional<TagNote> tag_note(const std::string& note) {
     const auto kind = recording_kind(text("kind"));
     if (!photo || !stays_below(*photo) || !kind || text("file").empty())
         return std::nullopt;
-    return TagNote{*photo,
-                   {text("file"),
-                    {*kind, text("person"), text("speaker"), text("language"), text("recorded"), text("transcript")},
-                    object["duration_s"].toDouble(),
-                    object["gain_db"].toDouble(),
-                    object["order"].toInt()}};
+    return TagNote{
+        *photo,
+        {text("file"),
+         {*kind, text("person"), text("speaker"), text("language"), text("recorded"), text("transcript")},
+         object["duration_s"].toDouble(),
+         object["gain_db"].toDouble(),
+         object["order"].toInt()}};
 }
 
 } // namespace tp

@@ -151,7 +151,10 @@ Result<TrashEntry> Trash::entry(const std::string& id) const {
                    ? unreadable
                    : Error{"There is nothing of the name " + quoted(fs::path(id)) + " in the trash."};
     const QJsonObject list = QJsonDocument::fromJson(QByteArray::fromStdString(*bytes)).object();
-    TrashEntry entry{id, list["what"].toString().toStdString(), list["deleted"].toString().toStdString(), {},
+    TrashEntry entry{id,
+                     list["what"].toString().toStdString(),
+                     list["deleted"].toString().toStdString(),
+                     {},
                      list["note"].toString().toStdString()};
     for (const QJsonValue& file : list["files"].toArray()) {
         const auto path = path_of(file.toString());

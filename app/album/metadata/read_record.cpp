@@ -15,19 +15,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
-RecordParts parts_from_sidecar(const fs::path& sidecar, const PictureShape& shape) {
-    RecordParts parts;
+Result<RecordParts> parts_in(const fs::path& sidecar, const PictureShape& shape) {
     const auto bytes = read_whole(sidecar, XmpPacket::most_bytes);
-    if (!bytes) {
-        parts.problems.push_back(bytes.error());
-        return parts;
-    }
+    if (!bytes)
+        return Error{bytes.error()};
     const auto packet = XmpPacket::from(*bytes);
-    if (!packet) {
-        parts.problems.push_back("The sidecar " + quoted(sidecar) + " cannot be read: " + packet.error());
-        return parts;
-    }
+    if (!packet)
+        return Error{"The sidecar " + quoted(sidecar) + " cannot be read: " + packet.error()};
     return parts_from_xmp(*packet, shape);
+}
+
+RecordParts parts_from_sidecar(const fs::path& sidecar, const PictureShape& shape) {
+    auto parts = parts_in(sidecar, shape);
+    if (parts)
+        return *std::move(parts);
+    RecordParts nothing;
+    nothing.problems.push_back(parts.error());
+    return nothing;
 }
 
 } // namespace
@@ -57,6 +61,11 @@ Result<PhotoRecord> read_record(const fs::path& photo) {
     record.content_hash = std::move(parts.content_hash).value_or(std::string{});
     record.problems = std::move(parts.problems);
     return record;
+}
+
+Result<std::string> content_hash_in(const fs::path& sidecar) {
+    const auto parts = parts_in(sidecar, {});
+    return parts ? Result<std::string>(parts->content_hash.value_or(std::string{})) : Error{parts.error()};
 }
 
 } // namespace tp

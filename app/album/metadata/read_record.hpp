@@ -5,6 +5,7 @@
 #include "core/base/result.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace tp {
 
@@ -13,5 +14,9 @@ namespace tp {
 /// own. An error only where there is no such file; what cannot be read of it or makes no sense is left out,
 /// with a sentence in `problems`. Nothing is written. Any thread.
 Result<PhotoRecord> read_record(const std::filesystem::path& photo);
+
+/// The SHA-256 by which a sidecar knows its photograph, hexadecimal; empty where it does not say. An error, a
+/// sentence, where the sidecar cannot be read.
+Result<std::string> content_hash_in(const std::filesystem::path& sidecar);
 
 } // namespace tp

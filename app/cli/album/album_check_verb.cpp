@@ -42,10 +42,11 @@ void print_for_a_person(const CheckReport& report, bool mend) {
 } // namespace
 
 int album_check(const QStringList& words) {
-    VerbLine line("album check",
-                  "Compares an album's folder, and all below it, with what is promised: each recording is whole\n"
-                  "and listed, each sidecar readable, nothing half-written, nothing left behind. Ends in 1 where\n"
-                  "something is not so and was not mended.");
+    VerbLine line(
+        "album check",
+        "Compares an album's folder, and all below it, with what is promised: each recording is whole\n"
+        "and listed, each sidecar readable, nothing half-written, nothing left behind. Ends in 1 where\n"
+        "something is not so and was not mended.");
     line.option("mend", "Mends what can be mended; what has to make way goes to the album's trash.")
         .option("no-hashes", "Does not read the photographs themselves: quicker, sees no changed bytes.")
         .option("json", "One JSON object on stdout.")

@@ -44,19 +44,21 @@ int ended(const ImportReport& report, const StopOnSignal& stop) {
         say("The import was stopped. It goes on with --continue.");
         return stop.exit_code();
     }
-    say(std::to_string(report.count(Fate::imported)) + " imported, " + std::to_string(report.count(Fate::duplicate)) +
-        " in the album already, " + std::to_string(report.count(Fate::failed)) + " not imported.");
+    say(std::to_string(report.count(Fate::imported)) + " imported, " +
+        std::to_string(report.count(Fate::duplicate)) + " in the album already, " +
+        std::to_string(report.count(Fate::failed)) + " not imported.");
     return report.count(Fate::failed) == 0 ? exit_done : exit_bad_input;
 }
 
 } // namespace
 
 int album_import(const QStringList& words) {
-    VerbLine line("album import",
-                  "Copies photographs into an album: files, folders, a camera's card, .touchphoto bundles. Sidecars,\n"
-                  "contours and recordings come along; so does a sound of the same name (IMG_1.WAV). What the album\n"
-                  "holds already is not copied again. The sources are only read. An import that was stopped or killed\n"
-                  "goes on with --continue.");
+    VerbLine line(
+        "album import",
+        "Copies photographs into an album: files, folders, a camera's card, .touchphoto bundles. Sidecars,\n"
+        "contours and recordings come along; so does a sound of the same name (IMG_1.WAV). What the album\n"
+        "holds already is not copied again. The sources are only read. An import that was stopped or killed\n"
+        "goes on with --continue.");
     add_index_options(line)
         .option("into", "A folder of the album, made where it is missing.", "FOLDER")
         .option("continue", "Goes on with imports that were not finished.")
@@ -113,8 +115,9 @@ int album_import(const QStringList& words) {
 }
 
 int album_export(const QStringList& words) {
-    VerbLine line("album export",
-                  "Writes photographs with everything that is theirs as one .touchphoto file, which is a zip file.");
+    VerbLine line(
+        "album export",
+        "Writes photographs with everything that is theirs as one .touchphoto file, which is a zip file.");
     line.option("to", "The file.", "FILE.touchphoto")
         .argument("ALBUM", "The album's folder.")
         .argument("PHOTO", "Photographs or folders of it; none: all.", "[PHOTO...]");
@@ -130,7 +133,8 @@ int album_export(const QStringList& words) {
         photos.push_back(album);
     StopOnSignal stop;
     const std::string problem = export_bundle(
-        path_given(line.text("to")), album, photos, [&](std::uintmax_t, std::uintmax_t) { stop.look(); }, stop.token());
+        path_given(line.text("to")), album, photos, [&](std::uintmax_t, std::uintmax_t) { stop.look(); },
+        stop.token());
     if (stop.token().stop_requested())
         return stop.exit_code();
     return problem.empty() ? int{exit_done} : refused(problem);

@@ -43,7 +43,8 @@ QJsonObject to_json(const ScanReport& report) {
 }
 
 void print_for_a_person(const ScanReport& report) {
-    std::printf("%zu photographs, %zu of them new or changed, %zu gone.\n", report.found, report.read, report.missing);
+    std::printf("%zu photographs, %zu of them new or changed, %zu gone.\n", report.found, report.read,
+                report.missing);
     for (const Move& move : report.moves)
         std::printf("%s is now %s.\n", quoted(move.from).c_str(), quoted(move.to).c_str());
     for (const auto& group : report.duplicates)
@@ -78,9 +79,12 @@ int scan(const VerbLine& line) {
 
 int album_scan(const QStringList& words) {
     VerbLine line("album scan",
-                  "Brings the index of an album up to date: reads what is new or changed. Photographs that were moved or\n"
+                  "Brings the index of an album up to date: reads what is new or changed. Photographs that "
+                  "were moved or\n"
                   "renamed are recognised by their content. One that was stopped goes on where it was.");
-    add_index_options(line).option("json", "One JSON object on stdout.").argument("FOLDER", "The album's folders.", "FOLDER...");
+    add_index_options(line)
+        .option("json", "One JSON object on stdout.")
+        .argument("FOLDER", "The album's folders.", "FOLDER...");
     if (const auto over = line.parse(words, 1, 1000))
         return *over;
     return scan(line);
@@ -88,7 +92,9 @@ int album_scan(const QStringList& words) {
 
 int album_rebuild(const QStringList& words) {
     VerbLine line("album rebuild", "Throws the index of an album away and makes it again from the files.");
-    add_index_options(line).option("json", "One JSON object on stdout.").argument("FOLDER", "The album's folders.", "FOLDER...");
+    add_index_options(line)
+        .option("json", "One JSON object on stdout.")
+        .argument("FOLDER", "The album's folders.", "FOLDER...");
     if (const auto over = line.parse(words, 1, 1000))
         return *over;
     if (const std::string reason = AlbumIndex::discard(cache_of(line, folders_given(line))); !reason.empty())

@@ -43,7 +43,8 @@ Result<AlbumIndex> open_index(const VerbLine& line, const std::vector<fs::path>&
     return index;
 }
 
-Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<fs::path>& folders, StopOnSignal& stop) {
+Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<fs::path>& folders,
+                                      StopOnSignal& stop) {
     ScanTools tools;
     tools.read_record = read_record;
     tools.read_recording = recording_facts;

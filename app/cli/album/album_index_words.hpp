@@ -16,7 +16,8 @@ namespace tp {
 /// Adds what every verb that uses an index has: --cache, and the album's folders as arguments.
 VerbLine& add_index_options(VerbLine& line);
 
-/// Where the index of an album lies that nobody named a place for: below the user's cache folder, by the album's folders.
+/// Where the index of an album lies that nobody named a place for: below the user's cache folder, by the
+/// album's folders.
 std::filesystem::path cache_of(const VerbLine& line, const std::vector<std::filesystem::path>& folders);
 
 /// Opens the index; what it has to tell is said on stderr.

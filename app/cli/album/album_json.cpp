@@ -20,7 +20,9 @@ QJsonObject languages(const LanguageTexts& texts) {
     return object;
 }
 
-QString text_of(std::string_view word) { return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())); }
+QString text_of(std::string_view word) {
+    return QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
+}
 
 } // namespace
 
@@ -78,19 +80,24 @@ QJsonObject to_json(const std::filesystem::path& photo, const PhotoRecord& recor
 
 QJsonObject to_json(const ImportedPhoto& photo) {
     constexpr std::array names{"imported", "duplicate", "failed"};
-    return {{"source", path_text(photo.source)},
-            {"photo", photo.place.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(path_text(photo.place))},
-            {"fate", names[static_cast<std::size_t>(photo.fate)]},
-            {"problem", photo.problem.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(json_text(photo.problem))}};
+    return {
+        {"source", path_text(photo.source)},
+        {"photo", photo.place.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(path_text(photo.place))},
+        {"fate", names[static_cast<std::size_t>(photo.fate)]},
+        {"problem",
+         photo.problem.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(json_text(photo.problem))}};
 }
 
 QJsonObject to_json(const Finding& finding) {
     const auto or_null = [](const std::string& text) {
         return text.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(json_text(text));
     };
-    return {{"kind", text_of(name_of(finding.kind))}, {"file", path_text(finding.file)},
-            {"sentence", json_text(finding.sentence)}, {"mend", or_null(finding.mend)},
-            {"mended", finding.mended},                {"problem", or_null(finding.problem)}};
+    return {{"kind", text_of(name_of(finding.kind))},
+            {"file", path_text(finding.file)},
+            {"sentence", json_text(finding.sentence)},
+            {"mend", or_null(finding.mend)},
+            {"mended", finding.mended},
+            {"problem", or_null(finding.problem)}};
 }
 
 QJsonObject to_json(const TrashEntry& entry) {

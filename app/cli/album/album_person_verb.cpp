@@ -35,17 +35,20 @@ int person_list(const QStringList& words) {
         if (line.has("json"))
             print_line({{"person", json_text(person.name)},
                         {"photos", static_cast<qint64>(person.photos)},
-                        {"recording", spoken ? QJsonValue(json_text(spoken->string())) : QJsonValue(QJsonValue::Null)}});
+                        {"recording",
+                         spoken ? QJsonValue(json_text(spoken->string())) : QJsonValue(QJsonValue::Null)}});
         else
-            std::printf("%s\t%zu%s\n", readable(person.name).c_str(), person.photos, spoken ? "\tname recorded" : "");
+            std::printf("%s\t%zu%s\n", readable(person.name).c_str(), person.photos,
+                        spoken ? "\tname recorded" : "");
     }
     return exit_done;
 }
 
 int person_rename(const QStringList& words) {
-    VerbLine line("album person rename",
-                  "Gives a person another name on every photograph of an album, or only on those that are named. Where\n"
-                  "somebody has that name already, the two become one; to take two people apart, name the photographs.");
+    VerbLine line("album person rename", "Gives a person another name on every photograph of an album, or "
+                                         "only on those that are named. Where\n"
+                                         "somebody has that name already, the two become one; to take two "
+                                         "people apart, name the photographs.");
     add_index_options(line)
         .argument("ALBUM", "The album's folder.")
         .argument("FROM", "The name so far.")
@@ -73,12 +76,14 @@ int person_rename(const QStringList& words) {
     if (!changed)
         return refused(changed.error());
     std::printf("%zu photographs changed.\n", *changed);
-    return *changed > 0 ? exit_done : refused("Nobody of the name " + quoted(fs::path(from)) + " is on them.");
+    return *changed > 0 ? exit_done
+                        : refused("Nobody of the name " + quoted(fs::path(from)) + " is on them.");
 }
 
 int person_name(const QStringList& words) {
     VerbLine line("album person name", "Says who a face on a photograph is; without a name nobody knows.");
-    line.option("face", "Centre and size, 0 to 1 of the stored picture from its upper left.", "X,Y,WIDTH,HEIGHT")
+    line.option("face", "Centre and size, 0 to 1 of the stored picture from its upper left.",
+                "X,Y,WIDTH,HEIGHT")
         .argument("PHOTO", "The photograph.")
         .argument("NAME", "The person.", "[NAME]");
     if (const auto over = line.parse(words, 1, 2))
@@ -91,20 +96,24 @@ int person_name(const QStringList& words) {
     if (!well)
         return wrong_usage("album person name", "--face needs four numbers, such as 0.5,0.4,0.2,0.3.");
     const std::string name = line.arguments().value(1).toStdString();
-    const std::string problem = AlbumKeeper(album_around(first_path(line)))
-                                    .name_face(first_path(line), {place[0], place[1], place[2], place[3], name});
+    const std::string problem =
+        AlbumKeeper(album_around(first_path(line)))
+            .name_face(first_path(line), {place[0], place[1], place[2], place[3], name});
     return problem.empty() ? int{exit_done} : refused(problem);
 }
 
 int person_record(const QStringList& words) {
     VerbLine line("album person record", "Keeps how somebody says a person's name.");
-    line.option("from", "The sound file.", "FILE").argument("ALBUM", "The album's folder.").argument("NAME", "The person.");
+    line.option("from", "The sound file.", "FILE")
+        .argument("ALBUM", "The album's folder.")
+        .argument("NAME", "The person.");
     if (const auto over = line.parse(words, 2, 2))
         return *over;
     if (!line.has("from"))
         return wrong_usage("album person record", "It needs --from FILE.");
-    const std::string problem = AlbumKeeper(first_path(line))
-                                    .keep_name_recording(line.arguments()[1].toStdString(), path_given(line.text("from")));
+    const std::string problem =
+        AlbumKeeper(first_path(line))
+            .keep_name_recording(line.arguments()[1].toStdString(), path_given(line.text("from")));
     return problem.empty() ? int{exit_done} : refused(problem);
 }
 

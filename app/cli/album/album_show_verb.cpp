@@ -35,20 +35,21 @@ void print_for_a_person(const PhotoRecord& record) {
     for (const auto& [language, text] : record.description)
         print_line_of("description", text);
     for (const FaceRegion& face : record.faces)
-        std::printf("%-12s %s at %.3f, %.3f\n", "face", face.name.empty() ? "of nobody named" : readable(face.name).c_str(),
-                    face.x, face.y);
+        std::printf("%-12s %s at %.3f, %.3f\n", "face",
+                    face.name.empty() ? "of nobody named" : readable(face.name).c_str(), face.x, face.y);
     for (const Tag& tag : record.tags) {
         const auto kind = name_of(tag.label.kind);
-        std::printf("%-12s %.*s, %.1f s, %s%s%s\n", "recording", static_cast<int>(kind.size()), kind.data(), tag.duration_s,
-                    readable(tag.file).c_str(), tag.label.speaker.empty() ? "" : ", spoken by ",
-                    readable(tag.label.speaker).c_str());
+        std::printf("%-12s %.*s, %.1f s, %s%s%s\n", "recording", static_cast<int>(kind.size()), kind.data(),
+                    tag.duration_s, readable(tag.file).c_str(),
+                    tag.label.speaker.empty() ? "" : ", spoken by ", readable(tag.label.speaker).c_str());
     }
 }
 
 } // namespace
 
 int album_show(const QStringList& words) {
-    VerbLine line("album show", "Everything that is known of a photograph, from its metadata and its sidecars.");
+    VerbLine line("album show",
+                  "Everything that is known of a photograph, from its metadata and its sidecars.");
     line.option("json", "One JSON object on stdout.").argument("PHOTO", "The photograph.");
     if (const auto over = line.parse(words, 1, 1))
         return *over;

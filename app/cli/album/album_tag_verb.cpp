@@ -47,8 +47,9 @@ void print_tag(const Tag& tag, bool json) {
     if (json)
         return print_line(to_json(tag));
     const auto kind = name_of(tag.label.kind);
-    std::printf("%s\t%.*s\t%.1f s\t%s\t%s\n", readable(tag.file).c_str(), static_cast<int>(kind.size()), kind.data(),
-                tag.duration_s, readable(tag.label.person).c_str(), readable(tag.label.speaker).c_str());
+    std::printf("%s\t%.*s\t%.1f s\t%s\t%s\n", readable(tag.file).c_str(), static_cast<int>(kind.size()),
+                kind.data(), tag.duration_s, readable(tag.label.person).c_str(),
+                readable(tag.label.speaker).c_str());
 }
 
 std::filesystem::path photo_given(const VerbLine& line) { return path_given(line.arguments().first()); }
@@ -71,10 +72,12 @@ int tag_list(const QStringList& words) {
 }
 
 int tag_add(const QStringList& words) {
-    VerbLine line("album tag add",
-                  "Adds a sound file to a photograph: it is kept as FLAC beside it and listed in its sidecar. When\n"
-                  "this ends in 0, a power cut does not undo it.");
-    line.option("from", "The sound file: WAV, FLAC, Ogg, MP3, AIFF.", "FILE").option("json", "The recording as JSON.");
+    VerbLine line(
+        "album tag add",
+        "Adds a sound file to a photograph: it is kept as FLAC beside it and listed in its sidecar. When\n"
+        "this ends in 0, a power cut does not undo it.");
+    line.option("from", "The sound file: WAV, FLAC, Ogg, MP3, AIFF.", "FILE")
+        .option("json", "The recording as JSON.");
     add_label_options(line);
     line.argument("PHOTO", "The photograph.");
     if (const auto over = line.parse(words, 1, 1))
@@ -88,7 +91,9 @@ int tag_add(const QStringList& words) {
     const auto tag = keeper.add_recording(photo_given(line), path_given(line.text("from")), *label);
     if (!tag)
         return refused(tag.error());
-    print_tag(*tag, line.has("json"));
+    print_tag(tag->tag, line.has("json"));
+    if (!tag->warning.empty())
+        return refused(tag->warning);
     return exit_done;
 }
 
@@ -109,11 +114,13 @@ int tag_label(const QStringList& words) {
     const auto label = labelled(line, before);
     if (!label)
         return wrong_usage("album tag label", label.error());
-    return ended(AlbumKeeper(album_around(photo_given(line))).label_recording(photo_given(line), file, *label));
+    return ended(
+        AlbumKeeper(album_around(photo_given(line))).label_recording(photo_given(line), file, *label));
 }
 
 int tag_order(const QStringList& words) {
-    VerbLine line("album tag order", "Plays a photograph's recordings in this order; the others follow by kind.");
+    VerbLine line("album tag order",
+                  "Plays a photograph's recordings in this order; the others follow by kind.");
     line.argument("PHOTO", "The photograph.").argument("RECORDING", "Their files, in order.", "RECORDING...");
     if (const auto over = line.parse(words, 1, 1000))
         return *over;

@@ -22,7 +22,8 @@ int trash_list(const QStringList& words) {
         if (line.has("json"))
             print_line(to_json(entry));
         else
-            std::printf("%s\t%s\t%s\n", entry.id.c_str(), entry.deleted.c_str(), readable(entry.what).c_str());
+            std::printf("%s\t%s\t%s\n", entry.id.c_str(), entry.deleted.c_str(),
+                        readable(entry.what).c_str());
     for (const std::string& problem : problems)
         say_problem(problem);
     return problems.empty() ? exit_done : exit_bad_input;

@@ -36,7 +36,8 @@ int run_sub_verb(const char* verb, std::span<const SubVerb> verbs, const QString
             return one.run(words.mid(1));
     const bool help = !words.isEmpty() && (words.first() == "--help" || words.first() == "-h");
     if (!help && !words.isEmpty())
-        return wrong_usage(QString::fromLatin1(verb), "There is no \"" + words.first().toStdString() + "\" in it.");
+        return wrong_usage(QString::fromLatin1(verb),
+                           "There is no \"" + words.first().toStdString() + "\" in it.");
     std::FILE* where = help ? stdout : stderr;
     std::fprintf(where, "touchphoto-lab %s VERB [options] …\n\n", verb);
     for (const SubVerb& one : verbs)

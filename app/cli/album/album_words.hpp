@@ -16,8 +16,8 @@ namespace tp {
 /// A path as the shell gave it, absolute and without dots.
 std::filesystem::path path_given(const QString& word);
 
-/// The folder that an album's own files lie in: the nearest one above the photograph that has .touchphoto in it, else
-/// the photograph's own.
+/// The folder that an album's own files lie in: the nearest one above the photograph that has .touchphoto in
+/// it, else the photograph's own.
 std::filesystem::path album_around(const std::filesystem::path& photo);
 
 /// The sentence, on stderr; exit_bad_input.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "album_folder.hpp"
+#include "album_parts.hpp"
+#include "app/album/keeper/bundle.hpp"
 #include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/photo_files.hpp"
+#include "app/album/metadata/read_record.hpp"
 
 #include <QTest>
 
@@ -22,9 +25,6 @@ class ImporterTest : public QObject {
         return files;
     }
 
-    static Importer::Known nothing() {
-        return [](const std::string&) { return std::nullopt; };
-    }
 
 private slots:
     void a_photograph_comes_with_all_that_is_its_own() {
@@ -43,29 +43,28 @@ private slots:
         card.write("DCIM/100/readme.txt", "text");
         const auto before = card.files();
         std::vector<ImportProgress> said;
-        const auto report =
-            Importer(album.path(), "Summer", nothing()).import({card / "DCIM"}, [&](const ImportProgress& p) {
-                said.push_back(p);
-            });
+        ImportTools tools;
+        tools.progress = [&](const ImportProgress& p) { said.push_back(p); };
+        const auto report = import_photos(album.path(), "Summer", {card / "DCIM"}, tools);
         QVERIFY2(report.ok(), report.error().c_str());
         QCOMPARE(report->count(Fate::imported), std::size_t{4});
         QVERIFY((photos_in(album) == std::map<std::string, std::string>{
-                                         {"Summer/IMG_1.JPG", "one"},
-                                         {"Summer/IMG_1.JPG.xmp", "sidecar"},
-                                         {"Summer/IMG_1.JPG.contours.svg", "svg"},
-                                         {"Summer/IMG_1.JPG.tags/2026-memo.flac", "sound"},
-                                         {"Summer/IMG_2.jpg", "two"},
-                                         {"Summer/IMG_2.xmp", "Lightroom's"},
-                                         {"Summer/IMG_3.jpg", "three"},
-                                         {"Summer/IMG_3.png", "three too"},
+                                         {"Summer/100/IMG_1.JPG", "one"},
+                                         {"Summer/100/IMG_1.JPG.xmp", "sidecar"},
+                                         {"Summer/100/IMG_1.JPG.contours.svg", "svg"},
+                                         {"Summer/100/IMG_1.JPG.tags/2026-memo.flac", "sound"},
+                                         {"Summer/100/IMG_2.jpg", "two"},
+                                         {"Summer/100/IMG_2.xmp", "Lightroom's"},
+                                         {"Summer/100/IMG_3.jpg", "three"},
+                                         {"Summer/100/IMG_3.png", "three too"},
                                      }));
         QVERIFY(card.files() == before);
         QCOMPARE(said.size(), std::size_t{5});
         QCOMPARE(said.back().done, std::size_t{4});
         QCOMPARE(said.back().bytes_done, said.back().bytes_total);
-        QVERIFY(Importer::unfinished(album.path()).empty());
+        QVERIFY(unfinished_imports(album.path()).empty());
         struct stat about {};
-        QCOMPARE(::stat((album / "Summer/IMG_1.JPG.tags/2026-memo.flac").c_str(), &about), 0);
+        QCOMPARE(::stat((album / "Summer/100/IMG_1.JPG.tags/2026-memo.flac").c_str(), &about), 0);
         QCOMPARE(about.st_mode & 0777u, 0600u);
     }
 
@@ -79,11 +78,11 @@ private slots:
         const auto known = [&](const std::string& of) {
             return of == *hash ? std::optional<fs::path>(elsewhere) : std::nullopt;
         };
-        const auto report = Importer(album.path(), {}, known).import({card.path()});
+        const auto report = import_photos(album.path(), {}, {card.path()}, {known, {}, {}, {}});
         QCOMPARE(report->count(Fate::imported), std::size_t{1});
         QCOMPARE(report->count(Fate::duplicate), std::size_t{2});
         QCOMPARE(report->photos[1].place, elsewhere);
-        const auto again = Importer(album.path(), {}, nothing()).import({card.path()});
+        const auto again = import_photos(album.path(), {}, {card.path()}, {});
         QCOMPARE(again->count(Fate::duplicate), std::size_t{2}); // nothing() does not know what is in old/
         QCOMPARE(photos_in(album).size(), std::size_t{3});
     }
@@ -94,7 +93,7 @@ private slots:
         album.write("IMG_1 (2).jpg.xmp", "somebody's");
         card.write("IMG_1.jpg", "new");
         card.write("IMG_1.jpg.xmp", "new sidecar");
-        const auto report = Importer(album.path(), {}, nothing()).import({card / "IMG_1.jpg"});
+        const auto report = import_photos(album.path(), {}, {card / "IMG_1.jpg"}, {});
         QCOMPARE(report->photos[0].place, album / "IMG_1 (3).jpg");
         QCOMPARE(album.read("IMG_1 (3).jpg"), std::string("new"));
         QCOMPARE(album.read("IMG_1 (3).jpg.xmp"), std::string("new sidecar"));
@@ -106,24 +105,23 @@ private slots:
         for (int i = 0; i < 10; ++i)
             card.write("IMG_" + std::to_string(i) + ".jpg", std::to_string(i));
         std::stop_source stop;
-        const auto stopped = Importer(album.path(), "in", nothing())
-                                 .import(
-                                     {card.path()},
-                                     [&](const ImportProgress& p) {
-                                         if (p.done == 4)
-                                             stop.request_stop();
-                                     },
-                                     stop.get_token());
+        ImportTools tools;
+        tools.stop = stop.get_token();
+        tools.progress = [&](const ImportProgress& p) {
+            if (p.done == 4)
+                stop.request_stop();
+        };
+        const auto stopped = import_photos(album.path(), "in", {card.path()}, tools);
         QVERIFY(stopped->stopped);
         QCOMPARE(photos_in(album).size(), std::size_t{4});
-        QCOMPARE(Importer::unfinished(album.path()), std::vector<std::string>{stopped->id});
-        const auto rest = Importer::go_on(album.path(), stopped->id, nothing());
+        QCOMPARE(unfinished_imports(album.path()), std::vector<std::string>{stopped->id});
+        const auto rest = go_on_importing(album.path(), stopped->id, {});
         QVERIFY2(rest.ok(), rest.error().c_str());
         QCOMPARE(rest->count(Fate::duplicate), std::size_t{4});
         QCOMPARE(rest->count(Fate::imported), std::size_t{6});
         QCOMPARE(photos_in(album).size(), std::size_t{10});
-        QVERIFY(Importer::unfinished(album.path()).empty());
-        QVERIFY(!Importer::go_on(album.path(), stopped->id, nothing()).ok());
+        QVERIFY(unfinished_imports(album.path()).empty());
+        QVERIFY(!go_on_importing(album.path(), stopped->id, {}).ok());
     }
 
     /// A kill between a companion and its photograph leaves the companion; the next try uses it.
@@ -135,7 +133,7 @@ private slots:
         card.write("a.jpg.tags/2.flac", "2");
         album.write("a.jpg.xmp", "sidecar");
         album.write("a.jpg.tags/1.flac", "1");
-        const auto report = Importer(album.path(), {}, nothing()).import({card.path()});
+        const auto report = import_photos(album.path(), {}, {card.path()}, {});
         QCOMPARE(report->photos[0].place, album / "a.jpg");
         QVERIFY(photos_in(album) == card.files());
     }
@@ -145,7 +143,7 @@ private slots:
         card.write("a.jpg", "photo");
         card.write("a.jpg.tags/1.flac", "1");
         album.write("a.jpg.tags/1.flac", "orphan of another photograph");
-        const auto report = Importer(album.path(), {}, nothing()).import({card.path()});
+        const auto report = import_photos(album.path(), {}, {card.path()}, {});
         QCOMPARE(report->photos[0].place, album / "a (2).jpg");
         QCOMPARE(album.read("a.jpg.tags/1.flac"), std::string("orphan of another photograph"));
         QCOMPARE(album.read("a (2).jpg.tags/1.flac"), std::string("1"));
@@ -163,7 +161,7 @@ private slots:
         const struct rlimit small { 4096, before.rlim_max };
         QCOMPARE(::setrlimit(RLIMIT_FSIZE, &small), 0);
         const auto report =
-            Importer(album.path(), {}, nothing()).import({card / "a.jpg", card / "b.jpg", card.path()});
+            import_photos(album.path(), {}, {card / "a.jpg", card / "b.jpg", card.path()}, {});
         ::setrlimit(RLIMIT_FSIZE, &before);
         std::signal(SIGXFSZ, previous);
         QVERIFY(report.ok());
@@ -173,24 +171,63 @@ private slots:
             QCOMPARE(photo.fate == Fate::failed, !photo.problem.empty());
         QVERIFY(
             (photos_in(album) == std::map<std::string, std::string>{{"a.jpg", "photo"}, {"z.jpg", "last"}}));
-        QCOMPARE(Importer::unfinished(album.path()).size(), std::size_t{1});
-        const auto rest = Importer::go_on(album.path(), report->id, nothing());
+        QCOMPARE(unfinished_imports(album.path()).size(), std::size_t{1});
+        const auto rest = go_on_importing(album.path(), report->id, {});
         QCOMPARE(album.read("large.jpg").size(), std::size_t{100'000});
         QCOMPARE(rest->count(Fate::failed), std::size_t{1}); // the link to nowhere
-        QCOMPARE(Importer::give_up(album.path(), report->id), std::string());
-        QVERIFY(Importer::unfinished(album.path()).empty());
+        QCOMPARE(give_up_import(album.path(), report->id), std::string());
+        QVERIFY(unfinished_imports(album.path()).empty());
     }
 
     void what_is_not_there_is_said_before_anything_is_copied() {
         const AlbumFolder card, album;
         card.write("a.jpg", "photo");
-        QVERIFY(!Importer(album.path(), {}, nothing()).import({card / "a.jpg", card / "missing"}).ok());
+        QVERIFY(!import_photos(album.path(), {}, {card / "a.jpg", card / "missing"}, {}).ok());
         QVERIFY(album.files().empty());
-        QVERIFY(!Importer::go_on(album.path(), "../x", nothing()).ok());
+        QVERIFY(!go_on_importing(album.path(), "../x", {}).ok());
         album.write(".touchphoto/import/bad.json", "{}");
-        QVERIFY(!Importer::go_on(album.path(), "bad", nothing()).ok());
+        QVERIFY(!go_on_importing(album.path(), "bad", {}).ok());
         album.write(".touchphoto/import/evil.json", R"({"into":"../..","sources":["/tmp"]})");
-        QVERIFY(!Importer::go_on(album.path(), "evil", nothing()).ok());
+        QVERIFY(!go_on_importing(album.path(), "evil", {}).ok());
+    }
+
+    void a_camera_s_sound_becomes_a_recording() {
+        const AlbumFolder card, album;
+        a_photo(card, "IMG_1.JPG", 1);
+        a_sound(card, "IMG_1.WAV", 0.5, 440.0);
+        for (int i = 0; i < 2; ++i) { // the second time nothing comes twice
+            const auto report = import_photos(album.path(), {}, {card.path()}, {});
+            QVERIFY(report.ok());
+            QCOMPARE(report->photos.at(0).problem, std::string());
+            const auto record = read_record(album / "IMG_1.JPG");
+            QCOMPARE(record->tags.size(), std::size_t{1});
+            QVERIFY(record->tags[0].label.kind == RecordingKind::ambient);
+        }
+        card.write("IMG_2.JPG", "x");
+        card.write("IMG_2.WAV", "no sound");
+        const auto report = import_photos(album.path(), {}, {card / "IMG_2.JPG"}, {});
+        QVERIFY(report->photos.at(0).fate == Fate::imported);
+        QVERIFY(!report->photos.at(0).problem.empty());
+    }
+
+    void a_bundle_is_imported_as_it_was() {
+        const AlbumFolder family, album, place;
+        const fs::path a = a_photo(family, "2025/a.jpg", 1), b = a_photo(family, "b.jpg", 2);
+        family.write("2025/a.jpg.xmp", "sidecar");
+        family.write("b.jpg.tags/1.flac", "sound");
+        QCOMPARE(write_bundle(place / "f.touchphoto", family.path(), {a, b}), std::string());
+        const auto report = import_photos(album.path(), "from Tom", {place / "f.touchphoto"}, {});
+        QCOMPARE(report->count(Fate::imported), std::size_t{2});
+        std::map<std::string, std::string> expected;
+        for (const auto& [name, bytes] : family.files())
+            expected["from Tom/" + name] = bytes;
+        QVERIFY(photos_in(album) == expected);
+        QVERIFY(album.files() == photos_in(album)); // nothing is left of the unpacking
+        place.write("bad.touchphoto", "no zip file");
+        const auto bad = import_photos(album.path(), {}, {place / "bad.touchphoto"}, {});
+        QCOMPARE(bad->count(Fate::failed), std::size_t{1});
+        QVERIFY(!bad->photos.at(0).problem.empty());
+        QVERIFY(!import_photos(album.path(), "../out", {a}, {}).ok());
     }
 
     void strange_names_come_as_they_are() {
@@ -204,7 +241,7 @@ private slots:
                                              "-rf.jpg"};
         for (const std::string& name : names)
             card.write(name, name);
-        const auto report = Importer(album.path(), {}, nothing()).import({card.path()});
+        const auto report = import_photos(album.path(), {}, {card.path()}, {});
         QCOMPARE(report->count(Fate::imported), names.size());
         QVERIFY(photos_in(album) == card.files());
     }

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "album_folder.hpp"
+#include "album_parts.hpp"
+#include "app/album/keeper/album_check.hpp"
+#include "app/album/keeper/album_keeper.hpp"
+#include "app/album/keeper/importer.hpp"
+#include "app/album/keeper/photo_files.hpp"
+#include "app/album/metadata/read_record.hpp"
+#include "audio/recordings/recording_file.hpp"
+
+#include <QTest>
+
+#include <sys/stat.h>
+
+using namespace tp;
+namespace fs = std::filesystem;
+using Kind = Finding::Kind;
+
+class AlbumCheckTest : public QObject {
+    Q_OBJECT
+
+    /// What one check finds, by kind; a second one after mending finds what cannot be mended.
+    static std::vector<Kind> kinds(const CheckReport& report) {
+        std::vector<Kind> found;
+        for (const Finding& finding : report.findings)
+            found.push_back(finding.kind);
+        return found;
+    }
+    static CheckReport check(const AlbumFolder& album, bool mend) {
+        CheckOptions options;
+        options.mend = mend;
+        const auto report = check_album(album.path(), options);
+        return report ? *report : CheckReport{};
+    }
+
+    /// Finds exactly this without writing anything, mends it, and then finds nothing.
+    static void found_and_mended(const AlbumFolder& album, Kind kind) {
+        const auto before = album.files();
+        const CheckReport looked = check(album, false);
+        QCOMPARE(kinds(looked), std::vector<Kind>{kind});
+        QVERIFY(!looked.findings[0].mended && !looked.findings[0].mend.empty());
+        QVERIFY(album.files() == before);
+        const CheckReport mended = check(album, true);
+        QCOMPARE(kinds(mended), std::vector<Kind>{kind});
+        QVERIFY2(mended.findings[0].mended, mended.findings[0].problem.c_str());
+        QCOMPARE(kinds(check(album, false)), std::vector<Kind>{});
+    }
+
+    struct Album {
+        AlbumFolder folder;
+        fs::path photo = a_photo(folder, "2026/IMG_1.jpg", 1);
+        fs::path sound = a_sound(folder, "sounds/a.wav", 0.5, 300.0);
+        AlbumKeeper keeper{folder.path()};
+        std::string file = keeper.add_recording(photo, sound, {RecordingKind::memo, "Anna", {}, {}, {}, {}})->tag.file;
+    };
+
+private slots:
+    void an_album_in_order_has_nothing_found() {
+        Album album;
+        QCOMPARE(album.keeper.name_face(album.photo, {0.5, 0.5, 0.2, 0.2, "Anna"}), std::string());
+        album.folder.write("2026/IMG_9.xmp", "another program's, of a film");
+        album.folder.write("2026/notes.txt", "x");
+        const CheckReport report = check(album.folder, false);
+        QCOMPARE(kinds(report), std::vector<Kind>{});
+        QCOMPARE(report.photos, std::size_t{1});
+        QCOMPARE(report.recordings, std::size_t{1});
+        QVERIFY(!check_album(album.folder / "missing").ok());
+    }
+
+    void half_written_files_are_deleted() {
+        Album album;
+        album.folder.write("2026/.touchphoto-999999999-0.tmp", "half");
+        found_and_mended(album.folder, Kind::half_written);
+    }
+
+    void a_file_that_is_being_written_is_left_alone() {
+        Album album;
+        auto file = NewFile::beside(album.folder / "2026/x");
+        QVERIFY(file.ok());
+        QCOMPARE(kinds(check(album.folder, true)), std::vector<Kind>{});
+        QVERIFY(fs::exists(file->temporary()));
+    }
+
+    void a_recording_that_a_crash_stopped_is_finished_and_listed() {
+        Album album;
+        {
+            auto part = start_recording(tags_folder(album.photo), {{RecordingKind::story, "Tom", {}, {}, {}, {}}, {}});
+            QVERIFY2(part.ok(), part.error().c_str());
+            const std::vector<std::int16_t> samples(48'000, 100);
+            QCOMPARE(part->append(samples), std::string());
+            QCOMPARE(part->sync(), std::string());
+        }
+        QCOMPARE(kinds(check(album.folder, false)), std::vector<Kind>{Kind::unfinished_recording});
+        QCOMPARE(kinds(check(album.folder, true)), (std::vector<Kind>{Kind::unfinished_recording, Kind::unlisted_recording}));
+        QCOMPARE(kinds(check(album.folder, false)), std::vector<Kind>{});
+        const auto record = read_record(album.photo);
+        QCOMPARE(record->tags.size(), std::size_t{2});
+        QCOMPARE(record->tags[1].label.person, std::string("Tom"));
+        QCOMPARE(record->tags[1].duration_s, 1.0);
+    }
+
+    void an_unlisted_recording_is_listed_by_its_comments() {
+        Album album;
+        fs::remove(album.folder / "2026/IMG_1.jpg.xmp");
+        found_and_mended(album.folder, Kind::unlisted_recording);
+        QCOMPARE(read_record(album.photo)->tags.at(0).label.person, std::string("Anna"));
+    }
+
+    void a_recording_that_is_gone_is_said_and_stays_on_the_list() {
+        Album album;
+        fs::remove(tags_folder(album.photo) / album.file);
+        for (const bool mend : {true, false}) {
+            const CheckReport report = check(album.folder, mend);
+            QCOMPARE(kinds(report), std::vector<Kind>{Kind::missing_recording});
+            QVERIFY(report.findings[0].mend.empty() && !report.findings[0].mended);
+        }
+        QCOMPARE(read_record(album.photo)->tags.size(), std::size_t{1});
+    }
+
+    void a_deletion_that_was_cut_off_is_finished() {
+        Album album;
+        QVERIFY(Trash(album.folder.path()).put({tags_folder(album.photo) / album.file}, "memo").ok());
+        found_and_mended(album.folder, Kind::missing_recording);
+        QVERIFY(read_record(album.photo)->tags.empty());
+    }
+
+    void a_sidecar_that_cannot_be_read_makes_way() {
+        Album album;
+        album.folder.write("2026/IMG_1.jpg.xmp", "<x:xmpmeta this is no XML");
+        QCOMPARE(kinds(check(album.folder, false)), (std::vector<Kind>{Kind::unreadable_sidecar, Kind::unlisted_recording}));
+        check(album.folder, true);
+        QCOMPARE(kinds(check(album.folder, false)), std::vector<Kind>{});
+        QCOMPARE(read_record(album.photo)->tags.size(), std::size_t{1});
+        QCOMPARE(album.keeper.trash().entries().size(), std::size_t{1});
+    }
+
+    void what_a_moved_photograph_left_behind_follows_it() {
+        Album album;
+        fs::create_directory(album.folder / "2027");
+        fs::rename(album.photo, album.folder / "2027/renamed.jpg");
+        found_and_mended(album.folder, Kind::left_behind);
+        QCOMPARE(read_record(album.folder / "2027/renamed.jpg")->tags.size(), std::size_t{1});
+        QVERIFY(!fs::exists(tags_folder(album.photo)));
+    }
+
+    void what_a_deleted_photograph_left_behind_is_said() {
+        Album album;
+        fs::remove(album.photo);
+        const auto before = album.folder.files();
+        const CheckReport report = check(album.folder, true);
+        QCOMPARE(kinds(report), std::vector<Kind>{Kind::left_behind});
+        QVERIFY(report.findings[0].mend.empty());
+        QVERIFY(album.folder.files() == before);
+    }
+
+    void a_photograph_that_another_program_changed_is_said() {
+        Album album;
+        album.folder.write("2026/IMG_1.jpg", album.folder.read("2026/IMG_1.jpg") + "edited");
+        found_and_mended(album.folder, Kind::changed_photo);
+    }
+
+    void recordings_that_others_may_hear_are_shut() {
+        Album album;
+        ::chmod((tags_folder(album.photo) / album.file).c_str(), 0644);
+        found_and_mended(album.folder, Kind::open_to_others);
+        ::chmod(tags_folder(album.photo).c_str(), 0755);
+        found_and_mended(album.folder, Kind::open_to_others);
+    }
+
+    void another_machine_s_sidecar_is_merged_and_told() {
+        Album album;
+        const AlbumFolder elsewhere;
+        const fs::path there = a_photo(elsewhere, "IMG_1.jpg", 1);
+        AlbumKeeper other(elsewhere.path());
+        QCOMPARE(other.name_face(there, {0.5, 0.5, 0.2, 0.2, "Tom"}), std::string());
+        album.folder.write("2026/IMG_1.jpg.sync-conflict-20260501-101500-ABCDEFG.xmp", elsewhere.read("IMG_1.jpg.xmp"));
+        found_and_mended(album.folder, Kind::conflict_copy);
+        QCOMPARE(read_record(album.photo)->persons, std::vector<std::string>{"Tom"});
+        QCOMPARE(read_record(album.photo)->tags.size(), std::size_t{1});
+    }
+
+    void unfinished_imports_and_a_spoilt_trash_are_said() {
+        Album album;
+        album.folder.write(".touchphoto/import/2026.json", R"({"into":"","sources":[]})");
+        album.folder.write(".touchphoto/trash/2026/list.json", "{");
+        QCOMPARE(kinds(check(album.folder, true)), (std::vector<Kind>{Kind::unfinished_import, Kind::damaged_trash}));
+    }
+
+    void a_sound_that_is_none_is_said() {
+        Album album;
+        const auto file = tags_folder(album.photo).lexically_relative(album.folder.path()) / "x.flac";
+        album.folder.write(file, "no sound");
+        ::chmod((album.folder / file).c_str(), 0600);
+        QCOMPARE(kinds(check(album.folder, true)), std::vector<Kind>{Kind::unreadable_recording});
+    }
+};
+
+QTEST_GUILESS_MAIN(AlbumCheckTest)
+#include "album_check_test.moc"

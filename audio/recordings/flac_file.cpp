@@ -17,7 +17,7 @@ struct Encoded {
     std::uint64_t frames = 0;
 };
 
-Result<Encoded> encode(SoundStream& sound, const std::filesystem::path& to) {
+Result<Encoded> encode(SoundStream& sound, const std::filesystem::path& to, Incomplete incomplete) {
     auto writer = FlacWriter::over(to, sound.format(), sound.depth());
     if (!writer)
         return Error{writer.error()};
@@ -37,7 +37,9 @@ Result<Encoded> encode(SoundStream& sound, const std::filesystem::path& to) {
     if (std::string reason = writer->finish(); !reason.empty())
         return Error{reason};
     if (encoded.frames == 0)
-        return Error{"it holds no sound."};
+        return Error{"nothing of it can be read."};
+    if (incomplete == Incomplete::refused && encoded.frames != sound.frames())
+        return Error{"it cannot be read to its end."};
     return encoded;
 }
 
@@ -61,11 +63,11 @@ SoundFingerprint fingerprint_of(SoundStream& sound) {
 }
 
 Result<std::uint64_t> store_flac(SoundStream& sound, const VorbisComments& comments,
-                                 const std::filesystem::path& place) {
+                                 const std::filesystem::path& place, Incomplete incomplete) {
     auto bare = NewFile::beside(place, Readers::owner_only);
     if (!bare)
         return Error{bare.error()};
-    const auto encoded = encode(sound, bare->temporary());
+    const auto encoded = encode(sound, bare->temporary(), incomplete);
     if (!encoded)
         return Error{encoded.error()};
     const auto flac = FileBytes::open(bare->temporary());

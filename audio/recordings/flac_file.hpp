@@ -12,11 +12,15 @@
 
 namespace tp {
 
+/// What is done with a sound that ends before it should.
+enum class Incomplete { refused, stored };
+
 /// Stores the sound as a FLAC file that only its owner may read: encodes it, decodes it again and compares,
 /// then brings it to the disk and gives it its name, which must be free. How many frames it has; an error is
 /// the end of a sentence, and then there is no file.
 Result<std::uint64_t> store_flac(SoundStream& sound, const VorbisComments& comments,
-                                 const std::filesystem::path& place);
+                                 const std::filesystem::path& place,
+                                 Incomplete incomplete = Incomplete::refused);
 
 /// Stores a copy of a FLAC file with other comments, the sound byte for byte; the name must be free. The
 /// reason why not, else empty.

@@ -116,24 +116,25 @@ Result<std::optional<fs::path>> finish_part(const fs::path& part, const PartLock
     return flac;
 }
 
-Result<RecordingAbout> about_recording(const fs::path& file) {
-    auto reader = SoundReader::open(file);
-    if (!reader)
-        return Error{reader.error()};
-    RecordingAbout about;
-    about.format = reader->format();
-    about.frames = reader->frames();
+VorbisComments comments_of(const fs::path& file) {
     VorbisComments comments;
     const auto bytes = FileBytes::open(file);
     if (bytes && is_flac(**bytes)) {
-        about.flac = true;
         if (auto head = flac_head(**bytes))
             comments = std::move(head->comments);
-    } else {
+    } else if (const auto reader = SoundReader::open(file)) {
         comments.fields = {{"ARTIST", reader->artist()}, {"DATE", reader->date()}};
     }
-    about.notes = notes_in(comments);
-    return about;
+    return comments;
+}
+
+Result<RecordingAbout> about_recording(const fs::path& file) {
+    const auto reader = SoundReader::open(file);
+    if (!reader)
+        return Error{reader.error()};
+    const auto bytes = FileBytes::open(file);
+    return RecordingAbout{notes_in(comments_of(file)), reader->format(), reader->frames(),
+                          reader->exact_length(), bytes.ok() && is_flac(**bytes)};
 }
 
 std::string relabel_recording(const fs::path& file, const RecordingNotes& notes) {

@@ -34,12 +34,16 @@ Result<std::optional<std::filesystem::path>> finish_part(const std::filesystem::
 struct RecordingAbout {
     RecordingNotes notes;
     SoundFormat format;
-    std::uint64_t frames = 0; ///< as the file claims; inexact in MP3
+    std::uint64_t frames = 0; ///< as the file claims
+    bool exact_length = true; ///< whether `frames` is more than an estimate, as it is in MP3
     bool flac = false;        ///< one that carries our comments, or may
 
     double seconds() const { return static_cast<double>(frames) / format.rate; }
 };
 Result<RecordingAbout> about_recording(const std::filesystem::path& file);
+
+/// The comments of a sound file: all of a FLAC, speaker and date of another.
+VorbisComments comments_of(const std::filesystem::path& file);
 
 /// Gives a FLAC file other notes; its sound and other programs' comments stay. The file is replaced as a
 /// whole. The reason why not, else empty.

@@ -162,6 +162,8 @@ std::size_t SoundReader::read(std::span<std::int32_t> to) {
 
 std::uint64_t SoundReader::frames() const { return static_cast<std::uint64_t>(impl_->info.frames); }
 
+bool SoundReader::exact_length() const { return (impl_->info.format & SF_FORMAT_TYPEMASK) != SF_FORMAT_MPEG; }
+
 bool SoundReader::seek(std::uint64_t frame) {
     return frame <= frames() &&
            sf_seek(impl_->file, static_cast<sf_count_t>(frame), SEEK_SET) == static_cast<sf_count_t>(frame);

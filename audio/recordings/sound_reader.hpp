@@ -27,10 +27,12 @@ public:
     /// The depth that loses nothing of integer samples up to 24 bit. Samples of 32 bit and floating point
     /// have 24, rounded; what was compressed with loss has 16.
     SampleDepth depth() const override;
+    /// As the file claims; a damaged one has less, and MP3 only estimates.
+    std::uint64_t frames() const override;
     std::size_t read(std::span<std::int32_t> to) override;
 
-    /// As the file claims; what can be read may be less in a damaged file.
-    std::uint64_t frames() const;
+    /// Whether `frames` is more than an estimate.
+    bool exact_length() const;
     /// Goes on with this frame; false where the file cannot.
     bool seek(std::uint64_t frame);
     /// Whether reading met a fault other than the file's end.

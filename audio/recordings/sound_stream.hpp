@@ -18,6 +18,8 @@ public:
     virtual ~SoundStream() = default;
     virtual SoundFormat format() const = 0;
     virtual SampleDepth depth() const = 0;
+    /// How many frames it has in all, as far as its header tells.
+    virtual std::uint64_t frames() const = 0;
     /// Whole frames, channel beside channel, full scale ±2³¹ whatever the depth; how many frames there were.
     /// Fewer than asked: it ends there.
     virtual std::size_t read(std::span<std::int32_t> to) = 0;

@@ -15,6 +15,7 @@ public:
 
     SoundFormat format() const override { return layout_.format; }
     SampleDepth depth() const override { return SampleDepth::bits_16; }
+    std::uint64_t frames() const override { return layout_.frames; }
     std::size_t read(std::span<std::int32_t> to) override;
 
 private:

@@ -56,6 +56,9 @@ public:
 
     SoundFormat format() const override { return format_; }
     SampleDepth depth() const override { return depth_; }
+    std::uint64_t frames() const override {
+        return samples_.size() / static_cast<std::size_t>(format_.channels);
+    }
     std::size_t read(std::span<std::int32_t> to) override {
         const auto channels = static_cast<std::size_t>(format_.channels);
         const std::size_t count = std::min(to.size() / channels * channels, samples_.size() - next_);

@@ -45,22 +45,7 @@ Result<PhotoRecord> read_record(const fs::path& photo) {
         complete(parts, parts_from_sidecar(sidecar, metadata->shape));
     complete(parts, std::move(metadata->parts));
 
-    PhotoRecord record;
-    record.orientation = metadata->shape.orientation;
-    record.width = metadata->shape.width;
-    record.height = metadata->shape.height;
-    record.taken = std::move(parts.taken).value_or(std::string{});
-    record.place = parts.place;
-    record.place_name = std::move(parts.place_name).value_or(std::string{});
-    record.alt_text = std::move(parts.alt_text).value_or(LanguageTexts{});
-    record.description = std::move(parts.description).value_or(LanguageTexts{});
-    record.faces = std::move(parts.faces).value_or(std::vector<FaceRegion>{});
-    record.persons = std::move(parts.persons).value_or(std::vector<std::string>{});
-    record.keywords = std::move(parts.keywords).value_or(std::vector<std::string>{});
-    record.tags = std::move(parts.tags).value_or(std::vector<Tag>{});
-    record.content_hash = std::move(parts.content_hash).value_or(std::string{});
-    record.problems = std::move(parts.problems);
-    return record;
+    return record_of(std::move(parts), metadata->shape);
 }
 
 Result<std::string> content_hash_in(const fs::path& sidecar) {

@@ -1,211 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/metadata/write_sidecar.hpp"
 
-#include "app/album/metadata/photo_metadata.hpp"
-#include "app/album/metadata/sidecar_edit.hpp"
-#include "app/album/metadata/sidecar_names.hpp"
-#include "app/album/metadata/xmp_names.hpp"
+#include "app/album/metadata/change_sidecar.hpp"
 #include "app/album/metadata/xmp_record.hpp"
-#include "core/files/file_words.hpp"
-#include "core/files/folder_lock.hpp"
-#include "core/files/new_file.hpp"
-#include "core/files/whole_file.hpp"
 
-#include <algorithm>
-#include <cctype>
-#include <chrono>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 namespace tp {
 
-namespace fs = std::filesystem;
-
-namespace {
-
-/// A second program that writes that often while we try is not going to stop.
-constexpr int most_tries = 20;
-/// As long as another program may take to write a sidecar in place.
-constexpr auto pause_for_writer = std::chrono::milliseconds(20);
-
-bool is_there(const fs::path& file) {
-    std::error_code error;
-    return fs::exists(fs::symlink_status(file, error));
+std::string write_sidecar(const std::filesystem::path& photo, const SidecarChanges& changes) {
+    return write_sidecar(photo, [&](const PhotoRecord&) { return changes; });
 }
 
-/// A sidecar without any content holds nothing to lose and is begun anew.
-bool is_blank(std::string_view bytes) {
-    return bytes.find_first_not_of(std::string_view(" \t\r\n\0", 5)) == std::string_view::npos;
-}
-
-std::string lower_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return text;
-}
-
-/// Whether a sidecar `IMG_1.xmp` was made for this very file and not for `IMG_1.nef` beside it.
-bool is_for(const XmpPacket& shared, const fs::path& photo) {
-    const auto extension = shared.value(xmp::sidecar_extension);
-    return !extension ||
-           lower_case(photo.extension().string()) == std::string(".").append(lower_case(extension->text));
-}
-
-/// One write of one sidecar.
-class SidecarWrite {
-public:
-    SidecarWrite(const fs::path& photo, const SidecarChanges& changes, PhotoMetadata metadata)
-        : photo_(photo), changes_(changes), sidecar_(sidecar_of(photo)), own_(std::move(metadata)) {
-        read_shared();
-        if (shared_)
-            behind_.packets.push_back(&*shared_);
-        if (own_.xmp)
-            behind_.packets.push_back(&*own_.xmp);
-        behind_.shape = own_.shape;
-        if (shared_)
-            behind_.parts = parts_from_xmp(*shared_, own_.shape);
-        complete(behind_.parts, own_.parts);
-    }
-
-    std::string run() {
-        if (is_there(sidecar_))
-            if (std::string failed = look(); !failed.empty())
-                return failed;
-        for (int tries = 0; tries < most_tries; ++tries) {
-            bool done = false;
-            std::string failed = attempt(done);
-            if (done || !failed.empty())
-                return failed;
-        }
-        return failure("another program keeps writing to it.");
-    }
-
-private:
-    void read_shared() {
-        for (const fs::path& other : sidecars_of(photo_)) {
-            if (other == sidecar_)
-                continue;
-            const auto bytes = read_whole(other, XmpPacket::most_bytes);
-            auto packet = bytes ? XmpPacket::from(*bytes) : Result<XmpPacket>(Error{});
-            if (!packet)
-                continue;
-            if (is_for(*packet, photo_))
-                start_ = *bytes;
-            shared_ = std::move(*packet);
-        }
-    }
-
-    /// Takes what is there now as what is to be changed.
-    std::string look() {
-        auto bytes = read_whole(sidecar_, XmpPacket::most_bytes);
-        if (!bytes)
-            return failure(bytes.error());
-        expected_ = base_ = *std::move(bytes);
-        return {};
-    }
-
-    /// Writes the changed sidecar unless somebody else wrote since it was read; then what they wrote is the
-    /// new base. Not done and no sentence: try again.
-    std::string attempt(bool& done) {
-        std::string_view start = base_ && !is_blank(*base_) ? std::string_view(*base_) : start_;
-        auto packet = start.empty() ? Result<XmpPacket>(XmpPacket{}) : XmpPacket::from(start);
-        if (!packet)
-            return failure(packet.error() + " It was left as it is.");
-        edit(*packet, changes_, behind_);
-        std::string bytes = packet->bytes();
-        if (XmpPacket::most_bytes < bytes.size())
-            return failure("it would become larger than any program reads.");
-        done = expected_ == bytes;
-        if (done)
-            return {};
-
-        auto file = NewFile::beside(sidecar_);
-        if (!file)
-            return failure(file.error());
-        if (std::string reason = file->write(bytes); !reason.empty())
-            return failure(reason);
-        if (somebody_wrote())
-            return look_again();
-        std::string reason = file->take_place(expected_ ? Existing::swapped : Existing::kept);
-        if (!reason.empty())
-            return somebody_wrote() ? look_again() : failure(reason);
-        done = !expected_ || file->temporary().empty();
-        return done ? std::string{} : check_displaced(*file, std::move(bytes), done);
-    }
-
-    bool somebody_wrote() const {
-        if (!is_there(sidecar_))
-            return expected_.has_value();
-        const auto bytes = read_whole(sidecar_, XmpPacket::most_bytes);
-        return !expected_ || !bytes || *bytes != *expected_;
-    }
-
-    /// A program that writes in place leaves half a file for a moment.
-    std::string look_again() {
-        if (!is_there(sidecar_)) {
-            expected_.reset();
-            base_.reset();
-            return {};
-        }
-        for (int tries = 0; tries < most_tries; ++tries) {
-            if (is_whole(read_whole(sidecar_, XmpPacket::most_bytes)))
-                break;
-            std::this_thread::sleep_for(pause_for_writer);
-        }
-        return look();
-    }
-
-    /// What our sidecar took the place of is what we read, or somebody wrote at that very moment: then theirs
-    /// is the new base, and ours is what lies there now.
-    std::string check_displaced(NewFile& file, std::string bytes, bool& done) {
-        auto displaced = read_whole(file.temporary(), XmpPacket::most_bytes);
-        if (displaced && *displaced == *expected_) {
-            done = true;
-            return {};
-        }
-        for (int tries = 0; tries < most_tries && !is_whole(displaced); ++tries) {
-            std::this_thread::sleep_for(pause_for_writer);
-            displaced = read_whole(file.temporary(), XmpPacket::most_bytes);
-        }
-        if (!is_whole(displaced)) { // give it back its place
-            const std::string reason = file.take_place(Existing::swapped);
-            return failure("another program is writing to it." + (reason.empty() ? "" : " " + reason));
-        }
-        expected_ = std::move(bytes);
-        base_ = *std::move(displaced);
-        return {};
-    }
-
-    static bool is_whole(const Result<std::string>& bytes) { return bytes && XmpPacket::from(*bytes).ok(); }
-
-    std::string failure(const std::string& reason) const {
-        return "The sidecar " + quoted(sidecar_) + " could not be written: " + reason;
-    }
-
-    const fs::path& photo_;
-    const SidecarChanges& changes_;
-    fs::path sidecar_;
-    PhotoMetadata own_;
-    std::optional<XmpPacket> shared_; ///< of IMG_1.xmp
-    std::string start_;               ///< what a new sidecar begins with; empty: nothing
-    Behind behind_;
-    std::optional<std::string> base_;     ///< what is to be changed; none: nothing is there
-    std::optional<std::string> expected_; ///< what should lie at the sidecar's place
-};
-
-} // namespace
-
-std::string write_sidecar(const fs::path& photo, const SidecarChanges& changes) {
-    if (std::string sentence = refusal(changes); !sentence.empty())
-        return sentence;
-    const FolderLock lock(photo.parent_path());
-    if (!lock.held())
-        return "The sidecar of " + quoted(photo) + " could not be written: another program is busy there.";
-    auto metadata = photo_metadata(photo);
-    if (!metadata)
-        return metadata.error();
-    return SidecarWrite(photo, changes, std::move(*metadata)).run();
+std::string write_sidecar(const std::filesystem::path& photo, const ChangesFrom& changes_from) {
+    return change_sidecar(photo, [&](XmpPacket& sidecar, const Behind& behind) {
+        RecordParts parts = parts_from_xmp(sidecar, behind.shape);
+        complete(parts, behind.parts);
+        const SidecarChanges changes = changes_from(record_of(std::move(parts), behind.shape));
+        std::string refused = refusal(changes);
+        if (refused.empty())
+            edit(sidecar, changes, behind);
+        return refused;
+    });
 }
 
 } // namespace tp

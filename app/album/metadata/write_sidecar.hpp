@@ -4,6 +4,7 @@
 #include "app/album/metadata/photo_record.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,5 +33,12 @@ struct SidecarChanges {
 /// overwritten: that is such a sentence too. Texts lose what XML cannot hold (control characters, bytes that
 /// are not UTF-8). The photograph is only read. Any thread.
 std::string write_sidecar(const std::filesystem::path& photo, const SidecarChanges& changes);
+
+/// What to change, given what is known now; must not touch this photograph's sidecar itself.
+using ChangesFrom = std::function<SidecarChanges(const PhotoRecord& now)>;
+
+/// The same for changes that depend on what is there, such as one more tag: no writer comes between reading
+/// and writing, or `changes_from` is called again.
+std::string write_sidecar(const std::filesystem::path& photo, const ChangesFrom& changes_from);
 
 } // namespace tp

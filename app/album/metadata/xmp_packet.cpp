@@ -20,7 +20,7 @@ namespace tp {
 namespace {
 
 constexpr int most_depth = 100;              // elements in each other; real sidecars: about 12
-constexpr std::size_t most_entries = 50'000; // properties; Lightroom's develop settings: some hundreds
+constexpr std::size_t most_entries = 10'000; // properties; Lightroom's develop settings: some hundreds
 
 /// Nothing is translated on the way in or out, so that what nobody changes comes out as it was.
 constexpr unsigned parse_options = pugi::parse_pi | pugi::parse_comments | pugi::parse_declaration |
@@ -191,6 +191,13 @@ Result<XmpPacket> XmpPacket::from(std::string_view bytes) {
     if (!is_utf8(packet.bytes()))
         return Error{"its letters are in an encoding that XMP does not allow."};
     return packet;
+}
+
+std::vector<XmpName> XmpPacket::names() const {
+    std::vector<XmpName> names;
+    for (const Tree::Property& property : tree_->properties)
+        names.push_back(property.name);
+    return names;
 }
 
 std::optional<XmpValue> XmpPacket::value(const XmpName& name) const {

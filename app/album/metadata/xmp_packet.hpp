@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tp {
 
@@ -30,6 +31,7 @@ public:
     /// the end of a sentence, such as "it is not XMP.".
     static Result<XmpPacket> from(std::string_view bytes);
 
+    std::vector<XmpName> names() const;
     /// A property's value; none where the packet does not have it.
     std::optional<XmpValue> value(const XmpName& name) const;
     void set(const XmpName& name, const XmpValue& value);

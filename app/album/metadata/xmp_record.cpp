@@ -155,4 +155,23 @@ RecordParts parts_from_xmp(const XmpPacket& packet, const PictureShape& shape) {
     return parts;
 }
 
+PhotoRecord record_of(RecordParts parts, const PictureShape& shape) {
+    PhotoRecord record;
+    record.orientation = shape.orientation;
+    record.width = shape.width;
+    record.height = shape.height;
+    record.taken = std::move(parts.taken).value_or(std::string{});
+    record.place = parts.place;
+    record.place_name = std::move(parts.place_name).value_or(std::string{});
+    record.alt_text = std::move(parts.alt_text).value_or(LanguageTexts{});
+    record.description = std::move(parts.description).value_or(LanguageTexts{});
+    record.faces = std::move(parts.faces).value_or(std::vector<FaceRegion>{});
+    record.persons = std::move(parts.persons).value_or(std::vector<std::string>{});
+    record.keywords = std::move(parts.keywords).value_or(std::vector<std::string>{});
+    record.tags = std::move(parts.tags).value_or(std::vector<Tag>{});
+    record.content_hash = std::move(parts.content_hash).value_or(std::string{});
+    record.problems = std::move(parts.problems);
+    return record;
+}
+
 } // namespace tp

@@ -53,6 +53,7 @@ struct PhotoRecord {
     std::vector<std::string> keywords; ///< dc:subject
     std::vector<Tag> tags;
     std::string content_hash; ///< what the sidecar says the photograph's SHA-256 was, hexadecimal; or empty
+    std::vector<std::string> problems; ///< sentences: what could not be read or made no sense
 
     bool operator==(const PhotoRecord&) const = default;
 };

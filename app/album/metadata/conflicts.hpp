@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tp {
+
+/// The name of the file that this one is a conflict copy of, as Syncthing, Nextcloud, ownCloud, Dropbox and
+/// Seafile name them; none where it is not one. Copies of copies: the first file's.
+std::optional<std::string> conflict_original(std::string_view file_name);
+
+/// The conflict copies of a photograph's sidecars that lie beside it, oldest first.
+std::vector<std::filesystem::path> conflict_copies(const std::filesystem::path& photo);
+
+/// Brings every conflict copy of a photograph's sidecars into `IMG_1.jpg.xmp` and then moves the copy to
+/// `trash`. Tags, faces, persons and keywords are united, tags by their file; a text in a language that only one
+/// has is added. Where two differ, the newer label field of a tag wins and the text that is there stays; the
+/// other is told. Returns sentences for the person who looks after the album, empty where there was no copy.
+/// A copy that cannot be read stays where it is, and a sentence says so. An error: nothing was changed, or the
+/// sidecar is written and a copy could not be moved (then the next call finds nothing left to add).
+Result<std::vector<std::string>> merge_conflicts(const std::filesystem::path& photo,
+                                                 const std::filesystem::path& trash);
+
+} // namespace tp

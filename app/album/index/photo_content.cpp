@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/index/photo_content.hpp"
+
+#include <QCryptographicHash>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace tp {
+
+namespace {
+
+constexpr std::array<std::string_view, 8> extensions{"jpg", "jpeg", "png",  "webp",
+                                                     "tif", "tiff", "heic", "heif"};
+/// Major brands of HEIC (ISO/IEC 23008-12, annex B).
+constexpr std::array<std::string_view, 7> heic_brands{"heic", "heix", "heim", "heis", "mif1", "msf1", "hevc"};
+
+/// In small letters; without the dot.
+std::string extension_of(std::string_view name) {
+    const std::size_t dot = name.rfind('.');
+    std::string extension(dot == std::string_view::npos ? std::string_view() : name.substr(dot + 1));
+    for (char& c : extension)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return extension;
+}
+
+/// Reads until the block is full or the file ends; -1 where the system would not.
+ssize_t read_block(int file, char* block, std::size_t size) {
+    std::size_t filled = 0;
+    while (filled < size) {
+        const ssize_t count = ::read(file, block + filled, size - filled);
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            return -1;
+        if (count == 0)
+            break;
+        filled += static_cast<std::size_t>(count);
+    }
+    return static_cast<ssize_t>(filled);
+}
+
+std::optional<PhotoContent> read_open_file(int file, const std::stop_token& stop, int& error) {
+    std::vector<char> block(1 << 16);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    bool first = true;
+    while (!stop.stop_requested()) {
+        const ssize_t count = read_block(file, block.data(), block.size());
+        if (count < 0) {
+            error = errno;
+            return std::nullopt;
+        }
+        const auto size = static_cast<std::size_t>(count);
+        if (std::exchange(first, false) && !begins_like_photo({block.data(), size}))
+            return PhotoContent{};
+        hash.addData({block.data(), static_cast<qsizetype>(size)});
+        if (size < block.size())
+            return PhotoContent{true, hash.result().toStdString()};
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+bool named_as_photo(std::string_view name) {
+    return std::find(extensions.begin(), extensions.end(), extension_of(name)) != extensions.end();
+}
+
+bool may_be_photo(std::string_view name) {
+    return name.find('.') == std::string_view::npos || named_as_photo(name);
+}
+
+bool begins_like_photo(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    const auto at = [&](std::size_t place, std::string_view what) {
+        return bytes.size() >= place + what.size() && bytes.substr(place, what.size()) == what;
+    };
+    return at(0, "\xFF\xD8\xFF") || at(0, "\x89PNG\r\n\x1A\n") || (at(0, "RIFF") && at(8, "WEBP")) ||
+           at(0, "II*\0"sv) || at(0, "MM\0*"sv) ||
+           (at(4, "ftyp") && std::any_of(heic_brands.begin(), heic_brands.end(),
+                                         [&](std::string_view brand) { return at(8, brand); }));
+}
+
+std::optional<PhotoContent> read_photo_content(const std::filesystem::path& file, const std::stop_token& stop,
+                                               int& error) {
+    error = 0;
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (descriptor < 0) {
+        error = errno;
+        return std::nullopt;
+    }
+    struct stat about {};
+    std::optional<PhotoContent> content = PhotoContent{};
+    if (::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode)) // a pipe may never end
+        content = read_open_file(descriptor, stop, error);
+    ::close(descriptor);
+    return content;
+}
+
+} // namespace tp

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audio/sound/loudspeaker_worker.hpp"
+
+#include "audio/sound/sound_format.hpp"
+
+#include <QAudioDevice>
+#include <QMediaDevices>
+
+#include <algorithm>
+#include <utility>
+
+namespace tp {
+
+namespace {
+
+constexpr int look_ms = 40;
+constexpr int looks_a_second = 1000 / look_ms;
+constexpr int looks_until_stalled = 3 * looks_a_second;
+constexpr int looks_until_tried_again =
+    5 * looks_a_second;                               ///< the one that was lost, though it never seemed away
+constexpr std::int64_t most_silence = 2 * sound_rate; ///< behind the end, where the sink's clock stands still
+
+QAudioFormat format_for(const QAudioDevice& device) {
+    QAudioFormat format;
+    format.setSampleRate(sound_rate);
+    format.setChannelCount(played_channels);
+    format.setSampleFormat(QAudioFormat::Float);
+    if (!device.isFormatSupported(format))
+        format.setSampleFormat(QAudioFormat::Int16);
+    return format;
+}
+
+} // namespace
+
+LoudspeakerWorker::LoudspeakerWorker() : look_(this) {
+    look_.setInterval(look_ms);
+    connect(&look_, &QTimer::timeout, this, &LoudspeakerWorker::look);
+}
+
+LoudspeakerWorker::~LoudspeakerWorker() { stop(); }
+
+void LoudspeakerWorker::start(quint64 run, std::shared_ptr<SoundSource> source) {
+    stop();
+    run_ = run;
+    lost_ = false;
+    heard_ = 0;
+    looks_ = looks_alike_ = 0;
+    look_.start();
+    const QAudioDevice loudspeaker = QMediaDevices::defaultAudioOutput();
+    id_ = loudspeaker.id();
+    const QAudioFormat format = format_for(loudspeaker);
+    if (loudspeaker.isNull() || !loudspeaker.isFormatSupported(format)) {
+        lose();
+        return;
+    }
+    device_ = std::make_unique<SourceDevice>(std::move(source), format);
+    sink_ = std::make_unique<QAudioSink>(loudspeaker, format);
+    sink_->start(device_.get());
+    if (sink_->state() == QAudio::StoppedState)
+        lose();
+}
+
+void LoudspeakerWorker::stop() {
+    if (sink_ != nullptr)
+        sink_->reset(); // stop() would let what is in the buffer be heard
+    sink_.reset();
+    device_.reset();
+    if (!lost_)
+        look_.stop();
+}
+
+void LoudspeakerWorker::lose() {
+    lost_ = true;
+    waited_looks_ = 0;
+    stop();
+    emit gone(run_);
+}
+
+void LoudspeakerWorker::look() {
+    if (sink_ != nullptr)
+        look_at_sound();
+    if (++looks_ >= looks_a_second) {
+        looks_ = 0;
+        look_at_devices();
+    }
+}
+
+void LoudspeakerWorker::look_at_sound() {
+    if (sink_->state() == QAudio::StoppedState) {
+        lose();
+        return;
+    }
+    const std::int64_t played = sink_->processedUSecs() * sound_rate / 1'000'000;
+    const std::int64_t heard = std::min(played, device_->sound_frames());
+    if (heard > heard_) {
+        looks_alike_ = 0;
+        heard_ = heard;
+        device_->source().heard(heard);
+        emit progress(run_);
+    } else if (!device_->ended() && ++looks_alike_ >= looks_until_stalled) {
+        lose();
+        return;
+    }
+    // Some back ends count what they were given as played: then the silence must have pushed it out first.
+    const std::int64_t buffer = sink_->bufferSize() / sink_->format().bytesPerFrame();
+    const bool all_heard = heard_ == device_->sound_frames() && device_->silent_frames() >= buffer;
+    if (device_->ended() && (all_heard || device_->silent_frames() >= most_silence)) {
+        device_->source().heard(device_->sound_frames());
+        stop();
+        emit drained(run_);
+    }
+}
+
+/// Qt 6.4 does not tell of PulseAudio's devices that come and go (QMediaDevices' signals stay away), but
+/// lists them.
+void LoudspeakerWorker::look_at_devices() {
+    const QAudioDevice loudspeaker = QMediaDevices::defaultAudioOutput();
+    const bool other = loudspeaker.id() != id_;
+    if (sink_ != nullptr) {
+        if (loudspeaker.isNull()) {
+            lose();
+        } else if (other) {
+            stop();
+            emit moved(run_);
+        }
+    } else if (lost_) {
+        waited_looks_ += looks_a_second;
+        if (loudspeaker.isNull())
+            id_.clear(); // the same one is news when it is back
+        else if (other || waited_looks_ >= looks_until_tried_again) {
+            lost_ = false;
+            look_.stop();
+            emit came();
+        }
+    }
+}
+
+} // namespace tp

@@ -23,7 +23,7 @@ tp_may(tp_servo    tp_base tp_geometry tp_guidance  USES Threads::Threads)
 tp_may(tp_study    tp_base tp_geometry tp_guidance tp_servo)
 tp_may(tp_device   ${_core})
 tp_may(tp_faces    ${_core}                         USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc
-                                                         opencv_imgcodecs opencv_dnn opencv_objdetect Threads::Threads)
+                                                         opencv_imgcodecs opencv_dnn opencv_objdetect opencv_face Threads::Threads)
 tp_may(tp_audio    tp_base                          USES Qt6::Core Qt6::TextToSpeech)
 tp_may(tp_scene    tp_base tp_geometry tp_guidance tp_svg tp_faces)
 tp_may(tp_picture  ${_below_app}                    USES Qt6::Gui)

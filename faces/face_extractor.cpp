@@ -8,6 +8,7 @@
 #include "faces/extra_features.hpp"
 #include "faces/face_problem.hpp"
 #include "faces/fewest_pieces.hpp"
+#include "faces/lbf_model.hpp"
 #include "faces/mesh_model.hpp"
 #include "faces/model_catalog.hpp"
 #include "faces/picture.hpp"
@@ -39,18 +40,22 @@ void stop_if_asked(const std::stop_token& stop) {
         throw Stopped();
 }
 
+Result<std::unique_ptr<LandmarkModel>> load_landmarks(const ChosenModel& model) {
+    return model.kind == &lbf_model ? LbfModel::load(model.file) : MeshModel::load(model.file);
+}
+
 Result<std::unique_ptr<Detector>> make_detector(const std::string& choice) {
     if (choice == "embedded")
         return std::unique_ptr<Detector>(std::make_unique<EmbeddedDetector>());
-    const auto file = find_model(choice, yunet_model);
-    return file ? YunetDetector::load(*file) : Error{file.error()};
+    const auto model = find_model(choice, PluggableModel::Role::detector);
+    return model ? YunetDetector::load(model->file) : Error{model.error()};
 }
 
 Result<std::unique_ptr<LandmarkModel>> make_model(const std::string& choice) {
     if (choice == "embedded")
         return std::unique_ptr<LandmarkModel>(std::make_unique<ContourNets>());
-    const auto file = find_model(choice, mesh_model);
-    return file ? MeshModel::load(*file) : Error{file.error()};
+    const auto model = find_model(choice, PluggableModel::Role::landmarks);
+    return model ? load_landmarks(*model) : Error{model.error()};
 }
 
 /// Milliseconds since it was made or last asked.
@@ -248,6 +253,12 @@ Result<FaceExtractor> FaceExtractor::create(const ExtractorChoice& choice) {
     } catch (const std::exception& reason) {
         return Error{std::string("The nets that find faces cannot be used: ") + reason.what()};
     }
+}
+
+std::string problem_with_model(const PluggableModel& model, const std::filesystem::path& file) {
+    quiet_opencv();
+    return model.role == PluggableModel::Role::detector ? YunetDetector::load(file).error()
+                                                        : load_landmarks({&model, file}).error();
 }
 
 Extraction FaceExtractor::extract(const std::filesystem::path& photo, const std::stop_token& stop) {

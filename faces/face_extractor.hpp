@@ -13,8 +13,10 @@
 
 namespace tp {
 
-/// Which nets to use: "embedded" (ours, inside the program) or the name or file of another ONNX model that
-/// the user has (faces/README.md lists which kinds can be plugged in and where names are looked up).
+struct PluggableModel;
+
+/// Which nets to use: "embedded" (ours, inside the program) or the name or file of another model that the
+/// user has (faces/README.md lists which kinds can be plugged in and where names are looked up).
 struct ExtractorChoice {
     std::string detector = "embedded";
     std::string model = "embedded";
@@ -43,5 +45,9 @@ private:
     explicit FaceExtractor(std::unique_ptr<Parts> parts);
     std::unique_ptr<Parts> parts_;
 };
+
+/// Why `file` cannot be used as a model of that kind, in a sentence; empty: it can. Loads it and lets it run
+/// once.
+std::string problem_with_model(const PluggableModel& model, const std::filesystem::path& file);
 
 } // namespace tp

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/model_catalog.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <system_error>
 
 extern "C" {
@@ -26,11 +28,20 @@ bool is_file(const std::filesystem::path& path) {
 }
 
 bool looks_like_a_path(const std::string& choice) {
-    return choice.find('/') != std::string::npos || choice.ends_with(".onnx");
+    return choice.find('/') != std::string::npos || choice.ends_with(".onnx") || choice.ends_with(".yaml");
 }
 
 cv::dnn::Net net_between(const char* begin, const char* end) {
     return cv::dnn::readNetFromONNX(begin, static_cast<std::size_t>(end - begin));
+}
+
+Error not_installed(const PluggableModel& model) {
+    std::string searched;
+    for (const std::filesystem::path& folder : model_folders())
+        searched += (searched.empty() ? "" : " or ") + folder.string();
+    return {std::string("The model \"") + model.name + "\" is not installed: put " + model.description +
+            " as " + model.file + " into " + (searched.empty() ? "$TOUCHPHOTO_MODELS" : searched) +
+            "; \"touchphoto-lab models fetch " + model.name + "\" helps."};
 }
 
 } // namespace
@@ -80,23 +91,31 @@ cv::dnn::Net embedded_net(EmbeddedModel model) {
     return {};
 }
 
-Result<std::filesystem::path> find_model(const std::string& choice, const PluggableModel& model) {
+Result<ChosenModel> find_model(const std::string& choice, PluggableModel::Role role) {
+    std::vector<const PluggableModel*> kinds;
+    std::copy_if(pluggable_models.begin(), pluggable_models.end(), std::back_inserter(kinds),
+                 [&](const PluggableModel* model) { return model->role == role; });
     if (looks_like_a_path(choice)) {
-        if (is_file(choice))
-            return std::filesystem::path(choice);
-        return Error{"There is no model file \"" + choice + "\"."};
+        if (!is_file(choice))
+            return Error{"There is no model file \"" + choice + "\"."};
+        const auto same_ending = std::find_if(kinds.begin(), kinds.end(), [&](const PluggableModel* model) {
+            return std::filesystem::path(choice).extension() ==
+                   std::filesystem::path(model->file).extension();
+        });
+        return ChosenModel{same_ending == kinds.end() ? kinds.front() : *same_ending, choice};
     }
-    if (choice != model.name)
-        return Error{"There is no model named \"" + choice + "\" here: choose \"embedded\", \"" + model.name +
-                     "\" or the path of an ONNX file that holds " + model.description + "."};
-    if (const auto file = installed_file(model))
-        return *file;
-    std::string searched;
-    for (const std::filesystem::path& folder : model_folders())
-        searched += (searched.empty() ? "" : " or ") + folder.string();
-    return Error{std::string("The model \"") + model.name + "\" is not installed: put " + model.description +
-                 " as " + model.file + " into " + (searched.empty() ? "$TOUCHPHOTO_MODELS" : searched) +
-                 "; \"touchphoto-lab models fetch " + model.name + "\" helps."};
+    std::string names, descriptions;
+    for (const PluggableModel* model : kinds) {
+        names += ", \"" + std::string(model->name) + "\"";
+        descriptions += (descriptions.empty() ? "" : " or ") + std::string(model->description);
+        if (choice != model->name)
+            continue;
+        if (const auto file = installed_file(*model))
+            return ChosenModel{model, *file};
+        return not_installed(*model);
+    }
+    return Error{"There is no model named \"" + choice + "\" here: choose \"embedded\"" + names +
+                 " or the path of a file that holds " + descriptions + "."};
 }
 
 } // namespace tp

@@ -46,7 +46,8 @@ struct PluggableModel {
     const char* address; ///< http or https; empty: no public one is known
     const char* origin;  ///< where it comes from, a sentence
     std::uintmax_t bytes;
-    const char* sha256; ///< in hexadecimal digits
+    const char*
+        sha256; ///< in hexadecimal digits; empty where it is not known: then there is no address either
 };
 
 inline constexpr PluggableModel yunet_model{
@@ -74,7 +75,20 @@ inline constexpr PluggableModel mesh_model{
     4'825'994,
     "8f419ac71e28589a66b2835cc5084951829a1b919e156c261bb4f9582d116e72"};
 
-inline constexpr std::array<const PluggableModel*, 2> pluggable_models{&yunet_model, &mesh_model};
+inline constexpr PluggableModel lbf_model{
+    "lbf",
+    "lbfmodel.yaml",
+    "a 68-point LBF facemark",
+    PluggableModel::Role::landmarks,
+    "BSD-3-Clause, says its author; of the portraits it learned from (HELEN) no terms are known",
+    "",
+    "It is data/lbfmodel.yaml of github.com/kurnianggoro/GSOC2017, or another that OpenCV's FacemarkLBF "
+    "wrote; "
+    "no checksum of it is known, so get it yourself and give it with --from FILE.",
+    56'375'857, // what FacemarkLBF writes with its own parameters
+    ""};
+
+inline constexpr std::array<const PluggableModel*, 3> pluggable_models{&yunet_model, &mesh_model, &lbf_model};
 
 /// Folders where a model's file is looked for, in this order; a new one belongs into the first. Empty where
 /// the environment names none.
@@ -83,9 +97,16 @@ std::vector<std::filesystem::path> model_folders();
 /// The file that the model's name means at present.
 std::optional<std::filesystem::path> installed_file(const PluggableModel& model);
 
-/// The file that `choice` means: a path (something with a slash or the ending .onnx) is taken as it is, the
-/// model's name is looked up in $TOUCHPHOTO_MODELS, then in $XDG_DATA_HOME/touchphoto/models (default
-/// ~/.local/share/touchphoto/models). An error names what was looked for and where.
-Result<std::filesystem::path> find_model(const std::string& choice, const PluggableModel& model);
+/// A kind of model and the file that holds it.
+struct ChosenModel {
+    const PluggableModel* kind;
+    std::filesystem::path file;
+};
+
+/// What `choice` means where a model of that role is wanted: a path (something with a slash or the ending
+/// .onnx or .yaml) is taken as it is, its ending saying of which kind it is; a model's name is looked up in
+/// $TOUCHPHOTO_MODELS, then in $XDG_DATA_HOME/touchphoto/models (default ~/.local/share/touchphoto/models).
+/// An error names what was looked for and where.
+Result<ChosenModel> find_model(const std::string& choice, PluggableModel::Role role);
 
 } // namespace tp

@@ -209,7 +209,8 @@ int faces_verb(const QStringList& words) {
         .option("with", "Adds features to those of --svg and --overlay: brows, nose, irises.", "LIST")
         .option("uncorrected", "Leaves out what a person mended in PHOTO.contours.svg beside a photograph.")
         .option("detector", "Finds the faces: embedded, yunet, or an ONNX file.", "name", "embedded")
-        .option("model", "Finds the contours: embedded, mesh, or an ONNX file.", "name", "embedded")
+        .option("model", "Finds the contours: embedded, mesh, lbf, or a file (.onnx, .yaml).", "name",
+                "embedded")
         .option("no-edges",
                 "Leaves lids and lips where the model puts them, not on their edges in the picture.")
         .argument("PHOTO", "JPEG, PNG or WebP.", "PHOTO...");

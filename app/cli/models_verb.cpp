@@ -51,14 +51,6 @@ int list_models(const QStringList& words) {
     return exit_done;
 }
 
-/// Why a model cannot be used, in a sentence; empty: it can. Loads it and lets it run once.
-std::string problem_with(const PluggableModel& model, const std::filesystem::path& file) {
-    ExtractorChoice choice;
-    (model.role == PluggableModel::Role::detector ? choice.detector : choice.model) =
-        std::filesystem::absolute(file).string(); // a path, whatever the folder is called
-    return FaceExtractor::create(choice).error();
-}
-
 int check_models(const QStringList& words) {
     VerbLine line(
         "models check",
@@ -91,7 +83,7 @@ int check_models(const QStringList& words) {
         const std::string what = *sum == model->sha256
                                      ? "the known file, "
                                      : "a file that we do not know (SHA-256 " + sum->toStdString() + "), ";
-        judge(model->name, file->string() + ", " + what, problem_with(*model, *file));
+        judge(model->name, file->string() + ", " + what, problem_with_model(*model, *file));
     }
     return result;
 }
@@ -132,12 +124,32 @@ Result<const PluggableModel*> named(const std::string& name) {
     return Error{"There is no model \"" + name + "\" to fetch. There are: " + names + "."};
 }
 
+/// What a file has to be to be taken for `model`. Where no checksum of it is known, that is a file of this
+/// machine which works.
+Result<KnownFile> wanted_file(const PluggableModel& model, const QUrl& address) {
+    if (*model.sha256)
+        return known_file(model);
+    if (!address.isLocalFile())
+        return Error{"Nothing would tell whether what comes from " + address.toString().toStdString() +
+                     " is this model. " + model.origin};
+    const QString file = address.toLocalFile();
+    const auto sum = sha256_of(file);
+    if (!sum)
+        return Error{sum.error()};
+    if (const std::string problem = problem_with_model(model, file.toStdString()); !problem.empty())
+        return Error{problem};
+    return KnownFile{QFileInfo(file).size(), *sum};
+}
+
 /// Asks, unless that was done, and fetches `model` from `address` to `target`.
 int fetch(const PluggableModel& model, const QUrl& address, const QString& target, bool ask) {
+    const auto wanted = wanted_file(model, address);
+    if (!wanted)
+        return refused(wanted.error());
     say(std::string(model.name) + ", " + model.description + ". " + model.origin);
     say("  from     " + address.toString().toStdString());
     say("  licence  " + std::string(model.licence));
-    say("  size     " + std::to_string(model.bytes) + " bytes");
+    say("  size     " + std::to_string(wanted->bytes) + " bytes");
     say("  to       " + target.toStdString() +
         (QFileInfo::exists(target) ? ", in place of another file there" : ""));
     if (ask && !agreed("Fetch it? [y/N] "))
@@ -145,12 +157,12 @@ int fetch(const PluggableModel& model, const QUrl& address, const QString& targe
     const StopSignal stop;
     int tenths = 0;
     const auto progress = [&](qint64 bytes) {
-        const int reached = static_cast<int>(10 * bytes / static_cast<qint64>(model.bytes));
+        const int reached = static_cast<int>(10 * bytes / wanted->bytes);
         if (reached > tenths)
             say(std::to_string(10 * reached) + " %");
         tenths = reached;
     };
-    const auto done = fetch_file(address, target, known_file(model), progress, stop.asked());
+    const auto done = fetch_file(address, target, *wanted, progress, stop.asked());
     if (!done) {
         say_problem(done.error());
         return stop.asked() ? stop.exit_code() : exit_bad_input;
@@ -162,7 +174,8 @@ int fetch(const PluggableModel& model, const QUrl& address, const QString& targe
 int fetch_model(const QStringList& words) {
     VerbLine line("models fetch",
                   "Shows where a model comes from, its licence and size, asks, and installs it where its\n"
-                  "checksum is right. The only command of TouchPhoto that goes online.");
+                  "checksum is right (where none is known: a file that works). The only command of "
+                  "TouchPhoto that goes online.");
     line.option("yes", "Does not ask.")
         .option("from", "Takes it from elsewhere: a file, or an http or https address.", "address")
         .argument("NAME", "As models list says.", "NAME");
@@ -186,7 +199,7 @@ int fetch_model(const QStringList& words) {
     const QString from = line.has("from") ? line.text("from") : QString(wanted.address);
     if (from.isEmpty())
         return refused("The model \"" + std::string(wanted.name) + "\" cannot be fetched. " + wanted.origin +
-                       " Whoever has the file can use --from FILE.");
+                       (*wanted.sha256 ? " Whoever has the file can use --from FILE." : ""));
     const auto target = QString::fromStdString((folders.front() / wanted.file).string());
     return fetch(wanted, address_of(from), target, !line.has("yes"));
 }

@@ -9,6 +9,7 @@
 
 using namespace tp;
 namespace fs = std::filesystem;
+using Role = PluggableModel::Role;
 
 namespace {
 
@@ -51,7 +52,7 @@ private slots:
     }
     void each_known_file_is_described() {
         for (const PluggableModel* model : pluggable_models) {
-            QCOMPARE(std::string(model->sha256).size(), std::size_t(64));
+            QVERIFY(std::string(model->sha256).size() == 64 || (!*model->sha256 && !*model->address));
             QVERIFY(model->bytes > 0 && *model->licence);
             QVERIFY(std::string(model->origin).ends_with('.'));
             const std::string address = model->address;
@@ -61,20 +62,29 @@ private slots:
     }
     void names_are_looked_up_in_the_users_folders() {
         const fs::path shared = touched("data/touchphoto/models/yunet.onnx");
-        QCOMPARE(*find_model("yunet", yunet_model), shared);
+        QCOMPARE(find_model("yunet", Role::detector)->file, shared);
         const fs::path own = touched("mine/yunet.onnx");
         qputenv("TOUCHPHOTO_MODELS", (folder_.path() + "/mine").toUtf8());
-        QCOMPARE(*find_model("yunet", yunet_model), own);
+        QCOMPARE(find_model("yunet", Role::detector)->file, own);
         fs::remove(own);
-        QCOMPARE(*find_model("yunet", yunet_model), shared);
+        QCOMPARE(find_model("yunet", Role::detector)->file, shared);
         fs::remove(shared);
-        const std::string error = find_model("yunet", yunet_model).error();
+        const std::string error = find_model("yunet", Role::detector).error();
         QVERIFY2(error.find("not installed") != std::string::npos, error.c_str());
         QVERIFY2(error.find("mine") != std::string::npos, error.c_str());
     }
     void paths_are_taken_as_they_are() {
         const fs::path file = touched("some.onnx");
-        QCOMPARE(*find_model(file.string(), yunet_model), file);
+        QCOMPARE(find_model(file.string(), Role::detector)->file, file);
+    }
+    void the_ending_of_a_path_says_of_which_kind_it_is() {
+        const auto kind = [](const fs::path& file, Role role) {
+            return find_model(file.string(), role)->kind;
+        };
+        QCOMPARE(kind(touched("some.onnx"), Role::landmarks), &mesh_model);
+        QCOMPARE(kind(touched("some.yaml"), Role::landmarks), &lbf_model);
+        QCOMPARE(kind(touched("some.model"), Role::landmarks), &mesh_model);
+        QCOMPARE(kind(touched("some.yaml"), Role::detector), &yunet_model);
     }
     void wrong_choices_are_sentences_data() {
         QTest::addColumn<QString>("choice");
@@ -89,6 +99,7 @@ private slots:
         QTest::newRow("not ONNX") << QString::fromStdString(touched("text.onnx").string()) << "can be used";
         QTest::newRow("empty file") << QString::fromStdString(touched("empty.onnx", "").string())
                                     << "can be used";
+        QTest::newRow("not YAML") << QString::fromStdString(touched("text.yaml").string()) << "can be used";
         QTest::newRow("another net") << QString(TP_SOURCE_DIR "/resources/models/eye.onnx") << "can be used";
     }
     void wrong_choices_are_sentences() {

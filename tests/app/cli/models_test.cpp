@@ -179,9 +179,10 @@ private slots:
     void what_cannot_be_fetched_is_a_sentence_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("says");
-        QTest::newRow("no such name") << "magic" << QByteArray("There are: yunet, mesh.");
+        QTest::newRow("no such name") << "magic" << QByteArray("There are: yunet, mesh, lbf.");
         QTest::newRow("inside the program") << "mouth" << QByteArray("is inside the program");
         QTest::newRow("no address") << "mesh" << QByteArray(mesh_model.origin);
+        QTest::newRow("no checksum") << "lbf" << QByteArray(lbf_model.origin);
     }
     void what_cannot_be_fetched_is_a_sentence() {
         QFETCH(QString, name);
@@ -189,6 +190,23 @@ private slots:
         const Run run = lab({"models", "fetch", name, "--yes"});
         QCOMPARE(run.code, 1);
         QVERIFY2(run.err.contains(says) && run.err.count('\n') == 1, run.err.constData());
+    }
+
+    void without_a_checksum_only_a_file_that_works_is_taken_data() {
+        QTest::addColumn<QString>("from");
+        QTest::addColumn<QByteArray>("says");
+        QTest::newRow("a file of another kind") << another_net << QByteArray("is not an LBF facemark");
+        QTest::newRow("no file") << folder_->filePath("none.yaml") << QByteArray("none.yaml");
+        QTest::newRow("an address") << "http://localhost:1/lbfmodel.yaml" << QByteArray(lbf_model.origin);
+    }
+    void without_a_checksum_only_a_file_that_works_is_taken() {
+        QFETCH(QString, from);
+        QFETCH(QByteArray, says);
+        const Run run = lab({"models", "fetch", "lbf", "--yes", "--from", from});
+        QCOMPARE(run.code, 1);
+        QVERIFY2(run.err.contains(says) && run.err.count('\n') == 1, run.err.constData());
+        QCOMPARE(run.out, QByteArray());
+        QCOMPARE(left(), QStringList{});
     }
 
     void a_folder_that_cannot_be_written_is_a_sentence() {

@@ -16,7 +16,8 @@ struct Verb {
     int (*run)(const QStringList& words);
 };
 
-constexpr std::array<Verb, 11> verbs{{
+constexpr std::array<Verb, 12> verbs{{
+    {"album", "photographs, people and recordings: scan, search, import, export, check", album_verb},
     {"faces", "find the faces of photographs and their contours", faces_verb},
     {"models", "list, check and fetch the models that faces can use", models_verb},
     {"scene", "write the scene that the Explore page would render for a photograph", scene_verb},

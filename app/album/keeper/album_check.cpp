@@ -200,12 +200,26 @@ private:
                       if (std::error_code error;
                           !fs::exists(copy, error)) // an earlier one's turn took all of them
                           return std::string{};
-                      const auto told = merge_conflicts(photo, keeper_.trash().folder());
-                      if (!told)
-                          return told.error();
-                      report_.told.insert(report_.told.end(), told->begin(), told->end());
-                      return std::string{};
+                      return merge(photo);
                   });
+    }
+
+    /// Brings all conflict copies of a photograph's sidecar in and puts them into the trash.
+    std::string merge(const fs::path& photo) {
+        const fs::path merged = album_ / ".touchphoto" / "merged";
+        if (std::string reason = make_folder(merged, Readers::owner_only); !reason.empty())
+            return reason;
+        const auto told = merge_conflicts(photo, merged);
+        if (!told)
+            return told.error();
+        report_.told.insert(report_.told.end(), told->begin(), told->end());
+        std::error_code error;
+        for (const auto& copy : fs::directory_iterator(merged, error))
+            if (const auto put = keeper_.trash().put(
+                    {copy.path()}, "another machine's sidecar of " + readable(photo.filename().string()));
+                !put)
+                return put.error();
+        return {};
     }
 
     void unreadable_sidecar(const fs::path& photo) {

@@ -5,7 +5,6 @@
 #include "app/album/keeper/path_text.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/keeper/tag_note.hpp"
-#include "app/album/metadata/read_record.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
@@ -33,19 +32,19 @@ std::string AlbumKeeper::change_sidecar(const fs::path& photo, const Change& cha
     const auto lock = AlbumLock::take(album_);
     if (!lock)
         return "Nothing can be changed in the album " + quoted(album_) + ": " + lock.error();
-    const auto record = read_record(photo);
-    if (!record)
-        return record.error();
-    SidecarChanges changes = change(*record);
-    if (changes == SidecarChanges{})
-        return {};
-    if (record->content_hash.empty()) { // by it the sidecar finds its photograph again
-        const auto hash = content_hash(photo);
-        if (!hash)
-            return hash.error();
-        changes.content_hash = *hash;
-    }
-    return write_sidecar(photo, changes);
+    std::string unreadable;
+    const std::string problem = write_sidecar(photo, [&](const PhotoRecord& record) {
+        SidecarChanges changes = change(record);
+        if (changes == SidecarChanges{} || !record.content_hash.empty())
+            return changes;
+        const auto hash = content_hash(photo); // by it the sidecar finds its photograph again
+        if (hash)
+            changes.content_hash = *hash;
+        else
+            unreadable = hash.error();
+        return changes;
+    });
+    return problem.empty() ? unreadable : problem;
 }
 
 std::string AlbumKeeper::delete_photo(const fs::path& photo) {
@@ -134,9 +133,11 @@ std::string AlbumKeeper::restore(const std::string& id) {
     const auto entry = trash_.entry(id);
     if (!entry)
         return entry.error();
+    const auto note = tag_note(entry->note);
+    if (const std::string problem = note ? outside(album_ / note->photo) : std::string{}; !problem.empty())
+        return problem + " Bring the photograph back first, then its recording.";
     if (std::string problem = trash_.restore(id); !problem.empty())
         return problem;
-    const auto note = tag_note(entry->note);
     return note ? list(album_ / note->photo, note->tag) : std::string{};
 }
 

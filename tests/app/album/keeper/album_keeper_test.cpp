@@ -76,6 +76,7 @@ private slots:
             std::vector<PhotoRecord> records;
             for (const fs::path& photo : photos) {
                 PhotoRecord record = fs::exists(photo) ? record_of(photo) : PhotoRecord{};
+                record.content_hash.clear(); // stays once it is known
                 std::sort(record.tags.begin(), record.tags.end(),
                           [](const Tag& a, const Tag& b) { return a.file < b.file; });
                 std::sort(record.persons.begin(), record.persons.end());

@@ -88,10 +88,10 @@ private slots:
             QSKIP("exiv2 is missing (package exiv2)");
         QCOMPARE(write_sidecar(photo_, changes()), std::string());
         const QByteArray text = output_of("exiv2", {"-pa", sidecar_});
-        for (const char* piece : {"Xmp.mwg-rs.Regions/mwg-rs:RegionList[1]/mwg-rs:Name", "Anna <Ä>",
-                                  "Xmp.iptcExt.PersonInImage", "Xmp.digiKam.TagsList", "People/Anna <Ä>",
-                                  "Xmp.lr.hierarchicalSubject", "Zwei Kinder", "Xmp.tp.tags[1]/tp:speaker",
-                                  "Xmp.tp.contentHash", "2026-05-01T101500-memo.flac"})
+        for (const char* piece :
+             {"Xmp.mwg-rs.Regions/mwg-rs:RegionList[1]/mwg-rs:Name", "Anna <Ä>", "Xmp.iptcExt.PersonInImage",
+              "Xmp.digiKam.TagsList", "People/Anna <Ä>", "Xmp.lr.hierarchicalSubject", "Zwei Kinder",
+              "Xmp.tp.tags[1]/tp:speaker", "Xmp.tp.contentHash", "2026-05-01T101500-memo.flac"})
             QVERIFY2(text.contains(piece), (QByteArray(piece) + " in\n" + text).constData());
     }
 

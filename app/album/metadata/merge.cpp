@@ -107,10 +107,14 @@ private:
     void label(const std::string& what, std::string& current, const std::string& other) {
         if (other.empty() || other == current)
             return;
-        const std::string before =
-            std::exchange(current, current.empty() || other_is_newer_ ? other : current);
-        if (!before.empty())
-            merge_.told.push_back(told(what, current, other_is_newer_ ? before : other));
+        if (current.empty()) {
+            current = other;
+            return;
+        }
+        std::string loser = other;
+        if (other_is_newer_)
+            std::swap(current, loser);
+        merge_.told.push_back(told(what, current, loser));
     }
 
     template <typename T>

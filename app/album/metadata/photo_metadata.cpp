@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/metadata/photo_metadata.hpp"
 
+#include "app/album/metadata/metadata_size.hpp"
 #include "app/album/metadata/time_text.hpp"
 #include "app/album/metadata/xmp_record.hpp"
 #include "core/base/utf8.hpp"
@@ -183,6 +184,11 @@ Result<PhotoMetadata> photo_metadata(const fs::path& photo) {
     if (::access(photo.c_str(), R_OK) != 0)
         return Error{"You are not allowed to read the photograph " + quoted(photo) + "."};
     PhotoMetadata metadata;
+    if (has_oversized_metadata(photo)) {
+        metadata.parts.problems.push_back("The photograph " + quoted(photo) +
+                                          " says more of itself than any program writes; it was not read.");
+        return metadata;
+    }
     prepare_exiv2();
     try {
         // FileIo, because the factory takes some names ("-", "data:…") for something else than a file

@@ -115,12 +115,23 @@ private:
     }
 
     void set_faces(const std::vector<FaceRegion>& faces) {
-        const auto before = value_anywhere(xmp::regions);
-        const bool marked_before = before || value_anywhere(xmp::microsoft_regions);
-        if (!faces.empty() || marked_before)
-            sidecar_.set(xmp::regions, mwg_from_faces(faces, before, behind_.shape));
+        const bool hides = has_below(xmp::regions) || has_below(xmp::microsoft_regions);
+        set_regions(xmp::regions, mwg_from_faces(faces, value_anywhere(xmp::regions), behind_.shape), hides);
         if (const auto microsoft = sidecar_.value(xmp::microsoft_regions))
-            sidecar_.set(xmp::microsoft_regions, microsoft_from_faces(faces, *microsoft));
+            set_regions(xmp::microsoft_regions, microsoft_from_faces(faces, *microsoft), hides);
+    }
+
+    /// Without regions, and without what other programs say there, they are only written to hide others.
+    void set_regions(const XmpName& name, const XmpValue& regions, bool hides) {
+        const bool says_something =
+            std::any_of(regions.fields.begin(), regions.fields.end(), [](const XmpField& field) {
+                return field.name != xmp::applied_to &&
+                       (!field.value.is_list() || !field.value.items.empty());
+            });
+        if (says_something || hides)
+            sidecar_.set(name, regions);
+        else
+            sidecar_.remove(name);
     }
 
     /// Tags below "People" in a program's tree of tags; a name that has the program's separator in it would

@@ -39,7 +39,7 @@ std::string text_of(pugi::xml_node element) {
         if (child.type() == pugi::node_pcdata)
             text += unescaped(child.value());
         else if (child.type() == pugi::node_cdata)
-            text += child.value();
+            text += holdable(child.value());
     }
     return text;
 }

@@ -6,6 +6,15 @@
 
 namespace tp {
 
+namespace {
+
+/// Whether it can stand before or after the colon of a name.
+bool is_plain(std::string_view part) {
+    return !part.empty() && part.find(':') == std::string_view::npos;
+}
+
+} // namespace
+
 XmpScope::XmpScope(const XmpScope* around, pugi::xml_node element) : around_(around) {
     if (around == nullptr)
         uris_.emplace("xml", xmp::xml_uri);
@@ -13,7 +22,7 @@ XmpScope::XmpScope(const XmpScope* around, pugi::xml_node element) : around_(aro
         const std::string_view name = attribute.name();
         if (name == "xmlns")
             uris_.emplace("", unescaped(attribute.value()));
-        else if (name.starts_with("xmlns:"))
+        else if (name.starts_with("xmlns:") && is_plain(name.substr(6)))
             uris_.emplace(name.substr(6), unescaped(attribute.value()));
     }
 }
@@ -29,9 +38,10 @@ std::optional<XmpName> XmpScope::resolve(std::string_view qualified) const {
     const std::size_t colon = qualified.find(':');
     const bool plain = colon == std::string_view::npos;
     const std::string_view uri = uri_of(plain ? std::string_view{} : qualified.substr(0, colon));
-    if (uri.empty())
+    const std::string_view local = plain ? qualified : qualified.substr(colon + 1);
+    if (uri.empty() || !is_plain(local))
         return std::nullopt;
-    return XmpName{std::string(uri), std::string(plain ? qualified : qualified.substr(colon + 1))};
+    return XmpName{std::string(uri), std::string(local)};
 }
 
 std::optional<std::string> XmpScope::prefix_of(std::string_view uri) const {

@@ -131,7 +131,7 @@ std::string unescaped(std::string_view xml) {
         }
         result += xml[i];
     }
-    return result;
+    return holdable(result);
 }
 
 } // namespace tp

@@ -15,7 +15,7 @@ std::string holdable(std::string_view text);
 std::string escaped(std::string_view text);
 
 /// What a piece of XML says: the five named entities and numbers become characters, line ends one of a kind.
-/// Other entities stay as they are written.
+/// Other entities stay as they are written; what XML cannot hold, but some writer put there, is left out.
 std::string unescaped(std::string_view xml);
 
 } // namespace tp

@@ -35,6 +35,16 @@ bool marked(const ByteSource& file, std::uint64_t at) {
     return file.read(at, start) == start.size() && std::string_view(start.data(), start.size()) == marker;
 }
 
+/// The number of frames in the stream information: 36 bits after 13 bytes and a half.
+std::uint64_t frames_in(const ByteSource& file, std::uint64_t stream_info_body) {
+    std::array<char, 5> number{};
+    file.read(stream_info_body + 13, number);
+    std::uint64_t frames = byte_of(number[0]) & 0x0Fu;
+    for (std::size_t i = 1; i < number.size(); ++i)
+        frames = frames << 8 | byte_of(number[i]);
+    return frames;
+}
+
 std::string block_header(int type, std::size_t size, bool last) {
     return {static_cast<char>(type | (last ? 0x80 : 0)), static_cast<char>(size >> 16 & 0xFFu),
             static_cast<char>(size >> 8 & 0xFFu), static_cast<char>(size & 0xFFu)};
@@ -80,6 +90,8 @@ Result<FlacHead> flac_head(const ByteSource& file) {
         if (at > end || block.type == forbidden || first != (block.type == stream_info) ||
             (first && block.size != stream_info_size))
             return damaged;
+        if (first)
+            head.frames = frames_in(file, block.body);
         if (block.type == vorbis_comment && !commented) {
             std::string content(block.size, '\0');
             content.resize(file.read(block.body, content));

@@ -22,7 +22,8 @@ struct FlacHead {
         std::uint32_t size = 0; ///< bytes of its content
     };
     std::vector<Block> blocks;
-    VorbisComments comments; ///< of the first block of comments; empty where there is none or it is damaged
+    std::uint64_t frames = 0; ///< 0: it does not say, as it was written into a pipe
+    VorbisComments comments;  ///< of the first block of comments; empty where there is none or it is damaged
     std::uint64_t sound_begin = 0; ///< the first byte after the blocks
 };
 

@@ -16,10 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The file's bytes where it is a FLAC that can be decoded to its end.
+/// The file's bytes where it is a FLAC that says how long it is and can be decoded to its end.
 std::unique_ptr<FileBytes> sound_flac(const fs::path& file) {
     auto bytes = FileBytes::open(file);
-    if (!bytes || !flac_head(**bytes))
+    if (!bytes)
+        return nullptr;
+    const auto head = flac_head(**bytes);
+    if (!head || head->frames == 0)
         return nullptr;
     auto reader = SoundReader::open(file);
     if (!reader)

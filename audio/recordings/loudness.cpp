@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ebur128.h>
-#include <new>
 #include <vector>
 
 namespace tp {
@@ -20,19 +19,20 @@ double Loudness::gain_db() const {
 }
 
 struct LoudnessMeter::Impl {
-    ebur128_state* state;
+    ebur128_state* state; ///< null where there is no memory for it; then nothing is measured
 
     explicit Impl(const SoundFormat& format)
         : state(ebur128_init(static_cast<unsigned>(format.channels), static_cast<unsigned long>(format.rate),
                              EBUR128_MODE_I | EBUR128_MODE_TRUE_PEAK | EBUR128_MODE_HISTOGRAM)) {
-        if (state == nullptr)
-            throw std::bad_alloc();
-        if (format.channels == 1)
+        if (state != nullptr && format.channels == 1)
             ebur128_set_channel(state, 0, EBUR128_DUAL_MONO);
     }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
-    ~Impl() { ebur128_destroy(&state); }
+    ~Impl() {
+        if (state != nullptr)
+            ebur128_destroy(&state);
+    }
 };
 
 LoudnessMeter::LoudnessMeter(const SoundFormat& format) : impl_(std::make_unique<Impl>(format)) {}
@@ -40,15 +40,19 @@ LoudnessMeter::LoudnessMeter(LoudnessMeter&&) noexcept = default;
 LoudnessMeter::~LoudnessMeter() = default;
 
 void LoudnessMeter::add(std::span<const std::int16_t> samples) {
-    ebur128_add_frames_short(impl_->state, samples.data(), samples.size() / impl_->state->channels);
+    if (impl_->state != nullptr)
+        ebur128_add_frames_short(impl_->state, samples.data(), samples.size() / impl_->state->channels);
 }
 
 void LoudnessMeter::add(std::span<const std::int32_t> samples) {
-    ebur128_add_frames_int(impl_->state, samples.data(), samples.size() / impl_->state->channels);
+    if (impl_->state != nullptr)
+        ebur128_add_frames_int(impl_->state, samples.data(), samples.size() / impl_->state->channels);
 }
 
 Loudness LoudnessMeter::loudness() const {
     Loudness result;
+    if (impl_->state == nullptr)
+        return result;
     double lufs = 0.0;
     if (ebur128_loudness_global(impl_->state, &lufs) == EBUR128_SUCCESS && std::isfinite(lufs))
         result.integrated_lufs = lufs;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/recordings/recording_name.hpp"
 
+#include "core/files/file_words.hpp"
+
+#include <cerrno>
 #include <system_error>
 
 namespace tp {
@@ -65,7 +68,7 @@ Result<fs::path> under_free_name(const fs::path& folder, std::string_view stem, 
         const std::string reason = write(name);
         if (reason.empty())
             return name;
-        if (!is_taken(name))
+        if (reason != reason_of(EEXIST))
             return Error{reason};
     }
     return Error{"there are too many files of that name already."};

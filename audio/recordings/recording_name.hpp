@@ -16,9 +16,9 @@ namespace tp {
 std::string recording_stem(const RecordingLabel& label);
 
 /// Calls `write` with `folder`/`stem``end`, or with "-2", "-3", … after the stem where the name is taken,
-/// until it returns empty (done); then that name is the result. A name that somebody else takes while `write`
-/// is at work is passed over too, so `write` must not replace a file. What it says otherwise is the error. A
-/// stem that is too long for a file's name is cut.
+/// until it returns empty (done); then that name is the result. `reason_of(EEXIST)` from it says that
+/// somebody else has taken the name meanwhile, and the next is tried; anything else that it says is the
+/// error. A stem that is too long for a file's name is cut.
 Result<std::filesystem::path>
 under_free_name(const std::filesystem::path& folder, std::string_view stem, std::string_view end,
                 const std::function<std::string(const std::filesystem::path&)>& write);

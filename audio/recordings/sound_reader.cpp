@@ -96,6 +96,29 @@ struct SoundReader::Impl {
         impl.at += done;
         return static_cast<sf_count_t>(done);
     }
+    bool open() {
+        SF_VIRTUAL_IO io{size, go_to, take, refuse, where};
+        at = 0;
+        info = {};
+        file = sf_open_virtual(&io, SFM_READ, &info, this);
+        return file != nullptr;
+    }
+    /// For a file that does not say how long it is: reads it once, up to a frame more than `most`.
+    bool count_frames(sf_count_t most) {
+        std::vector<std::int32_t> samples(static_cast<std::size_t>(info.channels) * 4'096);
+        sf_count_t total = 0;
+        while (total <= most) {
+            const sf_count_t more = sf_readf_int(file, samples.data(), 4'096);
+            if (more <= 0)
+                break;
+            total += more;
+        }
+        sf_close(std::exchange(file, nullptr));
+        const bool again = open();
+        info.frames = total;
+        return again;
+    }
+
     static sf_count_t refuse(const void*, sf_count_t, void*) { return 0; }
     static sf_count_t where(void* user) { return static_cast<sf_count_t>(self(user).at); }
 };
@@ -118,9 +141,7 @@ Result<SoundReader> SoundReader::open(std::unique_ptr<ByteSource> bytes) {
         return Error{"it is no sound file that can be read here."};
     auto impl = std::make_unique<Impl>();
     impl->bytes = std::move(bytes);
-    SF_VIRTUAL_IO io{Impl::size, Impl::go_to, Impl::take, Impl::refuse, Impl::where};
-    impl->file = sf_open_virtual(&io, SFM_READ, &impl->info, impl.get());
-    if (impl->file == nullptr)
+    if (!impl->open())
         return Error{"it is damaged, or no sound file that can be read here."};
     const SF_INFO& info = impl->info;
     if (info.channels < 1 || info.channels > most_channels)
@@ -128,12 +149,14 @@ Result<SoundReader> SoundReader::open(std::unique_ptr<ByteSource> bytes) {
                      std::to_string(most_channels) + " can be read."};
     if (info.samplerate < lowest_rate || info.samplerate > highest_rate)
         return Error{"its sample rate is none of a recording."};
+    const auto most = static_cast<sf_count_t>(longest_recording_s) * info.samplerate;
+    if (info.frames == SF_COUNT_MAX && !impl->count_frames(most)) // a FLAC that was written into a pipe
+        return Error{"it is damaged."};
     if (info.frames <= 0)
         return Error{"it holds no sound."};
-    if (static_cast<std::uint64_t>(info.frames) >
-        longest_recording_s * static_cast<std::uint64_t>(info.samplerate))
-        return Error{"it claims to be longer than " + std::to_string(longest_recording_s / 3600) +
-                     " hours; a longer recording is not taken."};
+    if (info.frames > most)
+        return Error{"it is longer than " + std::to_string(longest_recording_s / 3600) +
+                     " hours, or claims to be."};
     return SoundReader(std::move(impl));
 }
 

@@ -183,6 +183,24 @@ private slots:
         QCOMPARE(again->file.filename().string(), std::string("2026-05-01T101500-memo-2.flac"));
     }
 
+    void a_flac_that_was_written_into_a_pipe() {
+        const auto sound = widened(noise(100'000));
+        const fs::path from = foreign_flac(sound);
+        std::string bytes = bytes_of(from);
+        bytes[21] = static_cast<char>(bytes[21] & 0xF0); // it does not know how long it will be
+        bytes.replace(22, 4, 4, '\0');
+        write_bytes(from, bytes);
+        QCOMPARE(about_recording(from)->frames, std::uint64_t{100'000});
+        const auto imported = import_sound(from, tags_, {});
+        QVERIFY2(imported.ok(), imported.error().c_str());
+        QVERIFY(samples_of(imported->file) == sound);
+        QCOMPARE(flac_head(**FileBytes::open(imported->file))->frames, std::uint64_t{100'000});
+        const auto piece = trim_recording(from, 50'000, 60'000);
+        QVERIFY2(piece.ok(), piece.error().c_str());
+        QVERIFY(samples_of(*piece) ==
+                std::vector<std::int32_t>(sound.begin() + 50'000, sound.begin() + 60'000));
+    }
+
     void a_damaged_flac_gives_what_can_be_read() {
         const auto sound = widened(noise(200'000));
         const fs::path from = foreign_flac(sound);

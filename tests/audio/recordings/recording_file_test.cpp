@@ -2,6 +2,7 @@
 #include "audio/recordings/flac_head.hpp"
 #include "audio/recordings/recording_file.hpp"
 #include "audio/recordings/recording_name.hpp"
+#include "core/files/file_words.hpp"
 #include "sounds.hpp"
 
 #include <QTemporaryDir>
@@ -171,7 +172,7 @@ private slots:
         const auto name = under_free_name(root_, "a", ".flac", [&](const fs::path& place) -> std::string {
             if (++calls == 1) {
                 write_bytes(place, "another program's");
-                return "there is a file of that name already.";
+                return reason_of(EEXIST);
             }
             write_bytes(place, "ours");
             return {};
@@ -182,6 +183,13 @@ private slots:
         const auto refused =
             under_free_name(root_, "b", ".flac", [](const fs::path&) { return "the disk is full."; });
         QCOMPARE(refused.error(), std::string("the disk is full."));
+        // one that has its name, but whose folder could not be brought to the disk
+        const auto unsure = under_free_name(root_, "c", ".flac", [&](const fs::path& place) -> std::string {
+            write_bytes(place, "ours");
+            return "the disk reports a fault.";
+        });
+        QVERIFY(!unsure.ok());
+        QVERIFY(!fs::exists(root_ / "c-2.flac"));
     }
 
     void stems_come_from_the_label() {

@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <map>
+#include <set>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -26,6 +27,22 @@ RecordingNotes numbered(unsigned number) {
     notes.label.person = std::to_string(number);
     notes.label.recorded = "2026-05-01T10:15:00+02:00";
     return notes;
+}
+
+/// The numbers of the recordings in a folder, each there once and with so many samples; else none.
+std::set<unsigned> kept_numbers(const fs::path& folder, std::size_t samples) {
+    std::set<unsigned> numbers;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (is_temporary(entry.path()))
+            continue;
+        const auto about = about_recording(entry.path());
+        if (!about)
+            return {};
+        const auto number = static_cast<unsigned>(std::stoul(about->notes.label.person));
+        if (samples_of(entry.path()) != widened(noise(samples, number)) || !numbers.insert(number).second)
+            return {};
+    }
+    return numbers;
 }
 
 /// What a recorder tells before it goes on: this many frames of recording `number` are on the disk.
@@ -173,6 +190,51 @@ private slots:
         write_bytes(root_ / "file", "x");
         QVERIFY(repair_folder(root_ / "missing").error().ends_with('.'));
         QVERIFY(repair_folder(root_ / "file").error().ends_with('.'));
+    }
+
+    void many_repair_at_once() {
+        for (unsigned number = 0; number < 5; ++number)
+            left_behind(numbered(number), noise(20'000, number));
+        std::vector<pid_t> repairers;
+        for (int i = 0; i < 4; ++i) {
+            const pid_t repairer = ::fork();
+            if (repairer == 0)
+                ::_exit(repair_folder(root_).ok() ? 0 : 1);
+            repairers.push_back(repairer);
+        }
+        for (const pid_t repairer : repairers) {
+            int status = 0;
+            QCOMPARE(::waitpid(repairer, &status, 0), repairer);
+            QCOMPARE(status, 0);
+        }
+        QVERIFY(repair_folder(root_)->empty());
+        QVERIFY(kept_numbers(root_, 20'000) == (std::set<unsigned>{0, 1, 2, 3, 4}));
+        QCOMPARE(std::distance(fs::directory_iterator(root_), fs::directory_iterator()), 5);
+    }
+
+    void a_repair_that_is_killed_is_done_again() {
+        std::mt19937 random(19620501);
+        for (int kill = 0; kill < 20; ++kill) {
+            for (unsigned number = 0; number < 3; ++number)
+                left_behind(numbered(number), noise(20'000, number));
+            const pid_t repairer = ::fork();
+            if (repairer == 0) {
+                static_cast<void>(repair_folder(root_));
+                ::_exit(0);
+            }
+            for (auto spins = random() % 3'000'000; spins > 0; --spins)
+                QCoreApplication::instance();
+            ::kill(repairer, SIGKILL);
+            int status = 0;
+            QCOMPARE(::waitpid(repairer, &status, 0), repairer);
+            const auto repaired = repair_folder(root_);
+            for (const RepairedPart& part : *repaired)
+                QVERIFY2(part.outcome == Outcome::stored, part.sentence.c_str());
+            QVERIFY(repair_folder(root_)->empty());
+            QVERIFY(kept_numbers(root_, 20'000) == (std::set<unsigned>{0, 1, 2}));
+            for (const auto& entry : fs::directory_iterator(root_))
+                fs::remove(entry);
+        }
     }
 
     void killed_at_any_moment_nothing_is_lost() {

@@ -2,9 +2,9 @@
 // A library to be preloaded: the program's own way to the disk, counted, and one call of it broken.
 //
 // TP_FAULT=kill@N    the process is killed just before the N-th call that changes a file
-// TP_FAULT=half@N    half of the bytes of the N-th call are written if it is a write, then the process is killed
-// TP_FAULT=ENOSPC@N  that call and all later ones fail so (also EIO, EROFS); writes that make nothing new succeed
-// TP_FAULT_COUNT=FILE  the number of calls is written there when the program ends
+// TP_FAULT=half@N    half of the bytes of the N-th call are written if it is a write, then the process is
+// killed TP_FAULT=ENOSPC@N  that call and all later ones fail so (also EIO, EROFS); writes that make nothing
+// new succeed TP_FAULT_COUNT=FILE  the number of calls is written there when the program ends
 // TP_FAULT_BELOW=DIR only files below it count
 #include <atomic>
 #include <cerrno>
@@ -41,7 +41,10 @@ struct Plan {
         const std::string kind(text, place);
         at = std::atol(place + 1);
         error = kind == "ENOSPC" ? ENOSPC : kind == "EIO" ? EIO : kind == "EROFS" ? EROFS : 0;
-        fault = kind == "kill" ? Fault::kill : kind == "half" ? Fault::half : error ? Fault::error : Fault::none;
+        fault = kind == "kill"   ? Fault::kill
+                : kind == "half" ? Fault::half
+                : error          ? Fault::error
+                                 : Fault::none;
     }
     ~Plan() {
         if (const char* file = std::getenv("TP_FAULT_COUNT"))
@@ -82,7 +85,8 @@ bool counts(int file) {
     return path[0] == '/' && counts(path);
 }
 
-/// Whether this call shall fail; kills where that is the plan. `write` does half of the work before a `half` kill.
+/// Whether this call shall fail; kills where that is the plan. `write` does half of the work before a `half`
+/// kill.
 template <typename Write>
 bool broken(bool counted, Write write) {
     if (!counted || plan().fault == Fault::none) {
@@ -118,10 +122,14 @@ ssize_t write(int file, const void* bytes, size_t count) {
 
 ssize_t pwrite64(int file, const void* bytes, size_t count, off64_t place) {
     const auto real = next<ssize_t (*)(int, const void*, size_t, off64_t)>("pwrite64");
-    return broken(counts(file), [&] { real(file, bytes, count / 2, place); }) ? -1 : real(file, bytes, count, place);
+    return broken(counts(file), [&] { real(file, bytes, count / 2, place); })
+               ? -1
+               : real(file, bytes, count, place);
 }
 
-ssize_t pwrite(int file, const void* bytes, size_t count, off_t place) { return pwrite64(file, bytes, count, place); }
+ssize_t pwrite(int file, const void* bytes, size_t count, off_t place) {
+    return pwrite64(file, bytes, count, place);
+}
 
 ssize_t writev(int file, const iovec* parts, int count) {
     const auto real = next<ssize_t (*)(int, const iovec*, int)>("writev");
@@ -146,7 +154,9 @@ int renameat2(int folder, const char* from, int other, const char* to, unsigned 
 int link(const char* from, const char* to) {
     return broken(counts(to)) ? -1 : next<int (*)(const char*, const char*)>("link")(from, to);
 }
-int unlink(const char* path) { return broken(counts(path)) ? -1 : next<int (*)(const char*)>("unlink")(path); }
+int unlink(const char* path) {
+    return broken(counts(path)) ? -1 : next<int (*)(const char*)>("unlink")(path);
+}
 int mkdir(const char* path, mode_t mode) {
     return broken(counts(path)) ? -1 : next<int (*)(const char*, mode_t)>("mkdir")(path, mode);
 }
@@ -159,7 +169,9 @@ int open64(const char* path, int flags, ...) {
         mode = va_arg(rest, mode_t);
         va_end(rest);
     }
-    return broken((flags & O_CREAT) && counts(path)) ? -1 : next<int (*)(const char*, int, ...)>("open64")(path, flags, mode);
+    return broken((flags & O_CREAT) && counts(path))
+               ? -1
+               : next<int (*)(const char*, int, ...)>("open64")(path, flags, mode);
 }
 int open(const char* path, int flags, ...) {
     mode_t mode = 0;
@@ -169,7 +181,9 @@ int open(const char* path, int flags, ...) {
         mode = va_arg(rest, mode_t);
         va_end(rest);
     }
-    return broken((flags & O_CREAT) && counts(path)) ? -1 : next<int (*)(const char*, int, ...)>("open")(path, flags, mode);
+    return broken((flags & O_CREAT) && counts(path))
+               ? -1
+               : next<int (*)(const char*, int, ...)>("open")(path, flags, mode);
 }
 
 } // extern "C"

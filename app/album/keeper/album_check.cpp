@@ -215,8 +215,8 @@ private:
         report_.told.insert(report_.told.end(), told->begin(), told->end());
         std::error_code error;
         for (const auto& copy : fs::directory_iterator(merged, error))
-            if (const auto put = keeper_.trash().put(
-                    {copy.path()}, "another machine's sidecar of " + readable(photo.filename().string()));
+            if (const auto put = keeper_.trash().put({copy.path()}, "another machine's sidecar of " +
+                                                                        readable(photo.filename().string()));
                 !put)
                 return put.error();
         return {};

@@ -33,7 +33,7 @@ public:
     };
     /// Takes in any sound file that can be decoded: it becomes a FLAC among the photograph's recordings.
     Result<Added> add_recording(const std::filesystem::path& photo, const std::filesystem::path& sound,
-                              const RecordingLabel& label);
+                                const RecordingLabel& label);
     /// Lists a recording that lies among the photograph's already, as the recorder leaves it, by its own
     /// comments.
     Result<Tag> list_recording(const std::filesystem::path& photo, const std::string& file);

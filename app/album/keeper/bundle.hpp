@@ -32,6 +32,11 @@ std::string write_bundle(const std::filesystem::path& bundle, const std::filesys
                          const std::vector<std::filesystem::path>& photos, const BundleProgress& report = {},
                          std::stop_token stop = {});
 
+/// The same for photographs and all photographs in folders of the album.
+std::string export_bundle(const std::filesystem::path& bundle, const std::filesystem::path& album,
+                          const std::vector<std::filesystem::path>& photos_and_folders,
+                          const BundleProgress& report = {}, std::stop_token stop = {});
+
 /// Unpacks a bundle into an empty folder, which only the owner may read. What would lie outside it, is no
 /// plain file or folder, or would be written twice is refused with the whole bundle, as is one beyond the
 /// limits or damaged. Empty when done; else why not, and the folder may hold a part.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/bundle.hpp"
+#include "app/album/keeper/import_sources.hpp"
 #include "app/album/keeper/path_text.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "core/files/file_words.hpp"
@@ -149,6 +150,15 @@ std::string write_bundle(const fs::path& bundle, const fs::path& album, const st
     if (reason.empty())
         reason = file->take_place();
     return reason.empty() ? reason : "The bundle " + quoted(bundle) + " was not written: " + reason;
+}
+
+std::string export_bundle(const fs::path& bundle, const fs::path& album,
+                          const std::vector<fs::path>& photos_and_folders, const BundleProgress& report,
+                          std::stop_token stop) {
+    std::vector<fs::path> photos;
+    for (const PhotoToImport& photo : photographs_in(photos_and_folders))
+        photos.push_back(photo.file);
+    return write_bundle(bundle, album, photos, report, std::move(stop));
 }
 
 } // namespace tp

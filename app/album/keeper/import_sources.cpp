@@ -21,23 +21,48 @@ std::uintmax_t size_of(const fs::path& file) {
 
 } // namespace
 
+std::vector<PhotoToImport> photographs_in(const std::vector<fs::path>& files_and_folders) {
+    std::vector<PhotoToImport> photos;
+    for (const fs::path& source : files_and_folders) {
+        std::error_code error;
+        if (!fs::is_directory(source, error)) {
+            photos.push_back({source, {}, size_of(source)});
+            continue;
+        }
+        std::vector<PhotoToImport> inside;
+        for (fs::recursive_directory_iterator
+                 place(source, fs::directory_options::skip_permission_denied, error),
+             end;
+             !error && place != end; place.increment(error)) {
+            const fs::path file = place->path();
+            const fs::path folder = file.parent_path().lexically_proximate(source);
+            if (place->is_directory(error) && file.filename().string().starts_with('.'))
+                place.disable_recursion_pending();
+            else if (has_photo_name(file) && place->is_regular_file(error))
+                inside.push_back({file, folder == "." ? fs::path() : folder, size_of(file)});
+        }
+        std::sort(inside.begin(), inside.end(),
+                  [](const PhotoToImport& a, const PhotoToImport& b) { return a.file < b.file; });
+        photos.insert(photos.end(), inside.begin(), inside.end());
+    }
+    return photos;
+}
+
 ImportSources::ImportSources(const std::vector<fs::path>& sources, fs::path unpack_in, std::stop_token stop)
     : unpack_in_(std::move(unpack_in)) {
     std::error_code error;
     fs::remove_all(unpack_in_, error); // what a kill left
     for (std::size_t i = 0; i < sources.size(); ++i) {
-        if (fs::is_directory(sources[i], error)) {
-            add_folder(sources[i]);
-        } else if (sources[i].extension() == ".touchphoto") {
-            const fs::path folder = unpack_in_ / std::to_string(i);
-            const std::string problem = unpack_bundle(sources[i], folder, {}, {}, stop);
-            if (problem.empty())
-                add_folder(folder);
-            else if (!stop.stop_requested())
-                problems_.emplace_back(sources[i], problem);
-        } else {
-            photos_.push_back({sources[i], {}, size_of(sources[i])});
+        if (sources[i].extension() != ".touchphoto" || fs::is_directory(sources[i], error)) {
+            add({sources[i]});
+            continue;
         }
+        const fs::path folder = unpack_in_ / std::to_string(i);
+        const std::string problem = unpack_bundle(sources[i], folder, {}, {}, stop);
+        if (problem.empty())
+            add({folder});
+        else if (!stop.stop_requested())
+            problems_.emplace_back(sources[i], problem);
     }
 }
 
@@ -46,24 +71,9 @@ ImportSources::~ImportSources() {
     fs::remove_all(unpack_in_, error);
 }
 
-void ImportSources::add_folder(const fs::path& folder) {
-    std::vector<PhotoToImport> inside;
-    std::error_code error;
-    for (fs::recursive_directory_iterator place(folder, fs::directory_options::skip_permission_denied, error),
-         end;
-         !error && place != end; place.increment(error)) {
-        const fs::path file = place->path();
-        if (place->is_directory(error) && file.filename().string().starts_with('.'))
-            place.disable_recursion_pending();
-        else if (has_photo_name(file) && place->is_regular_file(error))
-            inside.push_back({file, file.parent_path().lexically_proximate(folder), size_of(file)});
-    }
-    for (PhotoToImport& photo : inside)
-        if (photo.folder == ".")
-            photo.folder.clear();
-    std::sort(inside.begin(), inside.end(),
-              [](const PhotoToImport& a, const PhotoToImport& b) { return a.file < b.file; });
-    photos_.insert(photos_.end(), inside.begin(), inside.end());
+void ImportSources::add(const std::vector<fs::path>& files_and_folders) {
+    const std::vector<PhotoToImport> found = photographs_in(files_and_folders);
+    photos_.insert(photos_.end(), found.begin(), found.end());
 }
 
 } // namespace tp

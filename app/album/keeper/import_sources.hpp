@@ -18,6 +18,10 @@ struct PhotoToImport {
     std::uintmax_t bytes = 0;
 };
 
+/// The photographs that files and folders hold, in their order and by name within a folder. Hidden folders
+/// are passed over.
+std::vector<PhotoToImport> photographs_in(const std::vector<std::filesystem::path>& files_and_folders);
+
 /// The photographs that files, folders and bundles hold; a bundle is unpacked into a folder that goes with
 /// this object.
 class ImportSources {
@@ -36,7 +40,7 @@ public:
     const std::vector<std::pair<std::filesystem::path, std::string>>& problems() const { return problems_; }
 
 private:
-    void add_folder(const std::filesystem::path& folder);
+    void add(const std::vector<std::filesystem::path>& files_and_folders);
 
     std::filesystem::path unpack_in_;
     std::vector<PhotoToImport> photos_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/album/index/album_queries.hpp"
 #include "app/album/keeper/bundle.hpp"
 #include "app/album/keeper/importer.hpp"
 #include "app/cli/album/album_index_words.hpp"
@@ -92,8 +93,8 @@ int album_import(const QStringList& words) {
         return refused(scanned.error());
     ImportTools tools;
     tools.known = [&](const std::string& hash) {
-        const auto found = index->photo_with(hash);
-        return found ? *found : std::nullopt;
+        const auto found = AlbumQueries(*index).with_content(hash);
+        return found && *found ? std::optional((*found)->path) : std::nullopt;
     };
     tools.progress = [&](const ImportProgress& progress) {
         stop.look();

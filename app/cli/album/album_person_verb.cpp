@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/album_queries.hpp"
 #include "app/album/keeper/album_keeper.hpp"
+#include "app/album/keeper/path_text.hpp"
 #include "app/cli/album/album_index_words.hpp"
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
@@ -16,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t most_people = 100'000, most_photos = 10'000'000;
+
 fs::path first_path(const VerbLine& line) { return path_given(line.arguments().first()); }
 
 int person_list(const QStringList& words) {
@@ -26,17 +29,17 @@ int person_list(const QStringList& words) {
     auto index = filled_index(line, {first_path(line)});
     if (!index)
         return refused(index.error());
-    const auto people = people_of(*index);
+    const auto people = AlbumQueries(*index).topics("person", "", most_people);
     if (!people)
         return refused(people.error());
     const AlbumKeeper keeper(first_path(line));
-    for (const Person& person : *people) {
+    for (const TopicEntry& person : *people) {
         const auto spoken = keeper.name_recording(person.name);
         if (line.has("json"))
-            print_line({{"person", json_text(person.name)},
-                        {"photos", static_cast<qint64>(person.photos)},
-                        {"recording",
-                         spoken ? QJsonValue(json_text(spoken->string())) : QJsonValue(QJsonValue::Null)}});
+            print_line(
+                {{"person", json_text(person.name)},
+                 {"photos", static_cast<qint64>(person.photos)},
+                 {"recording", spoken ? QJsonValue(path_text(*spoken)) : QJsonValue(QJsonValue::Null)}});
         else
             std::printf("%s\t%zu%s\n", readable(person.name).c_str(), person.photos,
                         spoken ? "\tname recorded" : "");
@@ -67,10 +70,11 @@ int person_rename(const QStringList& words) {
         StopOnSignal stop;
         if (const auto scanned = scan_with_progress(*index, {first_path(line)}, stop); !scanned)
             return refused(scanned.error());
-        const auto found = photos_with(*index, from);
+        const auto found = AlbumQueries(*index).page(OfTopic{"person", from}, std::nullopt, most_photos);
         if (!found)
             return refused(found.error());
-        photos = *found;
+        for (const PhotoEntry& entry : *found)
+            photos.push_back(entry.path);
     }
     const auto changed = AlbumKeeper(first_path(line)).rename_person(photos, from, to);
     if (!changed)

@@ -51,7 +51,8 @@ class AlbumCheckTest : public QObject {
         fs::path photo = a_photo(folder, "2026/IMG_1.jpg", 1);
         fs::path sound = a_sound(folder, "sounds/a.wav", 0.5, 300.0);
         AlbumKeeper keeper{folder.path()};
-        std::string file = keeper.add_recording(photo, sound, {RecordingKind::memo, "Anna", {}, {}, {}, {}})->tag.file;
+        std::string file =
+            keeper.add_recording(photo, sound, {RecordingKind::memo, "Anna", {}, {}, {}, {}})->tag.file;
     };
 
 private slots:
@@ -84,14 +85,16 @@ private slots:
     void a_recording_that_a_crash_stopped_is_finished_and_listed() {
         Album album;
         {
-            auto part = start_recording(tags_folder(album.photo), {{RecordingKind::story, "Tom", {}, {}, {}, {}}, {}});
+            auto part = start_recording(tags_folder(album.photo),
+                                        {{RecordingKind::story, "Tom", {}, {}, {}, {}}, {}});
             QVERIFY2(part.ok(), part.error().c_str());
             const std::vector<std::int16_t> samples(48'000, 100);
             QCOMPARE(part->append(samples), std::string());
             QCOMPARE(part->sync(), std::string());
         }
         QCOMPARE(kinds(check(album.folder, false)), std::vector<Kind>{Kind::unfinished_recording});
-        QCOMPARE(kinds(check(album.folder, true)), (std::vector<Kind>{Kind::unfinished_recording, Kind::unlisted_recording}));
+        QCOMPARE(kinds(check(album.folder, true)),
+                 (std::vector<Kind>{Kind::unfinished_recording, Kind::unlisted_recording}));
         QCOMPARE(kinds(check(album.folder, false)), std::vector<Kind>{});
         const auto record = read_record(album.photo);
         QCOMPARE(record->tags.size(), std::size_t{2});
@@ -127,7 +130,8 @@ private slots:
     void a_sidecar_that_cannot_be_read_makes_way() {
         Album album;
         album.folder.write("2026/IMG_1.jpg.xmp", "<x:xmpmeta this is no XML");
-        QCOMPARE(kinds(check(album.folder, false)), (std::vector<Kind>{Kind::unreadable_sidecar, Kind::unlisted_recording}));
+        QCOMPARE(kinds(check(album.folder, false)),
+                 (std::vector<Kind>{Kind::unreadable_sidecar, Kind::unlisted_recording}));
         check(album.folder, true);
         QCOMPARE(kinds(check(album.folder, false)), std::vector<Kind>{});
         QCOMPARE(read_record(album.photo)->tags.size(), std::size_t{1});
@@ -173,7 +177,8 @@ private slots:
         const fs::path there = a_photo(elsewhere, "IMG_1.jpg", 1);
         AlbumKeeper other(elsewhere.path());
         QCOMPARE(other.name_face(there, {0.5, 0.5, 0.2, 0.2, "Tom"}), std::string());
-        album.folder.write("2026/IMG_1.jpg.sync-conflict-20260501-101500-ABCDEFG.xmp", elsewhere.read("IMG_1.jpg.xmp"));
+        album.folder.write("2026/IMG_1.jpg.sync-conflict-20260501-101500-ABCDEFG.xmp",
+                           elsewhere.read("IMG_1.jpg.xmp"));
         found_and_mended(album.folder, Kind::conflict_copy);
         QCOMPARE(read_record(album.photo)->persons, std::vector<std::string>{"Tom"});
         QCOMPARE(read_record(album.photo)->tags.size(), std::size_t{1});
@@ -183,7 +188,8 @@ private slots:
         Album album;
         album.folder.write(".touchphoto/import/2026.json", R"({"into":"","sources":[]})");
         album.folder.write(".touchphoto/trash/2026/list.json", "{");
-        QCOMPARE(kinds(check(album.folder, true)), (std::vector<Kind>{Kind::unfinished_import, Kind::damaged_trash}));
+        QCOMPARE(kinds(check(album.folder, true)),
+                 (std::vector<Kind>{Kind::unfinished_import, Kind::damaged_trash}));
     }
 
     void a_sound_that_is_none_is_said() {

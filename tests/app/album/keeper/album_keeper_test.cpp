@@ -29,8 +29,9 @@ private slots:
         const std::string bytes = album.read("2026/IMG_1.jpg");
         const fs::path sound = a_sound(album, "from/memo.wav", 2.0, 440.0);
         AlbumKeeper keeper(album.path());
-        RecordingLabel label{RecordingKind::memo, "Anna", "Grandma; Tom", "de-AT", "2026-05-01T10:15:00+02:00",
-                             "Das war\nim Garten."};
+        RecordingLabel label{
+            RecordingKind::memo,  "Anna", "Grandma; Tom", "de-AT", "2026-05-01T10:15:00+02:00",
+            "Das war\nim Garten."};
         const auto added = keeper.add_recording(photo, sound, label);
         QVERIFY2(added.ok(), added.error().c_str());
         QCOMPARE(added->warning, std::string());
@@ -101,13 +102,15 @@ private slots:
             switch (random() % 8) {
             case 0:
             case 1:
-                static_cast<void>(keeper.add_recording(photo, sound, {RecordingKind::memo, name, {}, {}, {}, {}}));
+                static_cast<void>(
+                    keeper.add_recording(photo, sound, {RecordingKind::memo, name, {}, {}, {}, {}}));
                 break;
             case 2:
                 keeper.delete_recording(photo, some_tag(photo));
                 break;
             case 3:
-                keeper.label_recording(photo, some_tag(photo), {RecordingKind::story, name, name, {}, {}, "x"});
+                keeper.label_recording(photo, some_tag(photo),
+                                       {RecordingKind::story, name, name, {}, {}, "x"});
                 break;
             case 4: {
                 const double x = 0.2 + 0.3 * static_cast<double>(random() % 3);
@@ -157,7 +160,8 @@ private slots:
         AlbumKeeper later(album.path());
         const auto entries = later.trash().entries();
         QCOMPARE(entries.size(), std::size_t{2});
-        QVERIFY(!later.restore(entries[1].id).empty()); // the recording before its photograph: nothing to list it on
+        QVERIFY(!later.restore(entries[1].id)
+                     .empty()); // the recording before its photograph: nothing to list it on
         QCOMPARE(later.restore(entries[0].id), std::string());
         QVERIFY(record_of(photo).tags.size() >= 1);
         for (const TrashEntry& entry : later.trash().entries())
@@ -185,7 +189,8 @@ private slots:
         QVERIFY(!keeper.rename_person({a}, "Anna", "").ok());
         QVERIFY(!keeper.name_face(a, {1.5, 0.4, 0.2, 0.2, "x"}).empty());
         const fs::path sound = a_sound(album, "anna.wav", 0.6, 500.0);
-        for (const std::string& name : {std::string("Anna/Maria"), std::string("..."), std::string(300, 'x'), std::string("Jörg")}) {
+        for (const std::string& name :
+             {std::string("Anna/Maria"), std::string("..."), std::string(300, 'x'), std::string("Jörg")}) {
             QCOMPARE(keeper.keep_name_recording(name, sound), std::string());
             QCOMPARE(about_recording(*keeper.name_recording(name))->notes.label.person, name);
         }

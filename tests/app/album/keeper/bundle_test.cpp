@@ -121,7 +121,8 @@ private slots:
             many.push_back({std::to_string(i), ""});
         write_zip(place / "many", many);
         limits.most_files = 10;
-        QVERIFY(unpack_bundle(place / "many", place / "out3", limits).find("more files") != std::string::npos);
+        QVERIFY(unpack_bundle(place / "many", place / "out3", limits).find("more files") !=
+                std::string::npos);
         write_zip(place / "twice", {{"a", "first"}, {"a", "second"}});
         QVERIFY(unpack_bundle(place / "twice", place / "out4").find("already") != std::string::npos);
         QCOMPARE(place.read("out4/a"), std::string("first"));

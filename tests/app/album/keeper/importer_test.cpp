@@ -25,7 +25,6 @@ class ImporterTest : public QObject {
         return files;
     }
 
-
 private slots:
     void a_photograph_comes_with_all_that_is_its_own() {
         const AlbumFolder card, album;

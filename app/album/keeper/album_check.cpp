@@ -50,14 +50,14 @@ Inventory inventory_of(const fs::path& album) {
         const fs::path file = place->path();
         const std::string name = file.filename().string();
         if (place->is_directory(error)) {
-            if (name.ends_with(tags_end))
-                found.tags.push_back(file);
             if (name.starts_with('.') && !is_own_folder(file))
                 place.disable_recursion_pending();
-            else if (is_own_folder(file.parent_path()) && name == "trash")
-                place.disable_recursion_pending();
+            else if (name.ends_with(tags_end))
+                found.tags.push_back(file);
         } else if (is_temporary(file)) {
             found.temporaries.push_back(file);
+        } else if (is_own_folder(album / *file.lexically_relative(album).begin())) {
+            continue; // the trash, and what is being imported
         } else if (has_photo_name(file)) {
             found.photos.push_back(file);
         } else if (name.ends_with(contours_end) || name.ends_with(xmp_end)) {

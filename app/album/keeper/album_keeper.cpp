@@ -15,6 +15,19 @@ namespace tp {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The name, or the name with a number where another recording has it by now.
+fs::path free_place(const fs::path& file) {
+    fs::path place = file;
+    for (int number = 2; name_taken(place); ++number)
+        place = file.parent_path() /
+                (file.stem().string() + "-" + std::to_string(number) + file.extension().string());
+    return place;
+}
+
+} // namespace
+
 AlbumKeeper::AlbumKeeper(fs::path album) : album_(std::move(album)), trash_(album_) {}
 
 std::string AlbumKeeper::outside(const fs::path& photo) const {
@@ -133,12 +146,17 @@ std::string AlbumKeeper::restore(const std::string& id) {
     const auto entry = trash_.entry(id);
     if (!entry)
         return entry.error();
-    const auto note = tag_note(entry->note);
-    if (const std::string problem = note ? outside(album_ / note->photo) : std::string{}; !problem.empty())
+    auto note = tag_note(entry->note);
+    if (!note)
+        return trash_.restore(id);
+    const fs::path photo = album_ / note->photo;
+    if (const std::string problem = outside(photo); !problem.empty())
         return problem + " Bring the photograph back first, then its recording.";
-    if (std::string problem = trash_.restore(id); !problem.empty())
+    const fs::path place = free_place(tags_folder(photo) / note->tag.file);
+    note->tag.file = place.filename().string();
+    if (std::string problem = trash_.restore(id, place.lexically_relative(album_)); !problem.empty())
         return problem;
-    return note ? list(album_ / note->photo, note->tag) : std::string{};
+    return list(photo, note->tag);
 }
 
 } // namespace tp

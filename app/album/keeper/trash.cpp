@@ -50,6 +50,15 @@ Result<std::string> new_folder(const fs::path& trash, const QDateTime& now) {
     }
 }
 
+/// A folder whose list was not on the disk when its program ended, so that nothing was moved into it either.
+bool was_never_filled(const fs::path& folder) {
+    std::error_code error;
+    for (const auto& file : fs::directory_iterator(folder, error))
+        if (!is_temporary(file.path()))
+            return false;
+    return true;
+}
+
 } // namespace
 
 fs::path Trash::kept(const std::string& id, std::size_t number) const {
@@ -106,10 +115,12 @@ std::string Trash::move_back(const TrashEntry& entry) const {
     return {};
 }
 
-std::string Trash::restore(const std::string& id) {
-    const auto what = entry(id);
+std::string Trash::restore(const std::string& id, const fs::path& instead) {
+    auto what = entry(id);
     if (!what)
         return what.error();
+    if (!instead.empty() && what->files.size() == 1 && stays_below(instead))
+        what->files[0] = instead;
     for (std::size_t i = 0; i < what->files.size(); ++i)
         if (name_taken(kept(id, i)) && name_taken(album_ / what->files[i]))
             return quoted(what->files[i]) +
@@ -169,6 +180,8 @@ std::vector<TrashEntry> Trash::entries(std::vector<std::string>* problems) const
     std::vector<TrashEntry> found;
     std::error_code error;
     for (const auto& place : fs::directory_iterator(folder(), error)) {
+        if (was_never_filled(place.path()))
+            continue;
         auto what = entry(place.path().filename().string());
         if (what)
             found.push_back(*std::move(what));

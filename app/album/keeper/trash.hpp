@@ -35,7 +35,8 @@ public:
     Result<TrashEntry> entry(const std::string& id) const;
     /// Moves everything of an entry back to where it was, and forgets the entry. Where another file has taken
     /// a place nothing is moved and the error names it.
-    std::string restore(const std::string& id);
+    /// `instead`, relative to the album's folder, is another place for an entry of one file.
+    std::string restore(const std::string& id, const std::filesystem::path& instead = {});
     /// Deletes an entry for good.
     std::string erase(const std::string& id);
     std::string empty();

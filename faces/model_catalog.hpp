@@ -46,8 +46,7 @@ struct PluggableModel {
     const char* address; ///< http or https; empty: no public one is known
     const char* origin;  ///< where it comes from, a sentence
     std::uintmax_t bytes;
-    const char*
-        sha256; ///< in hexadecimal digits; empty where it is not known: then there is no address either
+    const char* sha256; ///< in hexadecimal digits; empty: not known, and so there is no address either
 };
 
 inline constexpr PluggableModel yunet_model{
@@ -83,8 +82,7 @@ inline constexpr PluggableModel lbf_model{
     "BSD-3-Clause, says its author; of the portraits it learned from (HELEN) no terms are known",
     "",
     "It is data/lbfmodel.yaml of github.com/kurnianggoro/GSOC2017, or another that OpenCV's FacemarkLBF "
-    "wrote; "
-    "no checksum of it is known, so get it yourself and give it with --from FILE.",
+    "wrote; no checksum of it is known, so get it yourself and give it with --from FILE.",
     56'375'857, // what FacemarkLBF writes with its own parameters
     ""};
 

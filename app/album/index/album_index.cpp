@@ -63,7 +63,7 @@ Result<AlbumIndex> AlbumIndex::open(const fs::path& cache) {
     std::vector<std::string> notices;
     Result<IndexFile> file = IndexFile::open(cache, notices);
     if (file) {
-        AlbumIndex index(std::move(file->connection), file->path, {});
+        AlbumIndex index(std::move(file->connection), file->path);
         index.notices_ = std::move(notices);
         return index;
     }
@@ -81,7 +81,8 @@ Result<AlbumIndex> AlbumIndex::in_memory() {
     const std::string name =
         "touchphoto-" + std::to_string(::getpid()) + "-" + std::to_string(count.fetch_add(1));
     try {
-        AlbumIndex index(SqlConnection::to_memory(name), {}, name);
+        const MemoryTurn turn = std::make_shared<std::shared_mutex>();
+        AlbumIndex index(SqlConnection::to_memory(name, turn), {}, name, turn);
         migrate(index.connection());
         return index;
     } catch (const SqlFault& fault) {
@@ -93,9 +94,9 @@ std::string AlbumIndex::discard(const fs::path& cache) { return IndexFile::remov
 
 Result<AlbumIndex> AlbumIndex::another() const {
     try {
-        return AlbumIndex(is_in_memory() ? SqlConnection::to_memory(memory_name_)
+        return AlbumIndex(is_in_memory() ? SqlConnection::to_memory(memory_name_, turn_)
                                          : SqlConnection::to_file(file_),
-                          file_, memory_name_);
+                          file_, memory_name_, turn_);
     } catch (const SqlFault& fault) {
         return Error{sentence_of(fault)};
     }

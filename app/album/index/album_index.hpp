@@ -79,13 +79,15 @@ public:
     }
 
 private:
-    AlbumIndex(SqlConnection connection, std::filesystem::path file, std::string memory_name)
+    AlbumIndex(SqlConnection connection, std::filesystem::path file, std::string memory_name = {},
+               MemoryTurn turn = {})
         : connection_(std::make_unique<SqlConnection>(std::move(connection))), file_(std::move(file)),
-          memory_name_(std::move(memory_name)) {}
+          memory_name_(std::move(memory_name)), turn_(std::move(turn)) {}
 
     std::unique_ptr<SqlConnection> connection_;
     std::filesystem::path file_; ///< empty in memory
     std::string memory_name_;
+    MemoryTurn turn_;
     std::vector<std::string> notices_;
 };
 

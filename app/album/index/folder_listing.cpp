@@ -181,6 +181,11 @@ FolderListing list_folder(const fs::path& folder) {
     return listing;
 }
 
+std::string folder_stamp(const fs::path& folder) {
+    struct stat about {};
+    return ::stat(folder.c_str(), &about) == 0 ? stamp_of(about) : "gone";
+}
+
 std::vector<fs::path> recordings_of(const fs::path& photo) {
     const fs::path folder = recordings_folder(photo);
     std::vector<fs::path> recordings;

@@ -38,6 +38,9 @@ struct FolderListing {
 /// recordings (`IMG_1.jpg.tags`), and links to folders that this one lies in, which would lead round.
 FolderListing list_folder(const std::filesystem::path& folder);
 
+/// The stamp of a folder itself, as in its listing; "gone" where there is none.
+std::string folder_stamp(const std::filesystem::path& folder);
+
 /// The recordings of a photograph: the files in `IMG_1.jpg.tags`, by name.
 std::vector<std::filesystem::path> recordings_of(const std::filesystem::path& photo);
 

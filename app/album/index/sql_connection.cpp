@@ -32,9 +32,15 @@ bool SqlFault::damaged() const { return code == sqlite_corrupt || code == sqlite
 
 bool SqlFault::full() const { return code == sqlite_full; }
 
+SqlRun::SqlRun(QSqlQuery& query, SqlConnection& connection) : query_(&query), connection_(&connection) {
+    connection.begin_run();
+}
+
 SqlRun::~SqlRun() {
-    if (query_)
-        query_->finish();
+    if (!query_)
+        return;
+    query_->finish();
+    connection_->end_run();
 }
 
 bool SqlRun::next() {
@@ -58,24 +64,25 @@ SqlConnection SqlConnection::to_file(const std::filesystem::path& file) {
         throw SqlFault{sqlite_cannot_open, "unable to open database file"};
     ::close(descriptor);
     return {QFile::decodeName(QByteArray::fromStdString(file.string())),
-            QStringLiteral("QSQLITE_BUSY_TIMEOUT=20000"), false};
+            QStringLiteral("QSQLITE_BUSY_TIMEOUT=20000"), nullptr};
 }
 
-SqlConnection SqlConnection::to_memory(const std::string& name) {
+SqlConnection SqlConnection::to_memory(const std::string& name, const MemoryTurn& turn) {
     return {QStringLiteral("file:%1?mode=memory&cache=shared").arg(QString::fromStdString(name)),
-            QStringLiteral("QSQLITE_OPEN_URI;QSQLITE_BUSY_TIMEOUT=20000"), true};
+            QStringLiteral("QSQLITE_OPEN_URI"), turn};
 }
 
-SqlConnection::SqlConnection(const QString& path, const QString& options, bool memory)
-    : name_(unused_name()), database_(QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), name_)) {
+SqlConnection::SqlConnection(const QString& path, const QString& options, MemoryTurn turn)
+    : name_(unused_name()), database_(QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), name_)),
+      turn_(std::move(turn)) {
     database_.setDatabaseName(path);
     database_.setConnectOptions(options);
     try {
         if (!database_.open())
             fail(database_.lastError());
         run_once("PRAGMA foreign_keys = ON");
-        // In a shared memory a reader would be refused while another thread writes; it may see half a batch.
-        run_once(memory ? "PRAGMA read_uncommitted = ON" : "PRAGMA journal_mode = WAL");
+        if (!turn_)
+            run_once("PRAGMA journal_mode = WAL");
         run_once("PRAGMA synchronous = NORMAL"); // a power cut may take the last batch, never more
         run_once("PRAGMA temp_store = MEMORY");
         run_once("PRAGMA cache_size = -16000");
@@ -88,7 +95,7 @@ SqlConnection::SqlConnection(const QString& path, const QString& options, bool m
 
 SqlConnection::SqlConnection(SqlConnection&& other) noexcept
     : name_(std::exchange(other.name_, QString())), database_(std::exchange(other.database_, QSqlDatabase())),
-      queries_(std::move(other.queries_)), last_id_(other.last_id_) {}
+      queries_(std::move(other.queries_)), last_id_(other.last_id_), turn_(std::move(other.turn_)) {}
 
 SqlConnection::~SqlConnection() {
     if (name_.isEmpty())
@@ -96,6 +103,16 @@ SqlConnection::~SqlConnection() {
     queries_.clear();
     database_ = QSqlDatabase();
     QSqlDatabase::removeDatabase(name_);
+}
+
+void SqlConnection::begin_run() {
+    if (runs_++ == 0 && turn_ && !writes_)
+        turn_->lock_shared();
+}
+
+void SqlConnection::end_run() {
+    if (--runs_ == 0 && turn_ && !writes_)
+        turn_->unlock_shared();
 }
 
 QSqlQuery& SqlConnection::prepared(const char* sql) {
@@ -111,7 +128,7 @@ QSqlQuery& SqlConnection::prepared(const char* sql) {
 }
 
 SqlRun SqlConnection::execute(QSqlQuery& query) {
-    SqlRun run(query);
+    SqlRun run(query, *this);
     if (!query.exec())
         fail(query.lastError());
     if (!query.isSelect())
@@ -122,6 +139,7 @@ SqlRun SqlConnection::execute(QSqlQuery& query) {
 void SqlConnection::run_once(const std::string& sql) {
     QSqlQuery query(database_);
     query.setForwardOnly(true);
+    const SqlRun run(query, *this);
     if (!query.exec(QString::fromStdString(sql)))
         fail(query.lastError());
 }
@@ -137,7 +155,15 @@ QVariant SqlConnection::variant(SqlBytes value) {
 }
 
 SqlTransaction::SqlTransaction(SqlConnection& connection) : connection_(connection) {
-    connection_.run("BEGIN IMMEDIATE");
+    if (connection_.turn_)
+        connection_.turn_->lock();
+    connection_.writes_ = true;
+    try {
+        connection_.run("BEGIN IMMEDIATE");
+    } catch (const SqlFault&) {
+        end();
+        throw;
+    }
 }
 
 SqlTransaction::~SqlTransaction() {
@@ -147,11 +173,19 @@ SqlTransaction::~SqlTransaction() {
         connection_.run("ROLLBACK");
     } catch (const SqlFault&) { // SQLite has undone it by itself already, as on a full disk
     }
+    end();
 }
 
 void SqlTransaction::commit() {
     connection_.run("COMMIT");
     open_ = false;
+    end();
+}
+
+void SqlTransaction::end() {
+    connection_.writes_ = false;
+    if (connection_.turn_)
+        connection_.turn_->unlock();
 }
 
 } // namespace tp

@@ -10,9 +10,11 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <shared_mutex>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 namespace tp {
 
@@ -25,11 +27,19 @@ struct SqlFault {
     bool full() const;
 };
 
+class SqlConnection;
+class SqlTransaction;
+
+/// Lets one thread at a time write to a database in memory, and no other read meanwhile: what SQLite does for
+/// files by itself. A thread may come in several times.
+using MemoryTurn = std::shared_ptr<std::shared_mutex>;
+
 /// The result of one query. At most one of the same query at a time; ended, it holds no lock.
 class SqlRun {
 public:
-    explicit SqlRun(QSqlQuery& query) : query_(&query) {}
-    SqlRun(SqlRun&& other) noexcept : query_(std::exchange(other.query_, nullptr)) {}
+    SqlRun(QSqlQuery& query, SqlConnection& connection);
+    SqlRun(SqlRun&& other) noexcept
+        : query_(std::exchange(other.query_, nullptr)), connection_(other.connection_) {}
     SqlRun& operator=(SqlRun&&) = delete;
     ~SqlRun();
 
@@ -42,6 +52,7 @@ public:
 
 private:
     QSqlQuery* query_;
+    SqlConnection* connection_;
 };
 
 /// Bytes that need not be text, such as a file's name.
@@ -55,7 +66,7 @@ public:
     /// Throws SqlFault. The file is made where it is missing, for its owner only.
     static SqlConnection to_file(const std::filesystem::path& file);
     /// A database in this process's memory, gone with the last connection to it.
-    static SqlConnection to_memory(const std::string& name);
+    static SqlConnection to_memory(const std::string& name, const MemoryTurn& turn);
     SqlConnection(SqlConnection&& other) noexcept;
     SqlConnection& operator=(SqlConnection&&) = delete;
     ~SqlConnection();
@@ -73,7 +84,11 @@ public:
     std::int64_t last_id() const { return last_id_; } ///< of the row inserted last by `run`
 
 private:
-    SqlConnection(const QString& path, const QString& options, bool memory);
+    friend SqlRun;
+    friend SqlTransaction;
+    SqlConnection(const QString& path, const QString& options, MemoryTurn turn);
+    void begin_run();
+    void end_run();
     QSqlQuery& prepared(const char* sql);
     SqlRun execute(QSqlQuery& query);
 
@@ -92,6 +107,9 @@ private:
     QSqlDatabase database_;
     std::unordered_map<const char*, std::unique_ptr<QSqlQuery>> queries_;
     std::int64_t last_id_ = 0;
+    MemoryTurn turn_; ///< none for a file
+    int runs_ = 0;    ///< that are not ended
+    bool writes_ = false;
 };
 
 /// All or nothing: undone unless committed. Other writers wait from its first moment.
@@ -104,6 +122,8 @@ public:
     void commit();
 
 private:
+    void end();
+
     SqlConnection& connection_;
     bool open_ = true;
 };

@@ -28,6 +28,13 @@ public:
         };
     }
 
+    ~TestAlbum() { // QTemporaryDir does not remove names that are no UTF-8
+        std::error_code none;
+        fs::remove_all(root(), none);
+    }
+    TestAlbum(const TestAlbum&) = delete;
+    TestAlbum& operator=(const TestAlbum&) = delete;
+
     fs::path top() const { return fs::canonical(dir_.path().toStdString()); }
     fs::path root() const { return fs::path(dir_.path().toStdString()) / "album"; }
     fs::path cache() const { return fs::path(dir_.path().toStdString()) / "cache"; }

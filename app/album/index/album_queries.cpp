@@ -5,6 +5,7 @@
 #include "app/album/index/search_words.hpp"
 #include "app/album/index/sort_keys.hpp"
 
+#include <QByteArray>
 #include <QString>
 
 #include <algorithm>
@@ -138,6 +139,15 @@ Result<std::optional<PhotoEntry>> AlbumQueries::find(const fs::path& photo) {
     return index_.guarded([&] {
         return first_entry(index_.connection().run(of_path, SqlBytes{photo.parent_path().native()},
                                                    SqlBytes{photo.filename().native()}));
+    });
+}
+
+Result<std::optional<PhotoEntry>> AlbumQueries::with_content(std::string_view sha256) {
+    const std::string bytes =
+        QByteArray::fromHex(QByteArray(sha256.data(), static_cast<qsizetype>(sha256.size()))).toStdString();
+    return index_.guarded([&] {
+        return first_entry(index_.connection().run(TP_ENTRY TP_PHOTOS " AND p.hash = ? ORDER BY p.id LIMIT 1",
+                                                   SqlBytes{bytes}));
     });
 }
 

@@ -70,6 +70,8 @@ public:
     Result<std::optional<PhotoEntry>> neighbour(const PhotoList& list, const PlaceInList& of,
                                                 Direction direction);
     Result<std::optional<PhotoEntry>> find(const std::filesystem::path& photo);
+    /// A photograph with these bytes, by their SHA-256 in hexadecimal.
+    Result<std::optional<PhotoEntry>> with_content(std::string_view sha256);
     Result<std::optional<PhotoSummary>> summary(PhotoId photo);
     /// Any photograph, each as likely as another; the same for the same seed and index.
     Result<std::optional<PhotoEntry>> surprise(std::uint64_t seed);

@@ -15,6 +15,6 @@ struct SoundFormat {
 
 /// Longest recording that is made or taken in, in seconds: a day. Also what keeps a hostile file, which may
 /// claim to last for ages, from filling the disk.
-constexpr std::uint64_t longest_recording_s = 24 * 60 * 60;
+constexpr std::uint64_t longest_recording_s = std::uint64_t{24} * 60 * 60;
 
 } // namespace tp

@@ -80,12 +80,15 @@ bool is_blank(pugi::xml_node node) {
            std::string_view(node.value()).find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-/// What comes out is UTF-8, whatever went in.
+/// What comes out is UTF-8, whatever went in; a reader may take any word of the declaration for an encoding.
 void declare_utf8(pugi::xml_node document) {
     for (pugi::xml_node child : document.children())
-        if (child.type() == pugi::node_declaration)
-            if (pugi::xml_attribute encoding = child.attribute("encoding"))
-                encoding.set_value("UTF-8");
+        if (child.type() == pugi::node_declaration) {
+            while (child.remove_attribute(child.first_attribute())) {
+            }
+            child.append_attribute("version").set_value("1.0");
+            child.append_attribute("encoding").set_value("UTF-8");
+        }
 }
 
 } // namespace

@@ -9,9 +9,7 @@ namespace tp {
 namespace {
 
 /// Whether it can stand before or after the colon of a name.
-bool is_plain(std::string_view part) {
-    return !part.empty() && part.find(':') == std::string_view::npos;
-}
+bool is_plain(std::string_view part) { return !part.empty() && part.find(':') == std::string_view::npos; }
 
 } // namespace
 

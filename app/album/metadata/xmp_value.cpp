@@ -8,7 +8,12 @@
 
 namespace tp {
 
-bool XmpValue::operator==(const XmpValue&) const = default;
+bool XmpValue::operator==(const XmpValue& other) const {
+    return form == other.form && text == other.text && fields == other.fields && items == other.items &&
+           qualifiers == other.qualifiers;
+}
+
+bool XmpField::operator==(const XmpField& other) const { return name == other.name && value == other.value; }
 
 XmpValue XmpValue::of(std::string_view text) {
     XmpValue value;

@@ -37,13 +37,13 @@ struct XmpValue {
     void set_field(const XmpName& name, XmpValue value);
     void remove_field(const XmpName& name);
 
-    bool operator==(const XmpValue&) const;
+    bool operator==(const XmpValue& other) const; // written out: Clang 14 crashes on a recursive default
 };
 
 struct XmpField {
     XmpName name;
     XmpValue value;
-    bool operator==(const XmpField&) const = default;
+    bool operator==(const XmpField& other) const;
 };
 
 } // namespace tp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/folder_lock.hpp"
 #include "core/files/whole_file.hpp"
 
 #include <QTemporaryDir>
@@ -73,6 +74,31 @@ private slots:
         ::chmod((root_ / "a").c_str(), 0640);
         QCOMPARE(replace_file(root_ / "a", "y"), std::string());
         QCOMPARE(mode_of(root_ / "a"), 0640u);
+    }
+
+    void what_was_swapped_out_can_be_looked_at() {
+        QCOMPARE(replace_file(root_ / "a", "theirs"), std::string());
+        {
+            auto made = NewFile::beside(root_ / "a");
+            QCOMPARE(made->write("ours"), std::string());
+            QCOMPARE(made->take_place(Existing::swapped), std::string());
+            QCOMPARE(content(root_ / "a"), std::string("ours"));
+            if (!made->temporary().empty()) // a file system that cannot swap
+                QCOMPARE(content(made->temporary()), std::string("theirs"));
+        }
+        QCOMPARE(files_here(), 1L);
+        auto alone = NewFile::beside(root_ / "b");
+        QVERIFY(!alone->take_place(Existing::swapped).empty() || alone->temporary().empty());
+    }
+
+    void a_folder_is_locked_by_one() {
+        {
+            const FolderLock first(root_);
+            QVERIFY(first.held());
+            QVERIFY(!FolderLock(root_, std::chrono::milliseconds(0)).held());
+        }
+        QVERIFY(FolderLock(root_, std::chrono::milliseconds(0)).held());
+        QCOMPARE(files_here(), 0L);
     }
 
     void one_that_is_given_up_leaves_nothing() {

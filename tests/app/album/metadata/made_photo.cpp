@@ -75,6 +75,37 @@ std::string webp_bytes() {
     return {"RIFF\x1A\0\0\0WEBPVP8L\x0D\0\0\0\x2F\0\0\0\x10\x07\x10\x11\x11\x88\x88\xFE\x07\0", 34};
 }
 
+std::string heic_bytes(int width, int height, std::string_view xmp) {
+    const auto number = [](std::size_t n, int bytes) {
+        return big_endian(static_cast<std::uint32_t>(n), bytes);
+    };
+    const auto box = [&](std::string type_and_data) {
+        return number(type_and_data.size() + 4, 4).append(type_and_data);
+    };
+    const std::string full(4, '\0'); // version 0, no flags
+    const auto entry = [&](int item, const char* type, const std::string& rest) {
+        return box(std::string("infe\2\0\0\0", 8) + number(static_cast<std::size_t>(item), 2) + number(0, 2) +
+                   type + rest);
+    };
+    const std::string before = box(std::string("ftypheic\0\0\0\0mif1heic", 20));
+    const auto meta = [&](std::size_t xmp_at) {
+        const std::string size =
+            number(static_cast<std::size_t>(width), 4) + number(static_cast<std::size_t>(height), 4);
+        const std::string extent = number(0, 2) + number(1, 2);
+        return box("meta" + full + box("hdlr" + full + number(0, 4) + "pict" + std::string(13, '\0')) +
+                   box("pitm" + full + number(1, 2)) +
+                   box("iinf" + full + number(2, 2) + entry(1, "hvc1", std::string(1, '\0')) +
+                       entry(2, "mime", std::string("\0application/rdf+xml\0", 21))) +
+                   box("iprp" + box("ipco" + box("ispe" + full + size)) +
+                       box("ipma" + full + number(1, 4) + number(1, 2) + std::string("\1\1", 2))) +
+                   box("iloc" + full + std::string("\x44\0", 2) + number(2, 2) + number(1, 2) + extent +
+                       number(xmp_at, 4) + number(0, 4) + number(2, 2) + extent + number(xmp_at, 4) +
+                       number(xmp.size(), 4)));
+    };
+    const std::size_t xmp_at = before.size() + meta(0).size() + 8;
+    return before + meta(xmp_at) + box(std::string("mdat").append(xmp));
+}
+
 void write_bytes(const std::filesystem::path& file, std::string_view bytes) {
     std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }

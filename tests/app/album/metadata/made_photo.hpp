@@ -14,6 +14,8 @@ std::string jpeg_bytes(int width, int height);
 std::string png_bytes(int width, int height);
 std::string tiff_bytes(int width, int height);
 std::string webp_bytes(); ///< 1 by 1
+/// With a packet of XMP as its second item, as phones write it.
+std::string heic_bytes(int width, int height, std::string_view xmp);
 
 void write_bytes(const std::filesystem::path& file, std::string_view bytes);
 std::string bytes_of(const std::filesystem::path& file);

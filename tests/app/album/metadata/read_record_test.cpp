@@ -363,6 +363,16 @@ private slots:
         QCOMPARE(read.place_name, std::string("Graz"));
     }
 
+    void a_phones_heic() {
+        photo_ = photo_.parent_path() / "IMG_2.HEIC";
+        write_bytes(photo_, heic_bytes(4032, 3024, packet("photoshop:City='Graz'", "")));
+        const PhotoRecord read = record();
+        QCOMPARE(read.width, 4032LL);
+        QCOMPARE(read.height, 3024LL);
+        QCOMPARE(read.place_name, std::string("Graz"));
+        QVERIFY2(read.problems.empty(), read.problems.empty() ? "" : read.problems.front().c_str());
+    }
+
     void dates_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("expected");

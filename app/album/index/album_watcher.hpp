@@ -26,8 +26,8 @@ public:
     };
     explicit AlbumWatcher(Times times, QObject* parent = nullptr);
 
-    /// Watches these folders and no others (`AlbumIndex::folders`, again after each scan). What happened
-    /// before this call is the scan's matter.
+    /// Watches these folders and no others: `AlbumIndex::folders`, before a scan and again after it, so that
+    /// nothing falls between the two.
     void set_folders(const std::vector<std::filesystem::path>& folders);
     /// For tests: how many folders the system may watch.
     void set_most_watched(std::size_t most) { most_watched_ = most; }

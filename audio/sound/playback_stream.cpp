@@ -74,15 +74,21 @@ std::size_t PlaybackStream::pull(std::span<float> samples) {
     if (got == samples.size() || no_more)
         return got;
     std::fill(samples.begin() + static_cast<std::ptrdiff_t>(got), samples.end(), 0.0F);
-    starved_.fetch_add(static_cast<std::int64_t>(samples.size() - got) / played_channels,
-                       std::memory_order_relaxed);
+    starved_ += static_cast<std::int64_t>(samples.size() - got) / played_channels;
     return samples.size();
 }
 
+/// What was starved may still be on its way; the place then stands still until it has been heard.
+void PlaybackStream::heard(std::int64_t frames) {
+    begun_.store(frames >= silence_frames_, std::memory_order_relaxed);
+    const std::int64_t sounded = frames - silence_frames_ - starved_;
+    if (sounded > sounded_.load(std::memory_order_relaxed))
+        sounded_.store(sounded, std::memory_order_relaxed);
+}
+
 double PlaybackStream::position_s() const {
-    const std::int64_t frames =
-        heard_.load(std::memory_order_relaxed) - silence_frames_ - starved_.load(std::memory_order_relaxed);
-    const double since = static_cast<double>(std::max<std::int64_t>(frames, 0)) / sound_rate * what_.speed;
+    const double since =
+        static_cast<double>(sounded_.load(std::memory_order_relaxed)) / sound_rate * what_.speed;
     return std::min(what_.begin_s + since, duration_s_);
 }
 

@@ -37,16 +37,14 @@ public:
     // The output's thread's.
     /// A disk that is too slow is heard as silence, not as an end.
     std::size_t pull(std::span<float> samples) override;
-    void heard(std::int64_t frames) override { heard_.store(frames, std::memory_order_relaxed); }
+    void heard(std::int64_t frames) override;
 
     // The owner's thread's; valid once open() has returned.
     double duration_s() const { return duration_s_; }
     /// What is being heard now, in the recording's own seconds.
     double position_s() const;
     /// The silence before it is over.
-    bool begun() const { return heard_.load(std::memory_order_relaxed) >= silence_frames_; }
-    /// The decoding thread came too late for so many frames.
-    std::int64_t starved_frames() const { return starved_.load(std::memory_order_relaxed); }
+    bool begun() const { return begun_.load(std::memory_order_relaxed); }
     /// How much of the buffer is filled, 0–1.
     double buffered() const;
 
@@ -65,8 +63,9 @@ private:
     SampleRing ring_;
     std::atomic<bool> all_given_{false}; ///< everything is in the ring
     std::int64_t silence_left_;          ///< the output's
-    std::atomic<std::int64_t> heard_{0};
-    std::atomic<std::int64_t> starved_{0};
+    std::int64_t starved_ = 0;           ///< the output's: frames for which the decoding thread came too late
+    std::atomic<bool> begun_{false};
+    std::atomic<std::int64_t> sounded_{0}; ///< frames of the recording that were heard
 };
 
 } // namespace tp

@@ -2,14 +2,13 @@
 #include "audio/sound/playback_stream.hpp"
 #include "audio/sound/sample_ring.hpp"
 #include "audio/sound/sound_format.hpp"
-#include "audio/sound/threaded_filler.hpp"
 #include "sound_files.hpp"
 
-#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <thread>
 
@@ -57,51 +56,38 @@ private slots:
         const std::vector<float> source = tone(440.0, 6.0, sound_rate);
         write_wav(file, source, sound_rate);
 
-        ThreadedFiller filler;
-        QSignalSpy ready(&filler, &StreamFiller::ready);
-        auto stream = std::make_shared<PlaybackStream>(PlaybackStream::What{file});
-        filler.begin(7, stream);
-        QTRY_COMPARE_WITH_TIMEOUT(ready.size(), 1, 60000);
-        QCOMPARE(ready.last().at(0).value<quint64>(), 7u);
+        PlaybackStream stream(PlaybackStream::What{file});
+        QCOMPARE(stream.open(), std::string());
+        std::thread decoder([&stream] {
+            while (stream.fill())
+                std::this_thread::yield();
+        });
 
         std::atomic<bool> over{false};
         std::size_t sounded = 0;
         std::thread listener([&] {
             std::array<float, 960> block{};
             for (std::int64_t frames = 0; !over;) {
-                const std::size_t got = stream->pull(block);
+                const std::size_t got = stream.pull(block);
                 for (std::size_t i = 0; i < got; ++i)
                     sounded += block[i] != 0.0F ? 1 : 0;
                 frames += static_cast<std::int64_t>(got) / played_channels;
-                stream->heard(frames);
+                stream.heard(frames);
                 over = got < block.size();
             }
         });
-        while (!over)
-            QTest::qWait(1); // lets the filler's thread speak to this one
-        listener.join();
-        QVERIFY(sounded > 2 * source.size() * 9 / 10); // all but the tone's own zeros
-        QVERIFY(std::abs(stream->position_s() - 6.0) < 1e-3);
-    }
-
-    void what_cannot_be_read_is_said() {
-        ThreadedFiller filler;
-        QSignalSpy unreadable(&filler, &StreamFiller::unreadable);
-        filler.begin(1, std::make_shared<PlaybackStream>(PlaybackStream::What{"/nowhere/story.flac"}));
-        QTRY_COMPARE_WITH_TIMEOUT(unreadable.size(), 1, 60000);
-        QVERIFY(unreadable.last().at(1).toString().contains("story.flac"));
-    }
-
-    void a_stream_can_be_left_at_any_time() {
-        const QTemporaryDir folder;
-        const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "tone.wav";
-        write_wav(file, tone(440.0, 3.0, sound_rate), sound_rate);
-        ThreadedFiller filler;
-        for (quint64 run = 1; run < 30; ++run) {
-            filler.begin(run, std::make_shared<PlaybackStream>(PlaybackStream::What{file, 0.5, 1.5}));
-            if (run % 3 == 0)
-                filler.leave();
+        double before = 0.0;
+        int backwards = 0;
+        while (!over) {
+            const double now = stream.position_s();
+            backwards += now < before ? 1 : 0;
+            before = now;
         }
+        listener.join();
+        decoder.join();
+        QCOMPARE(backwards, 0);
+        QVERIFY(sounded > 2 * source.size() * 9 / 10); // all but the tone's own zeros
+        QVERIFY(std::abs(stream.position_s() - 6.0) < 1e-3);
     }
 };
 

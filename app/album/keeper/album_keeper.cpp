@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/album_keeper.hpp"
 
-#include "app/album/keeper/album_lock.hpp"
 #include "app/album/keeper/path_text.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/keeper/tag_note.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/folder_lock.hpp"
 
 #include <memory>
 #include <system_error>
@@ -42,9 +42,6 @@ std::string AlbumKeeper::outside(const fs::path& photo) const {
 std::string AlbumKeeper::change_sidecar(const fs::path& photo, const Change& change) {
     if (std::string problem = outside(photo); !problem.empty())
         return problem;
-    const auto lock = AlbumLock::take(album_);
-    if (!lock)
-        return "Nothing can be changed in the album " + quoted(album_) + ": " + lock.error();
     std::string unreadable;
     const std::string problem = write_sidecar(photo, [&](const PhotoRecord& record) {
         SidecarChanges changes = change(record);
@@ -63,9 +60,9 @@ std::string AlbumKeeper::change_sidecar(const fs::path& photo, const Change& cha
 std::string AlbumKeeper::delete_photo(const fs::path& photo) {
     if (std::string problem = outside(photo); !problem.empty())
         return problem;
-    const auto lock = AlbumLock::take(album_);
-    if (!lock)
-        return "Nothing can be deleted from the album " + quoted(album_) + ": " + lock.error();
+    const FolderLock lock(photo.parent_path());
+    if (!lock.held())
+        return "Another program is at work on " + quoted(photo) + "; try again.";
     std::vector<fs::path> files;
     for (const Companion& companion : companions_of(photo))
         files.push_back(companion.file);
@@ -121,9 +118,9 @@ std::string AlbumKeeper::describe(const fs::path& photo, const std::string& lang
 std::string AlbumKeeper::move_companions(const fs::path& from, const fs::path& to) {
     if (std::string problem = outside(to); !problem.empty())
         return problem;
-    const auto lock = AlbumLock::take(album_);
-    if (!lock)
-        return "Nothing can be moved in the album " + quoted(album_) + ": " + lock.error();
+    const FolderLock lock(to.parent_path());
+    if (!lock.held())
+        return "Another program is at work on " + quoted(to) + "; try again.";
     const std::vector<Companion> companions = companions_of(from);
     for (const Companion& companion : companions)
         if (name_taken(beside(to, companion)))

@@ -88,7 +88,7 @@ public:
 
 private:
     using Change = std::function<SidecarChanges(const PhotoRecord&)>;
-    /// Reads, changes and writes the sidecar under the album's lock.
+    /// Reads, changes and writes the sidecar; nobody of ours comes between.
     std::string change_sidecar(const std::filesystem::path& photo, const Change& change);
     std::string list(const std::filesystem::path& photo, const Tag& tag);
     std::string unlist(const std::filesystem::path& photo, const std::string& file);

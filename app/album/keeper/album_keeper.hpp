@@ -19,8 +19,8 @@ namespace tp {
 /// the disk when it returns and can be taken back; the photograph's own bytes are never written.
 ///
 /// A text that is returned is empty when done; else a sentence, and nothing was changed unless it says so.
-/// Two programs may work on one album: each step reads, changes and writes under the album's lock. One thread
-/// at a time.
+/// Two programs may work on one album: what a step reads, changes and writes, no other changes meanwhile. One
+/// thread at a time.
 class AlbumKeeper {
 public:
     explicit AlbumKeeper(std::filesystem::path album);

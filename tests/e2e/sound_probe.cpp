@@ -13,6 +13,7 @@
 #include <QSocketNotifier>
 
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <unistd.h>
 
@@ -80,10 +81,12 @@ int play(double speed, char** files) {
 int main(int argc, char** argv) {
     QCoreApplication application(argc, argv);
     const std::string verb = argc > 2 ? argv[1] : "";
-    if (verb == "record")
-        return record(argv[2]);
-    if (verb == "play" && argc > 3)
-        return play(std::stod(argv[2]), argv + 3);
-    std::fputs("sound_probe record FOLDER | play SPEED FILE…\n", stderr);
-    return 2;
+    if (verb != "record" && (verb != "play" || argc < 4)) {
+        std::fputs("sound_probe record FOLDER | play SPEED FILE…\n", stderr);
+        return 2;
+    }
+    const int status = verb == "record" ? record(argv[2]) : play(std::stod(argv[2]), argv + 3);
+    // Qt 6.4 takes down its connection to PulseAudio, after main(), without the lock that libpulse wants,
+    // which aborts where a message arrives meanwhile.
+    std::_Exit(status);
 }

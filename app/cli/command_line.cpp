@@ -12,6 +12,11 @@ void say_problem(const std::string& sentence, const std::string& about) {
     say(about.empty() ? sentence : about + ": " + sentence);
 }
 
+int refused(const std::string& sentence) {
+    say_problem(sentence);
+    return exit_bad_input;
+}
+
 void say(const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }
 
 int wrong_usage(const QString& verb, const std::string& sentence) {

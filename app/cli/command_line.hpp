@@ -20,6 +20,8 @@ enum ExitCode {
 
 /// One sentence to stderr, with `about` (a file's name, say) before it.
 void say_problem(const std::string& sentence, const std::string& about = {});
+/// The same; exit_bad_input.
+int refused(const std::string& sentence);
 /// A line of progress or news to stderr; stdout is for machines.
 void say(const std::string& line);
 

@@ -105,11 +105,6 @@ bool agreed(const char* question) {
     return word == "y" || word == "yes";
 }
 
-int refused(const std::string& sentence) {
-    say_problem(sentence);
-    return exit_bad_input;
-}
-
 /// The model of that name, or the sentence that says which there are.
 Result<const PluggableModel*> named(const std::string& name) {
     std::string names;

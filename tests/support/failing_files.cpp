@@ -161,29 +161,18 @@ int mkdir(const char* path, mode_t mode) {
     return broken(counts(path)) ? -1 : next<int (*)(const char*, mode_t)>("mkdir")(path, mode);
 }
 
-int open64(const char* path, int flags, ...) {
-    mode_t mode = 0;
-    if (flags & O_CREAT) {
-        va_list rest;
-        va_start(rest, flags);
-        mode = va_arg(rest, mode_t);
-        va_end(rest);
+#define TP_OPEN(name)                                                                                        \
+    int name(const char* path, int flags, ...) {                                                             \
+        va_list rest;                                                                                        \
+        va_start(rest, flags);                                                                               \
+        const mode_t mode = flags & O_CREAT ? va_arg(rest, mode_t) : 0;                                      \
+        va_end(rest);                                                                                        \
+        return broken((flags & O_CREAT) && counts(path))                                                     \
+                   ? -1                                                                                      \
+                   : next<int (*)(const char*, int, ...)>(#name)(path, flags, mode);                         \
     }
-    return broken((flags & O_CREAT) && counts(path))
-               ? -1
-               : next<int (*)(const char*, int, ...)>("open64")(path, flags, mode);
-}
-int open(const char* path, int flags, ...) {
-    mode_t mode = 0;
-    if (flags & O_CREAT) {
-        va_list rest;
-        va_start(rest, flags);
-        mode = va_arg(rest, mode_t);
-        va_end(rest);
-    }
-    return broken((flags & O_CREAT) && counts(path))
-               ? -1
-               : next<int (*)(const char*, int, ...)>("open")(path, flags, mode);
-}
+TP_OPEN(open)
+TP_OPEN(open64)
+#undef TP_OPEN
 
 } // extern "C"

@@ -31,7 +31,8 @@ public:
         Tag tag;
         std::string warning; ///< a sentence where not all of the sound could be read
     };
-    /// Takes in any sound file that can be decoded: it becomes a FLAC among the photograph's recordings.
+    /// Takes in any sound file that can be decoded: it becomes a FLAC among the photograph's recordings. Where the
+    /// label does not say when it was recorded, the file's time does.
     Result<Added> add_recording(const std::filesystem::path& photo, const std::filesystem::path& sound,
                                 const RecordingLabel& label);
     /// Lists a recording that lies among the photograph's already, as the recorder leaves it, by its own

@@ -11,6 +11,10 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
+#include <QDateTime>
+#include <QFile>
+#include <QFileInfo>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -29,6 +33,13 @@ auto find_tag(std::vector<Tag>& tags, const std::string& file) {
 std::string words_for(const Tag& tag) {
     const std::string kind(name_of(tag.label.kind));
     return "the " + (tag.label.person.empty() ? kind : kind + " about " + readable(tag.label.person));
+}
+
+/// When a file was last changed, which for a sound is when it ended: ISO 8601 with offset.
+std::string time_of(const fs::path& file) {
+    const QDateTime time = QFileInfo(QFile::decodeName(file.c_str())).lastModified();
+    return time.isValid() ? time.toOffsetFromUtc(time.offsetFromUtc()).toString(Qt::ISODate).toStdString()
+                          : std::string{};
 }
 
 Error unknown(const fs::path& photo, const std::string& file) {
@@ -72,7 +83,12 @@ Result<AlbumKeeper::Added> AlbumKeeper::add_recording(const fs::path& photo, con
                                                       const RecordingLabel& label) {
     if (std::string problem = outside(photo); !problem.empty())
         return Error{problem};
-    const auto kept = import_sound(sound, tags_folder(photo), {label, {}});
+    RecordingNotes notes{label, {}};
+    if (const auto about = about_recording(sound))
+        notes.chapters = about->notes.chapters;
+    if (notes.label.recorded.empty())
+        notes.label.recorded = time_of(sound);
+    const auto kept = import_sound(sound, tags_folder(photo), notes);
     if (!kept)
         return Error{quoted(sound) + " cannot be taken in: " + kept.error()};
     auto tag = list_recording(photo, kept->file.filename().string());

@@ -4,6 +4,7 @@
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
+#include "audio/recordings/recording_file.hpp"
 #include "core/files/file_words.hpp"
 
 #include <array>
@@ -84,7 +85,8 @@ int tag_add(const QStringList& words) {
         return *over;
     if (!line.has("from"))
         return wrong_usage("album tag add", "It needs --from FILE.");
-    const auto label = labelled(line, {});
+    const auto about = about_recording(path_given(line.text("from"))); // what it says of itself, if anything
+    const auto label = labelled(line, about ? about->notes.label : RecordingLabel{});
     if (!label)
         return wrong_usage("album tag add", label.error());
     AlbumKeeper keeper(album_around(photo_given(line)));

@@ -25,11 +25,6 @@ fs::path album_around(const fs::path& photo) {
     return photo.parent_path();
 }
 
-int refused(const std::string& sentence) {
-    say_problem(sentence);
-    return exit_bad_input;
-}
-
 int run_sub_verb(const char* verb, std::span<const SubVerb> verbs, const QStringList& words) {
     for (const SubVerb& one : verbs)
         if (!words.isEmpty() && words.first() == QLatin1String(one.name))

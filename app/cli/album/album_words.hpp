@@ -20,9 +20,6 @@ std::filesystem::path path_given(const QString& word);
 /// it, else the photograph's own.
 std::filesystem::path album_around(const std::filesystem::path& photo);
 
-/// The sentence, on stderr; exit_bad_input.
-int refused(const std::string& sentence);
-
 /// A verb that other verbs follow.
 struct SubVerb {
     const char* name;

@@ -139,12 +139,16 @@ private:
     void half_written(const fs::path& file) {
         if (writer_lives(file))
             return;
-        found(Kind::half_written, file, quoted(file) + " was being written when its program ended.",
-              "It is deleted.", [&] {
-                  std::error_code error;
-                  fs::remove(file, error);
-                  return error ? reason_of(error.value()) : sync_folder(file.parent_path());
-              });
+        const std::string sentence = quoted(file) + " was being written when its program ended.";
+        if (content_hash_in(file)) // a whole sidecar: may be what another program wrote at that moment
+            return found(Kind::half_written, file, sentence, "It goes to the trash.", [&] {
+                return keeper_.trash().put({file}, "a sidecar that was being replaced").error();
+            });
+        found(Kind::half_written, file, sentence, "It is deleted.", [&] {
+            std::error_code error;
+            fs::remove(file, error);
+            return error ? reason_of(error.value()) : sync_folder(file.parent_path());
+        });
     }
 
     void unfinished_recordings(const fs::path& folder) {

@@ -72,6 +72,9 @@ private slots:
         Album album;
         album.folder.write("2026/.touchphoto-999999999-0.tmp", "half");
         found_and_mended(album.folder, Kind::half_written);
+        album.folder.write("2026/.touchphoto-999999999-1.tmp", album.folder.read("2026/IMG_1.jpg.xmp"));
+        found_and_mended(album.folder, Kind::half_written);
+        QCOMPARE(album.keeper.trash().entries().size(), std::size_t{1});
     }
 
     void a_file_that_is_being_written_is_left_alone() {

@@ -119,7 +119,7 @@ class FaceExtractorTest : public QObject {
                                                     {feature::right_eye, 0.48},
                                                     {feature::outer_lip, 0.86},
                                                     {feature::inner_lip, 0.3},
-                                                    {feature::outline, 1.56}};
+                                                    {feature::outline, 1.30}};
 
 private slots:
     void portraits_are_accurate() {

@@ -27,6 +27,7 @@ namespace {
 
 struct Told {
     std::vector<std::string> acknowledged;
+    std::vector<std::string> refused;
     std::string last_try; ///< what was being done when it ended; empty: it ended by itself
     bool said_why = true; ///< each refusal was a sentence
 };
@@ -39,9 +40,10 @@ Told told_in(const QByteArray& output) {
             told.last_try = text.substr(4);
         else if (text.starts_with("ACK "))
             told.acknowledged.push_back(text.substr(4));
-        else if (text.starts_with("SAID "))
+        else if (text.starts_with("SAID ")) {
+            told.refused.push_back(text.substr(5, text.find(": ") - 5));
             told.said_why = told.said_why && text.size() > 20 && text.ends_with('.');
-        else if (text == "END")
+        } else if (text == "END")
             told.last_try.clear();
     }
     return told;
@@ -164,15 +166,21 @@ class KilledTest : public QObject {
         std::set<std::string> listed;
         for (const Tag& tag : record->tags)
             listed.insert(tag.file);
-        std::set<std::string> away; // may be in the trash
-        for (const std::string& step : told.acknowledged)
+        std::set<std::string> away; // a person wanted them in the trash, and there they may be
+        const auto put_away = [&](const std::string& step) {
             if (step.starts_with("delete ") || step.starts_with("trim "))
                 away.insert(step.substr(step.find(' ') + 1));
-            else if (step.starts_with("restore "))
+        };
+        for (const std::string& step : told.acknowledged)
+            if (step.starts_with("restore "))
                 away.erase(step.substr(8));
-        if (told.last_try.starts_with("delete ") || told.last_try.starts_with("trim ") ||
-            told.last_try.starts_with("restore "))
-            away.insert(told.last_try.substr(told.last_try.find(' ') + 1));
+            else
+                put_away(step);
+        for (const std::string& step : told.refused) // a disk that fails may not let it be taken back
+            put_away(step);
+        put_away(told.last_try);
+        if (told.last_try.starts_with("restore "))
+            away.insert(told.last_try.substr(8));
         for (const std::string& step : told.acknowledged) {
             if (step.starts_with("photo ") && !fs::exists(album / step.substr(6)))
                 return "lost: " + step;

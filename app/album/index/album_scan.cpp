@@ -4,6 +4,7 @@
 #include "app/album/index/folder_listing.hpp"
 #include "app/album/index/photo_content.hpp"
 #include "app/album/index/photo_store.hpp"
+#include "app/album/metadata/photo_name.hpp"
 #include "core/files/file_words.hpp"
 
 #include <algorithm>
@@ -276,7 +277,7 @@ private:
             if (error == ENOENT || error == ENOTDIR || (!content && error == 0))
                 return std::nullopt;
             if (content && !content->photo) {
-                if (named_as_photo(facts.listed.name))
+                if (has_photo_name(facts.listed.name))
                     report_.problems.push_back("The file " + quoted(photo) +
                                                " is called a photograph, but is none.");
                 no_photos_.push_back(photo);

@@ -2,6 +2,7 @@
 #include "app/album/index/folder_listing.hpp"
 
 #include "app/album/index/photo_content.hpp"
+#include "app/album/metadata/photo_name.hpp"
 #include "core/files/new_file.hpp"
 
 #include <QCryptographicHash>
@@ -132,7 +133,7 @@ std::string stamp_beside(int folder, const std::vector<Entry>& entries, std::str
     for (; entry != entries.end() && entry->name.starts_with(stem); ++entry) {
         const bool is_folder = S_ISDIR(entry->about.st_mode);
         if (!goes_with(stem, entry->name) ||
-            (is_folder ? !is_recordings_folder(entry->name) : named_as_photo(entry->name)))
+            (is_folder ? !is_recordings_folder(entry->name) : has_photo_name(entry->name)))
             continue;
         stamp.add(entry->name);
         stamp.add(entry->about);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/photo_content.hpp"
 
+#include "app/album/metadata/photo_name.hpp"
+
 #include <QCryptographicHash>
 
 #include <algorithm>
@@ -16,19 +18,8 @@ namespace tp {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> extensions{"jpg", "jpeg", "png",  "webp",
-                                                     "tif", "tiff", "heic", "heif"};
 /// Major brands of HEIC (ISO/IEC 23008-12, annex B).
 constexpr std::array<std::string_view, 7> heic_brands{"heic", "heix", "heim", "heis", "mif1", "msf1", "hevc"};
-
-/// In small letters; without the dot.
-std::string extension_of(std::string_view name) {
-    const std::size_t dot = name.rfind('.');
-    std::string extension(dot == std::string_view::npos ? std::string_view() : name.substr(dot + 1));
-    for (char& c : extension)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return extension;
-}
 
 /// Reads until the block is full or the file ends; -1 where the system would not.
 ssize_t read_block(int file, char* block, std::size_t size) {
@@ -68,12 +59,8 @@ std::optional<PhotoContent> read_open_file(int file, const std::stop_token& stop
 
 } // namespace
 
-bool named_as_photo(std::string_view name) {
-    return std::find(extensions.begin(), extensions.end(), extension_of(name)) != extensions.end();
-}
-
 bool may_be_photo(std::string_view name) {
-    return name.find('.') == std::string_view::npos || named_as_photo(name);
+    return name.find('.') == std::string_view::npos || has_photo_name(name);
 }
 
 bool begins_like_photo(std::string_view bytes) {

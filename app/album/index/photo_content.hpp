@@ -9,12 +9,9 @@
 
 namespace tp {
 
-/// Whether a file of this name may be a photograph: JPEG, PNG, WebP, TIFF or HEIC by its extension, or a file
-/// without one. Its first bytes decide.
+/// Whether a file of this name may be a photograph: by its name (`has_photo_name`), or one without an
+/// extension. Its first bytes decide.
 bool may_be_photo(std::string_view name);
-
-/// Whether the file's name says that it is one of these pictures.
-bool named_as_photo(std::string_view name);
 
 /// Whether a file that begins with these bytes (12 are enough) is a picture of one of these formats.
 bool begins_like_photo(std::string_view bytes);

@@ -65,6 +65,15 @@ Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<fs::p
     return scan_album(index, folders, tools);
 }
 
+Result<AlbumIndex> scanned_index(const VerbLine& line, const std::vector<fs::path>& folders,
+                                 StopOnSignal& stop) {
+    auto index = open_index(line, folders);
+    if (!index)
+        return index;
+    const auto report = scan_with_progress(*index, folders, stop);
+    return report ? std::move(index) : Result<AlbumIndex>(Error{report.error()});
+}
+
 Result<AlbumIndex> filled_index(const VerbLine& line, const std::vector<fs::path>& folders) {
     auto index = open_index(line, folders);
     if (!index)

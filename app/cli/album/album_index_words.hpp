@@ -27,6 +27,10 @@ Result<AlbumIndex> open_index(const VerbLine& line, const std::vector<std::files
 Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<std::filesystem::path>& folders,
                                       StopOnSignal& stop);
 
+/// Opens the index and brings it up to date.
+Result<AlbumIndex> scanned_index(const VerbLine& line, const std::vector<std::filesystem::path>& folders,
+                                 StopOnSignal& stop);
+
 /// Opens the index and scans where it was never filled.
 Result<AlbumIndex> filled_index(const VerbLine& line, const std::vector<std::filesystem::path>& folders);
 

@@ -39,7 +39,10 @@ struct Inventory {
     std::vector<fs::path> photos, temporaries, tags, others;
 };
 
-bool is_own_folder(const fs::path& folder) { return folder.filename() == ".touchphoto"; }
+/// Whether a file lies in some album's own folder: in a trash, or in what is being imported.
+bool is_kept_apart(const fs::path& below_album) {
+    return std::any_of(below_album.begin(), below_album.end(), is_own_folder);
+}
 
 Inventory inventory_of(const fs::path& album) {
     Inventory found;
@@ -49,15 +52,16 @@ Inventory inventory_of(const fs::path& album) {
          !error && place != end; place.increment(error)) {
         const fs::path file = place->path();
         const std::string name = file.filename().string();
+        const bool apart = is_kept_apart(file.lexically_relative(album));
         if (place->is_directory(error)) {
-            if (name.starts_with('.') && !is_own_folder(file))
+            if (name.starts_with('.') && !apart)
                 place.disable_recursion_pending();
-            else if (name.ends_with(tags_end))
+            else if (name.ends_with(tags_end) && !apart)
                 found.tags.push_back(file);
         } else if (is_temporary(file)) {
             found.temporaries.push_back(file);
-        } else if (is_own_folder(album / *file.lexically_relative(album).begin())) {
-            continue; // the trash, and what is being imported
+        } else if (apart) {
+            continue;
         } else if (has_photo_name(file)) {
             found.photos.push_back(file);
         } else if (name.ends_with(contours_end) || name.ends_with(xmp_end)) {
@@ -269,9 +273,9 @@ private:
     void missing_recording(const fs::path& photo, const Tag& tag) {
         const fs::path file = tags_folder(photo) / tag.file;
         const std::string sentence = quoted(file) + " is listed but not there.";
-        if (keeper_.is_in_trash(photo, tag.file))
+        if (AlbumKeeper keeper(album_around(photo)); keeper.is_in_trash(photo, tag.file))
             found(Kind::missing_recording, file, sentence, "It is in the trash, so it is taken off the list.",
-                  [&] { return keeper_.forget_recording(photo, tag.file); });
+                  [&] { return keeper.forget_recording(photo, tag.file); });
         else
             found(Kind::missing_recording, file, sentence + " Bring it back from a copy of the album.");
     }

@@ -31,8 +31,8 @@ public:
         Tag tag;
         std::string warning; ///< a sentence where not all of the sound could be read
     };
-    /// Takes in any sound file that can be decoded: it becomes a FLAC among the photograph's recordings. Where the
-    /// label does not say when it was recorded, the file's time does.
+    /// Takes in any sound file that can be decoded: it becomes a FLAC among the photograph's recordings.
+    /// Where the label does not say when it was recorded, the file's time does.
     Result<Added> add_recording(const std::filesystem::path& photo, const std::filesystem::path& sound,
                                 const RecordingLabel& label);
     /// Lists a recording that lies among the photograph's already, as the recorder leaves it, by its own
@@ -100,6 +100,9 @@ private:
     Result<Tag> tag_of(const std::filesystem::path& photo, const std::string& file) const;
     std::string outside(const std::filesystem::path& photo) const;
     std::string rename_on(const std::filesystem::path& photo, const std::string& from, const std::string& to);
+    /// Takes apart again what `rename_on` did to a photograph that was as `before`.
+    std::string rename_back(const std::filesystem::path& photo, const PhotoRecord& before,
+                            const std::string& from, const std::string& to);
 
     std::filesystem::path album_;
     Trash trash_;

@@ -104,6 +104,7 @@ std::string ImportList::remove(const fs::path& album, const std::string& id) {
     if (!is_id(id) || !fs::remove(file_of(album, id), error))
         return error ? "The import's list cannot be removed: " + reason_of(error.value())
                      : unknown(id).sentence;
+    fs::remove_all(folder_of(album) / id, error); // what was unpacked for it
     return sync_folder(folder_of(album));
 }
 

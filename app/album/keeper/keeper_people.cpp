@@ -14,6 +14,7 @@
 #include <cmath>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace tp {
 
@@ -49,6 +50,22 @@ auto find_face(std::vector<FaceRegion>& faces, const FaceRegion& like) {
     return best != faces.end() && overlap(*best, like) >= same_face ? best : faces.end();
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_about(const Tag& tag, const std::string& person) {
+    return tag.label.person == person || tag.label.speaker == person;
+}
+
+bool speaks_of(const PhotoRecord& record, const std::string& person) {
+    return contains(record.persons, person) ||
+           std::any_of(record.faces.begin(), record.faces.end(),
+                       [&](const FaceRegion& face) { return face.name == person; }) ||
+           std::any_of(record.tags.begin(), record.tags.end(),
+                       [&](const Tag& tag) { return is_about(tag, person); });
+}
+
 /// The persons of a photograph after its faces changed from one list to another: those who were only on a
 /// face that lost the name are taken out; persons without a face stay.
 std::vector<std::string> persons_after(std::vector<std::string> persons, const std::string& gone,
@@ -59,7 +76,7 @@ std::vector<std::string> persons_after(std::vector<std::string> persons, const s
     };
     if (!gone.empty() && !on_a_face(gone))
         std::erase(persons, gone);
-    if (!come.empty() && std::find(persons.begin(), persons.end(), come) == persons.end())
+    if (!come.empty() && !contains(persons, come))
         persons.push_back(come);
     return persons;
 }
@@ -122,7 +139,7 @@ std::string AlbumKeeper::rename_on(const fs::path& photo, const std::string& fro
     if (!record)
         return record.error();
     for (const Tag& tag : record->tags)
-        if (tag.label.person == from || tag.label.speaker == from) {
+        if (is_about(tag, from)) {
             RecordingLabel label = tag.label;
             if (label.person == from)
                 label.person = to;
@@ -137,7 +154,7 @@ std::string AlbumKeeper::rename_on(const fs::path& photo, const std::string& fro
         for (FaceRegion& face : faces)
             if (face.name == from)
                 face.name = to;
-        const bool named = std::find(now.persons.begin(), now.persons.end(), from) != now.persons.end();
+        const bool named = contains(now.persons, from);
         if (faces != now.faces)
             changes.faces = faces;
         if (named || faces != now.faces)
@@ -146,76 +163,62 @@ std::string AlbumKeeper::rename_on(const fs::path& photo, const std::string& fro
     });
 }
 
+std::string AlbumKeeper::rename_back(const fs::path& photo, const PhotoRecord& before,
+                                     const std::string& from, const std::string& to) {
+    for (const Tag& tag : before.tags)
+        if (is_about(tag, from))
+            if (std::string problem = relabel(photo, tag.file, tag.label); !problem.empty())
+                return problem;
+    return change_sidecar(photo, [&](const PhotoRecord& now) {
+        SidecarChanges changes;
+        changes.faces = now.faces;
+        for (const FaceRegion& face : before.faces)
+            if (const auto there = find_face(*changes.faces, face);
+                face.name == from && there != changes.faces->end() && there->name == to)
+                there->name = from;
+        changes.persons = now.persons;
+        if (!contains(before.persons, to))
+            std::erase(*changes.persons, to);
+        if (contains(before.persons, from))
+            changes.persons->push_back(from);
+        return changes;
+    });
+}
+
 Result<std::size_t> AlbumKeeper::rename_person(const std::vector<fs::path>& photos, const std::string& from,
                                                const std::string& to) {
     if (from.empty() || to.empty() || from == to)
         return Error{"A person needs a name, and another one than before."};
-    /// What a photograph said before, so that a merge can be taken apart again.
-    struct Before {
-        fs::path photo;
-        PhotoRecord record;
-    };
-    const auto changed = std::make_shared<std::vector<Before>>();
+    /// What the photographs that changed said before.
+    const auto changed = std::make_shared<std::vector<std::pair<fs::path, PhotoRecord>>>();
     const auto back = [this, changed, from, to] {
-        for (const Before& one : *changed) {
-            for (const Tag& tag : one.record.tags)
-                if (tag.label.person == from || tag.label.speaker == from)
-                    if (std::string problem = relabel(one.photo, tag.file, tag.label); !problem.empty())
-                        return problem;
-            std::string problem = change_sidecar(one.photo, [&](const PhotoRecord& now) {
-                SidecarChanges changes;
-                changes.faces = now.faces;
-                for (const FaceRegion& face : one.record.faces)
-                    if (const auto there = find_face(*changes.faces, face);
-                        face.name == from && there != changes.faces->end() && there->name == to)
-                        there->name = from;
-                changes.persons = now.persons;
-                const auto had = [&](const std::string& name) {
-                    return std::find(one.record.persons.begin(), one.record.persons.end(), name) !=
-                           one.record.persons.end();
-                };
-                if (!had(to))
-                    std::erase(*changes.persons, to);
-                if (had(from))
-                    changes.persons->push_back(from);
-                return changes;
-            });
-            if (!problem.empty())
+        for (const auto& [photo, before] : *changed)
+            if (std::string problem = rename_back(photo, before, from, to); !problem.empty())
                 return problem;
-        }
         return std::string{};
     };
     for (const fs::path& photo : photos) {
-        const auto record =
-            outside(photo).empty() ? read_record(photo) : Result<PhotoRecord>(Error{outside(photo)});
-        std::string problem = record ? std::string{} : record.error();
-        const bool concerned =
-            record &&
-            (std::any_of(record->faces.begin(), record->faces.end(),
-                         [&](const FaceRegion& face) { return face.name == from; }) ||
-             std::find(record->persons.begin(), record->persons.end(), from) != record->persons.end() ||
-             std::any_of(record->tags.begin(), record->tags.end(), [&](const Tag& tag) {
-                 return tag.label.person == from || tag.label.speaker == from;
-             }));
-        if (concerned) {
-            changed->push_back({photo, *record});
+        const std::string unknown = outside(photo);
+        const auto record = unknown.empty() ? read_record(photo) : Result<PhotoRecord>(Error{unknown});
+        std::string problem = record.error();
+        if (record && speaks_of(*record, from)) {
+            changed->emplace_back(photo, *record);
             problem = rename_on(photo, from, to);
         }
-        if (!problem.empty()) {
-            const std::string stuck = back();
-            return Error{problem +
-                         (stuck.empty() ? std::string{} : " Some photographs kept the new name: " + stuck)};
-        }
+        if (problem.empty())
+            continue;
+        const std::string stuck = back();
+        return Error{problem +
+                     (stuck.empty() ? std::string{} : " Some photographs kept the new name: " + stuck)};
     }
-    const std::size_t count = changed->size();
-    if (count > 0)
+    if (!changed->empty())
         history_.done({readable(from) + " became " + readable(to), back, [this, changed, from, to] {
-                           for (const Before& one : *changed)
-                               if (std::string problem = rename_on(one.photo, from, to); !problem.empty())
+                           for (const auto& [photo, before] : *changed)
+                               if (std::string problem = rename_on(photo, from, to); !problem.empty())
                                    return problem;
                            return std::string{};
                        }});
-    return count;
+    return changed->size();
 }
 
 std::optional<fs::path> AlbumKeeper::name_recording(const std::string& person) const {

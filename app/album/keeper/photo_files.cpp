@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/photo_files.hpp"
 
+#include "app/album/metadata/conflicts.hpp"
 #include "app/album/metadata/photo_name.hpp"
 #include "core/files/file_words.hpp"
 
@@ -37,6 +38,16 @@ bool shares_its_stem(const fs::path& photo) {
 fs::path tags_folder(const fs::path& photo) { return fs::path(photo) += ".tags"; }
 fs::path contours_file(const fs::path& photo) { return fs::path(photo) += ".contours.svg"; }
 
+bool is_own_folder(const fs::path& folder) { return folder.filename() == ".touchphoto"; }
+
+fs::path album_around(const fs::path& photo) {
+    std::error_code error;
+    for (fs::path folder = photo.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+        if (fs::is_directory(folder / ".touchphoto", error))
+            return folder;
+    return photo.parent_path();
+}
+
 std::vector<Companion> companions_of(const fs::path& photo) {
     std::vector<Companion> found;
     const std::string name = photo.filename().string();
@@ -47,7 +58,10 @@ std::vector<Companion> companions_of(const fs::path& photo) {
         const fs::path place = photo.parent_path() / other;
         if (other.starts_with(name)) {
             const std::string suffix = other.substr(name.size());
-            if (is_xmp(suffix) || place == contours_file(photo) || place == tags_folder(photo))
+            const auto original = conflict_original(other); // another machine's sidecar, not merged yet
+            const bool is_conflict =
+                original && original->starts_with(name) && is_xmp(original->substr(name.size()));
+            if (is_xmp(suffix) || is_conflict || place == contours_file(photo) || place == tags_folder(photo))
                 found.push_back({place, suffix, false});
         } else if (is_xmp(place.extension().string()) && place.stem() == photo.stem() &&
                    !shares_its_stem(photo)) {

@@ -14,6 +14,12 @@ std::filesystem::path tags_folder(const std::filesystem::path& photo);
 /// The contours that a person mended: IMG_1.jpg.contours.svg.
 std::filesystem::path contours_file(const std::filesystem::path& photo);
 
+/// The folder that an album keeps its own things in, trash and all: .touchphoto.
+bool is_own_folder(const std::filesystem::path& folder);
+/// The album that a photograph's own things are kept in where nobody named one: the nearest folder above it
+/// that has a .touchphoto, else its own folder.
+std::filesystem::path album_around(const std::filesystem::path& photo);
+
 /// A file or folder that belongs to a photograph and goes where it goes.
 struct Companion {
     std::filesystem::path file;
@@ -21,8 +27,9 @@ struct Companion {
     bool by_stem = false; ///< IMG_1.xmp: named by the stem, as Lightroom does
 };
 
-/// What lies beside a photograph and is its own: both spellings of a sidecar, contours, recordings. A sidecar
-/// named by the stem belongs to it only where no other photograph in the folder has that stem.
+/// What lies beside a photograph and is its own: both spellings of a sidecar, its conflict copies, contours,
+/// recordings. A sidecar named by the stem belongs to it only where no other photograph in the folder has
+/// that stem.
 std::vector<Companion> companions_of(const std::filesystem::path& photo);
 
 /// The name that a companion has beside a photograph of another name or folder.

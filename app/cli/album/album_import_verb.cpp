@@ -86,11 +86,9 @@ int album_import(const QStringList& words) {
         return exit_done;
     }
     StopOnSignal stop;
-    auto index = open_index(line, {album});
+    auto index = scanned_index(line, {album}, stop);
     if (!index)
         return refused(index.error());
-    if (const auto scanned = scan_with_progress(*index, {album}, stop); !scanned)
-        return refused(scanned.error());
     ImportTools tools;
     tools.known = [&](const std::string& hash) {
         const auto found = AlbumQueries(*index).with_content(hash);

@@ -2,6 +2,7 @@
 #include "app/album/index/album_queries.hpp"
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/path_text.hpp"
+#include "app/album/keeper/photo_files.hpp"
 #include "app/cli/album/album_index_words.hpp"
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
@@ -64,12 +65,10 @@ int person_rename(const QStringList& words) {
     for (const QString& word : line.arguments().mid(3))
         photos.push_back(path_given(word));
     if (photos.empty()) {
-        auto index = open_index(line, {first_path(line)});
+        StopOnSignal stop;
+        auto index = scanned_index(line, {first_path(line)}, stop);
         if (!index)
             return refused(index.error());
-        StopOnSignal stop;
-        if (const auto scanned = scan_with_progress(*index, {first_path(line)}, stop); !scanned)
-            return refused(scanned.error());
         const auto found = AlbumQueries(*index).page(OfTopic{"person", from}, std::nullopt, most_photos);
         if (!found)
             return refused(found.error());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/album_keeper.hpp"
+#include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
@@ -151,16 +152,24 @@ int tag_trim(const QStringList& words) {
     if (!tag)
         return refused(tag.error());
     print_tag(*tag, line.has("json"));
+    say("The whole one is in the trash of " + quoted(keeper.album()) + ".");
     return exit_done;
 }
 
 int tag_delete(const QStringList& words) {
-    VerbLine line("album tag delete", "Moves a recording to the album's trash.");
+    VerbLine line(
+        "album tag delete",
+        "Moves a recording to the album's trash: that of the nearest folder above it that has one,\n"
+        "else of the photograph's own folder. It says which, and \"trash restore\" brings it back.");
     line.argument("PHOTO", "The photograph.").argument("RECORDING", "Its file, as \"tag list\" names it.");
     if (const auto over = line.parse(words, 2, 2))
         return *over;
-    return ended(AlbumKeeper(album_around(photo_given(line)))
-                     .delete_recording(photo_given(line), line.arguments()[1].toStdString()));
+    const auto album = album_around(photo_given(line));
+    const std::string problem =
+        AlbumKeeper(album).delete_recording(photo_given(line), line.arguments()[1].toStdString());
+    if (problem.empty())
+        say("It is in the trash of " + quoted(album) + ".");
+    return ended(problem);
 }
 
 } // namespace

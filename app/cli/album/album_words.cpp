@@ -17,14 +17,6 @@ fs::path path_given(const QString& word) {
     return whole.has_filename() ? whole : whole.parent_path();
 }
 
-fs::path album_around(const fs::path& photo) {
-    std::error_code error;
-    for (fs::path folder = photo.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-        if (fs::is_directory(folder / ".touchphoto", error))
-            return folder;
-    return photo.parent_path();
-}
-
 int run_sub_verb(const char* verb, std::span<const SubVerb> verbs, const QStringList& words) {
     for (const SubVerb& one : verbs)
         if (!words.isEmpty() && words.first() == QLatin1String(one.name))

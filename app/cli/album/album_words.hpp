@@ -16,10 +16,6 @@ namespace tp {
 /// A path as the shell gave it, absolute and without dots.
 std::filesystem::path path_given(const QString& word);
 
-/// The folder that an album's own files lie in: the nearest one above the photograph that has .touchphoto in
-/// it, else the photograph's own.
-std::filesystem::path album_around(const std::filesystem::path& photo);
-
 /// A verb that other verbs follow.
 struct SubVerb {
     const char* name;

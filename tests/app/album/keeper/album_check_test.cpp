@@ -130,6 +130,32 @@ private slots:
         QVERIFY(read_record(album.photo)->tags.empty());
     }
 
+    /// Where nobody named the album, a recording goes to the trash of the photograph's own folder.
+    void a_folder_inside_the_album_may_have_a_trash_of_its_own() {
+        Album album;
+        const fs::path inner = a_photo(album.folder, "2027/IMG_7.jpg", 7);
+        QCOMPARE(album_around(inner), inner.parent_path());
+        AlbumKeeper keeper(album_around(inner));
+        const auto added = keeper.add_recording(inner, album.sound, {});
+        const auto listed = read_record(inner)->tags;
+        QCOMPARE(keeper.delete_recording(inner, added->tag.file), std::string());
+        QCOMPARE(kinds(check(album.folder, false)), std::vector<Kind>{});
+        SidecarChanges cut_off; // before the list was written
+        cut_off.tags = listed;
+        QCOMPARE(write_sidecar(inner, cut_off), std::string());
+        found_and_mended(album.folder, Kind::missing_recording);
+        QCOMPARE(album_around(inner), inner.parent_path());
+    }
+
+    void what_a_killed_import_had_unpacked_is_nobody_s_photograph() {
+        Album album;
+        a_photo(album.folder, ".touchphoto/import/2026/0/x.jpg", 8);
+        album.folder.write(".touchphoto/import/2026/0/y.jpg.tags/1.flac", "half");
+        const CheckReport report = check(album.folder, true);
+        QCOMPARE(kinds(report), std::vector<Kind>{});
+        QCOMPARE(report.photos, std::size_t{1});
+    }
+
     void a_sidecar_that_cannot_be_read_makes_way() {
         Album album;
         album.folder.write("2026/IMG_1.jpg.xmp", "<x:xmpmeta this is no XML");

@@ -155,8 +155,12 @@ private slots:
         const auto added = first.add_recording(photo, sound, {});
         QCOMPARE(first.delete_recording(photo, added->tag.file), std::string());
         const auto second = first.add_recording(photo, sound, {});
+        const fs::path copy =
+            album.write("IMG_1.jpg.sync-conflict-20260501-101500-ABCDEFG.xmp", album.read("IMG_1.jpg.xmp"));
+        album.write("IMG_10.jpg.xmp", "another's");
         QCOMPARE(first.delete_photo(photo), std::string());
-        QVERIFY(!fs::exists(photo) && !fs::exists(tags_folder(photo)));
+        QVERIFY(!fs::exists(photo) && !fs::exists(tags_folder(photo)) && !fs::exists(copy));
+        QVERIFY(fs::exists(album / "IMG_10.jpg.xmp"));
         AlbumKeeper later(album.path());
         const auto entries = later.trash().entries();
         QCOMPARE(entries.size(), std::size_t{2});

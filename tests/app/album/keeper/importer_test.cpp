@@ -174,7 +174,9 @@ private slots:
         const auto rest = go_on_importing(album.path(), report->id, {});
         QCOMPARE(album.read("large.jpg").size(), std::size_t{100'000});
         QCOMPARE(rest->count(Fate::failed), std::size_t{1}); // the link to nowhere
+        album.write(".touchphoto/import/" + report->id + "/0/x.jpg", "what a kill left of a bundle");
         QCOMPARE(give_up_import(album.path(), report->id), std::string());
+        QVERIFY(!fs::exists(album / ".touchphoto/import" / report->id));
         QVERIFY(unfinished_imports(album.path()).empty());
     }
 

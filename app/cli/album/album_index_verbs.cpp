@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/follow_moves.hpp"
 #include "app/album/keeper/path_text.hpp"
 #include "app/cli/album/album_index_words.hpp"
 #include "app/cli/album/album_json.hpp"
@@ -8,6 +9,7 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace tp {
@@ -23,10 +25,15 @@ std::vector<fs::path> folders_given(const VerbLine& line) {
     return folders;
 }
 
-QJsonObject to_json(const ScanReport& report) {
-    QJsonArray moves, duplicates;
-    for (const Move& move : report.moves)
-        moves.append(QJsonObject{{"from", path_text(move.from)}, {"to", path_text(move.to)}});
+QJsonArray to_json(const std::vector<Move>& moves) {
+    QJsonArray array;
+    for (const Move& move : moves)
+        array.append(QJsonObject{{"from", path_text(move.from)}, {"to", path_text(move.to)}});
+    return array;
+}
+
+QJsonObject to_json(const ScanReport& report, const FollowedMoves& moves) {
+    QJsonArray duplicates;
     for (const auto& group : report.duplicates) {
         QJsonArray paths;
         for (const fs::path& photo : group)
@@ -36,22 +43,41 @@ QJsonObject to_json(const ScanReport& report) {
     return {{"photos", static_cast<qint64>(report.found)},
             {"read", static_cast<qint64>(report.read)},
             {"missing", static_cast<qint64>(report.missing)},
-            {"moves", moves},
+            {"moves", to_json(report.moves)},
+            {"followed", to_json(moves.followed)},
             {"duplicates", duplicates},
             {"problems", json_texts(report.problems)},
             {"stopped", report.stopped}};
 }
 
-void print_for_a_person(const ScanReport& report) {
+void print_for_a_person(const ScanReport& report, const FollowedMoves& moves) {
     std::printf("%zu photographs, %zu of them new or changed, %zu gone.\n", report.found, report.read,
                 report.missing);
-    for (const Move& move : report.moves)
-        std::printf("%s is now %s.\n", quoted(move.from).c_str(), quoted(move.to).c_str());
+    for (const Move& move : report.moves) {
+        const bool followed = std::find(moves.followed.begin(), moves.followed.end(), move) != moves.followed.end();
+        std::printf("%s is now %s%s.\n", quoted(move.from).c_str(), quoted(move.to).c_str(),
+                    followed ? "; what belongs to it went along" : "");
+    }
     for (const auto& group : report.duplicates)
         std::printf("%s is there %zu times.\n", quoted(group.front()).c_str(), group.size());
 }
 
-int scan(const VerbLine& line) {
+/// What belongs to moved photographs goes along, and the index learns where it is now.
+FollowedMoves follow(AlbumIndex& index, ScanReport& report, StopOnSignal& stop) {
+    auto moves = follow_moves(index);
+    if (!moves)
+        return {{}, {moves.error()}};
+    std::vector<fs::path> folders;
+    for (const Move& move : moves->followed)
+        folders.push_back(move.to.parent_path());
+    if (const auto again = rescan_with_progress(index, folders, stop); !again)
+        moves->problems.push_back(again.error());
+    else
+        report.problems.insert(report.problems.end(), again->problems.begin(), again->problems.end());
+    return *std::move(moves);
+}
+
+int scan(const VerbLine& line, bool following) {
     const std::vector<fs::path> folders = folders_given(line);
     std::error_code error;
     for (const fs::path& folder : folders)
@@ -61,13 +87,17 @@ int scan(const VerbLine& line) {
     if (!index)
         return refused(index.error());
     StopOnSignal stop;
-    const auto report = scan_with_progress(*index, folders, stop);
+    auto report = scan_with_progress(*index, folders, stop);
     if (!report)
         return refused(report.error());
+    FollowedMoves moves;
+    if (following && !report->stopped)
+        moves = follow(*index, *report, stop);
     if (line.has("json"))
-        print_line(to_json(*report));
+        print_line(to_json(*report, moves));
     else
-        print_for_a_person(*report);
+        print_for_a_person(*report, moves);
+    report->problems.insert(report->problems.end(), moves.problems.begin(), moves.problems.end());
     for (const std::string& problem : report->problems)
         say_problem(problem);
     if (report->stopped)
@@ -81,13 +111,15 @@ int album_scan(const QStringList& words) {
     VerbLine line("album scan",
                   "Brings the index of an album up to date: reads what is new or changed. Photographs that "
                   "were moved or\n"
-                  "renamed are recognised by their content. One that was stopped goes on where it was.");
+                  "renamed are recognised by their content, and their recordings and words go along. One that was "
+                  "stopped goes on where it was.");
     add_index_options(line)
+        .option("look-only", "Moves nothing in the album; only says what moved.")
         .option("json", "One JSON object on stdout.")
         .argument("FOLDER", "The album's folders.", "FOLDER...");
     if (const auto over = line.parse(words, 1, 1000))
         return *over;
-    return scan(line);
+    return scan(line, !line.has("look-only"));
 }
 
 int album_rebuild(const QStringList& words) {
@@ -99,7 +131,7 @@ int album_rebuild(const QStringList& words) {
         return *over;
     if (const std::string reason = AlbumIndex::discard(cache_of(line, folders_given(line))); !reason.empty())
         return refused("The index cannot be thrown away: " + reason);
-    return scan(line);
+    return scan(line, false);
 }
 
 } // namespace tp

@@ -43,8 +43,11 @@ Result<AlbumIndex> open_index(const VerbLine& line, const std::vector<fs::path>&
     return index;
 }
 
-Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<fs::path>& folders,
-                                      StopOnSignal& stop) {
+namespace {
+
+/// `scan` with the readers, telling once a second how far it is.
+template <typename Scan>
+Result<ScanReport> told(StopOnSignal& stop, Scan scan) {
     ScanTools tools;
     tools.read_record = read_record;
     tools.read_recording = recording_facts;
@@ -62,7 +65,19 @@ Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<fs::p
             line += ", about " + std::to_string(progress.left->count() / 1000 + 1) + " s left";
         say(line);
     };
-    return scan_album(index, folders, tools);
+    return scan(tools);
+}
+
+} // namespace
+
+Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<fs::path>& folders,
+                                      StopOnSignal& stop) {
+    return told(stop, [&](const ScanTools& tools) { return scan_album(index, folders, tools); });
+}
+
+Result<ScanReport> rescan_with_progress(AlbumIndex& index, const std::vector<fs::path>& folders,
+                                        StopOnSignal& stop) {
+    return told(stop, [&](const ScanTools& tools) { return rescan_folders(index, folders, tools); });
 }
 
 Result<AlbumIndex> scanned_index(const VerbLine& line, const std::vector<fs::path>& folders,

@@ -27,6 +27,10 @@ Result<AlbumIndex> open_index(const VerbLine& line, const std::vector<std::files
 Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<std::filesystem::path>& folders,
                                       StopOnSignal& stop);
 
+/// The same for folders in which something changed.
+Result<ScanReport> rescan_with_progress(AlbumIndex& index, const std::vector<std::filesystem::path>& folders,
+                                        StopOnSignal& stop);
+
 /// Opens the index and brings it up to date.
 Result<AlbumIndex> scanned_index(const VerbLine& line, const std::vector<std::filesystem::path>& folders,
                                  StopOnSignal& stop);

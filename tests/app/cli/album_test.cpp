@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <csignal>
+#include <vector>
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -135,10 +136,21 @@ private slots:
     void a_moved_photograph_is_known_and_an_index_is_rebuilt_the_same() {
         const Family family;
         QCOMPARE(album({"import", family.album(), text(family.card / "DCIM")}).code, 0);
+        QCOMPARE(album({"tag", "add", text(family.folder / "IMG_1.JPG"), "--kind", "memo", "--from",
+                        text(family.card / "memo.wav")})
+                     .code,
+                 0);
         QCOMPARE(album({"scan", family.album()}).code, 0);
-        fs::rename(family.folder / "IMG_1.JPG", family.folder / "renamed.jpg");
+        const fs::path renamed = family.folder / "renamed.jpg";
+        fs::rename(family.folder / "IMG_1.JPG", renamed);
+        const QJsonObject looked = lines_of(album({"scan", family.album(), "--look-only", "--json"})).at(0);
+        QCOMPARE(looked["moves"].toArray().at(0)["to"].toString(), text(renamed));
+        QVERIFY(looked["followed"].toArray().isEmpty());
+        QVERIFY(lines_of(album({"tag", "list", text(renamed), "--json"})).empty());
         const QJsonObject report = lines_of(album({"scan", family.album(), "--json"})).at(0);
-        QCOMPARE(report["moves"].toArray().at(0)["to"].toString(), text(family.folder / "renamed.jpg"));
+        QCOMPARE(report["followed"].toArray(), looked["moves"].toArray());
+        QCOMPARE(lines_of(album({"tag", "list", text(renamed), "--json"})).size(), std::size_t{1});
+        QVERIFY(lines_of(album({"scan", family.album(), "--json"})).at(0)["moves"].toArray().isEmpty());
         const QByteArray listed = album({"list", family.album(), "--json"}).out;
         QCOMPARE(album({"rebuild", family.album()}).code, 0);
         QCOMPARE(album({"list", family.album(), "--json"}).out, listed);

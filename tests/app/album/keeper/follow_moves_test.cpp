@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "album_folder.hpp"
+#include "album_parts.hpp"
+#include "app/album/index/album_queries.hpp"
+#include "app/album/index/album_scan.hpp"
+#include "app/album/keeper/album_keeper.hpp"
+#include "app/album/keeper/follow_moves.hpp"
+#include "app/album/keeper/photo_files.hpp"
+#include "app/album/keeper/recording_facts.hpp"
+#include "app/album/metadata/read_record.hpp"
+
+#include <QTest>
+
+using namespace tp;
+namespace fs = std::filesystem;
+
+/// A photograph with a recording and a name, in an album that was scanned.
+class FollowMovesTest : public QObject {
+    Q_OBJECT
+
+    struct Album {
+        AlbumFolder folder;
+        fs::path photo = a_photo(folder, "2026/IMG_1.jpg", 1);
+        fs::path sound = a_sound(folder, "sounds/a.wav", 0.5, 300.0);
+        AlbumKeeper keeper{folder.path()};
+        std::string file =
+            keeper.add_recording(photo, sound, {RecordingKind::memo, "Anna", {}, {}, {}, {}})->tag.file;
+        Result<AlbumIndex> index = AlbumIndex::in_memory();
+
+        ScanReport scan() {
+            ScanTools tools;
+            tools.read_record = read_record;
+            tools.read_recording = recording_facts;
+            return scan_album(*index, {folder.path()}, tools).value();
+        }
+        fs::path move_to(const std::string& place) {
+            const fs::path to = folder / place;
+            fs::create_directories(to.parent_path());
+            fs::rename(photo, to);
+            return to;
+        }
+    };
+
+private slots:
+    void recordings_and_words_go_where_the_photograph_went() {
+        Album album;
+        album.scan();
+        const fs::path to = album.move_to("garden/Anna.jpg");
+        const std::vector<Move> move{{album.photo, to}};
+        QCOMPARE(album.scan().moves, move);
+        const auto moves = follow_moves(*album.index);
+        QVERIFY2(moves && moves->problems.empty(), moves.error().c_str());
+        QCOMPARE(moves->followed, move);
+        QVERIFY(companions_of(album.photo).empty());
+        QVERIFY(fs::is_regular_file(tags_folder(to) / album.file));
+        const auto record = read_record(to);
+        QVERIFY(record && record->problems.empty());
+        QCOMPARE(record->tags.at(0).file, album.file);
+        QVERIFY(album.scan().moves.empty());
+    }
+
+    void a_place_that_is_taken_is_told_until_it_is_free() {
+        Album album;
+        album.scan();
+        const fs::path to = album.move_to("Anna.jpg");
+        album.folder.write("Anna.jpg.xmp", "another's");
+        album.scan();
+        for (int time = 0; time < 2; ++time) {
+            const auto moves = follow_moves(*album.index);
+            QVERIFY(moves && moves->followed.empty());
+            QCOMPARE(moves->problems.size(), std::size_t{1});
+            QVERIFY(moves->problems[0].find("Anna.jpg.xmp") != std::string::npos);
+            QCOMPARE(companions_of(album.photo).size(), std::size_t{2});
+        }
+        fs::remove(album.folder / "Anna.jpg.xmp");
+        QCOMPARE(follow_moves(*album.index)->followed.size(), std::size_t{1});
+    }
+
+    void what_a_kill_left_half_way_follows_the_next_time() {
+        Album album;
+        album.scan();
+        const fs::path to = album.move_to("Anna.jpg");
+        album.scan();
+        fs::rename(album.photo.native() + ".xmp", to.native() + ".xmp");
+        QCOMPARE(follow_moves(*album.index)->followed.size(), std::size_t{1});
+        QVERIFY(fs::is_regular_file(tags_folder(to) / album.file));
+    }
+
+    void a_move_that_the_other_program_did_whole_is_only_forgotten() {
+        Album album;
+        album.scan();
+        const fs::path to = album.move_to("Anna.jpg");
+        for (const Companion& companion : companions_of(album.photo))
+            fs::rename(companion.file, beside(to, companion));
+        album.scan();
+        const auto moves = follow_moves(*album.index);
+        QVERIFY(moves && moves->followed.empty() && moves->problems.empty());
+        QVERIFY(album.index->missing()->empty());
+    }
+
+    void a_copy_whose_first_photograph_stays_takes_nothing() {
+        Album album;
+        album.scan();
+        fs::copy_file(album.photo, album.folder / "copy.jpg");
+        album.scan();
+        QVERIFY(follow_moves(*album.index)->followed.empty());
+        QCOMPARE(companions_of(album.photo).size(), std::size_t{2});
+    }
+};
+
+QTEST_GUILESS_MAIN(FollowMovesTest)
+#include "follow_moves_test.moc"

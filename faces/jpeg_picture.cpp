@@ -32,8 +32,8 @@ struct Closer {
 };
 using Decoder = std::unique_ptr<void, Closer>;
 
-const Error cut_short{"The JPEG file is cut short: a part of the picture is missing."};
-const Error damaged{"The JPEG file is damaged."};
+const Error jpeg_cut_short{"The JPEG file is cut short: a part of the picture is missing."};
+const Error damaged_jpeg{"The JPEG file is damaged."};
 
 /// Each channel times black: the paper white minus the ink, ink over ink.
 cv::Mat from_cmyk(const cv::Mat& cmyk, bool inverted) {
@@ -54,11 +54,11 @@ cv::Mat from_cmyk(const cv::Mat& cmyk, bool inverted) {
 /// libjpeg keeps the first thing it finds odd. These mean that pixels are wrong; the others are harmless.
 Error judged(std::string_view warning) {
     if (warning.find("Premature end of JPEG file") != std::string_view::npos)
-        return cut_short;
+        return jpeg_cut_short;
     for (std::string_view harm :
          {"premature end of data segment", "bad Huffman code", "bad arithmetic code", "instead of RST"})
         if (warning.find(harm) != std::string_view::npos)
-            return damaged;
+            return damaged_jpeg;
     return {};
 }
 
@@ -97,9 +97,9 @@ JpegHeader jpeg_header(const Bytes& bytes) {
     return header;
 }
 
-Result<cv::Mat> decode_jpeg(const Bytes& bytes, const JpegHeader& header) {
+Result<cv::Mat> decode_jpeg(const Bytes& bytes, const JpegHeader& header, int shrink) {
     if (header.scan == 0)
-        return cut_short;
+        return jpeg_cut_short;
     const Decoder decoder(tjInitDecompress());
     if (!decoder)
         return Error{"There is not enough memory for this picture."};
@@ -108,19 +108,20 @@ Result<cv::Mat> decode_jpeg(const Bytes& bytes, const JpegHeader& header) {
     if (tjDecompressHeader3(decoder.get(), bytes.data(), size, &width, &height, &subsampling, &colours) !=
             0 &&
         tjGetErrorCode(decoder.get()) == TJERR_FATAL)
-        return damaged;
+        return damaged_jpeg;
     if (width != header.width || height != header.height)
-        return damaged;
+        return damaged_jpeg;
     const bool cmyk = colours == TJCS_CMYK || colours == TJCS_YCCK;
-    cv::Mat pixels(height, width, cmyk ? CV_8UC4 : CV_8UC3);
-    if (tjDecompress2(decoder.get(), bytes.data(), size, pixels.data, width, static_cast<int>(pixels.step),
-                      height, cmyk ? TJPF_CMYK : TJPF_BGR, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0) {
+    const tjscalingfactor scale{1, shrink};
+    cv::Mat pixels(TJSCALED(height, scale), TJSCALED(width, scale), cmyk ? CV_8UC4 : CV_8UC3);
+    if (tjDecompress2(decoder.get(), bytes.data(), size, pixels.data, pixels.cols, static_cast<int>(pixels.step),
+                      pixels.rows, cmyk ? TJPF_CMYK : TJPF_BGR, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0) {
         if (tjGetErrorCode(decoder.get()) == TJERR_FATAL)
-            return damaged;
+            return damaged_jpeg;
         if (const Error harm = judged(tjGetErrorStr2(decoder.get())); !harm.sentence.empty())
             return harm;
         if (!ends_properly(bytes, header.scan))
-            return cut_short;
+            return jpeg_cut_short;
     }
     return cmyk ? from_cmyk(pixels, header.adobe) : pixels;
 }

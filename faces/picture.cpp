@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <string>
 
@@ -71,8 +72,42 @@ Result<cv::Mat> decode_by_opencv(const Bytes& bytes, PictureKind kind) {
     return picture;
 }
 
+/// How much of its size a picture keeps when it has to fit into `box`; 1 at most.
+double share_to_fit(cv::Size size, cv::Size box) {
+    return std::min({1.0, box.width / static_cast<double>(size.width), box.height / static_cast<double>(size.height)});
+}
+
+/// The size in which a picture fits into `box`.
+cv::Size fitted(cv::Size size, cv::Size box) {
+    const double share = share_to_fit(size, box);
+    const auto side = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * share))); };
+    return share < 1.0 ? cv::Size(side(size.width), side(size.height)) : size;
+}
+
+/// Areas averaged; itself where it has that size.
+cv::Mat resized(const cv::Mat& picture, cv::Size size) {
+    if (picture.size() == size)
+        return picture;
+    cv::Mat small;
+    cv::resize(picture, small, size, 0, 0, cv::INTER_AREA);
+    return small;
+}
+
+/// The most that a JPEG may be shrunk by its decoder and still fill `box`.
+int jpeg_shrink(cv::Size size, cv::Size box) {
+    const double share = share_to_fit(size, box);
+    for (const int shrink : {8, 4, 2})
+        if (share * shrink <= 1.0)
+            return shrink;
+    return 1;
+}
+
+/// For a picture that is wanted as it is.
+cv::Size no_box() { return {std::numeric_limits<int>::max(), std::numeric_limits<int>::max()}; }
+
+/// As it is stored; a JPEG, which is quicker so, already as small as it fits into `box`.
 Result<cv::Mat> decode(const Bytes& bytes, PictureKind kind, const PictureMetadata& metadata,
-                       double largest_px) {
+                       double largest_px, cv::Size box) {
     if (kind == PictureKind::jpeg) {
         const JpegHeader header = jpeg_header(bytes);
         if (header.width == 0 && header.height == 0)
@@ -80,7 +115,9 @@ Result<cv::Mat> decode(const Bytes& bytes, PictureKind kind, const PictureMetada
         if (auto objection = objection_to_size(header.width, header.height, kind, largest_px);
             !objection.empty())
             return Error{objection};
-        return decode_jpeg(bytes, header);
+        const cv::Size whole(header.width, header.height);
+        const Result<cv::Mat> picture = decode_jpeg(bytes, header, jpeg_shrink(whole, box));
+        return picture ? Result<cv::Mat>(resized(*picture, fitted(whole, box))) : picture;
     }
     if (kind == PictureKind::png) {
         const Result<PngSize> size = png_size(bytes);
@@ -127,14 +164,12 @@ cv::Mat upright(const cv::Mat& stored, int orientation) {
 
 } // namespace
 
+cv::Mat shrunk_to_fit(const cv::Mat& picture, cv::Size box) {
+    return resized(picture, fitted(picture.size(), box));
+}
+
 cv::Mat not_larger_than(const cv::Mat& picture, int longest_px) {
-    const double share = longest_px / static_cast<double>(std::max(picture.cols, picture.rows));
-    if (share >= 1.0)
-        return picture;
-    const auto side = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * share))); };
-    cv::Mat small;
-    cv::resize(picture, small, cv::Size(side(picture.cols), side(picture.rows)), 0, 0, cv::INTER_AREA);
-    return small;
+    return shrunk_to_fit(picture, {longest_px, longest_px});
 }
 
 cv::Mat turned(const cv::Mat& picture, int degrees) {
@@ -148,7 +183,10 @@ cv::Mat turned(const cv::Mat& picture, int degrees) {
     return result;
 }
 
-Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px) {
+namespace {
+
+/// Upright, and as small as it fits into `box`.
+Result<cv::Mat> decode_for(const Bytes& bytes, double largest_px, cv::Size box) {
     try {
         quiet_opencv();
         const PictureKind kind = kind_of(bytes);
@@ -157,11 +195,10 @@ Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px) {
         if (kind == PictureKind::unknown)
             return Error{"The file is not a picture of a kind that can be read."};
         const PictureMetadata metadata = metadata_of(bytes);
-        Result<cv::Mat> picture = decode(bytes, kind, metadata, largest_px);
-        if (!picture)
-            return picture;
-        // OpenCV turns a TIFF by itself, whatever it is asked.
-        return kind == PictureKind::tiff ? picture : upright(*picture, metadata.orientation);
+        const int orientation = kind == PictureKind::tiff ? 1 : metadata.orientation; // OpenCV turns a TIFF by itself
+        const cv::Size stored_box = orientation >= 5 ? cv::Size(box.height, box.width) : box;
+        const Result<cv::Mat> picture = decode(bytes, kind, metadata, largest_px, stored_box);
+        return picture ? Result<cv::Mat>(upright(shrunk_to_fit(*picture, stored_box), orientation)) : picture;
     } catch (const std::bad_alloc&) {
         return Error{"There is not enough memory for this picture."};
     } catch (const std::exception&) {
@@ -169,13 +206,25 @@ Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px) {
     }
 }
 
-Result<cv::Mat> read_picture(const std::filesystem::path& file) {
+Result<cv::Mat> read_for(const std::filesystem::path& file, cv::Size box) {
     try {
         const Result<Bytes> bytes = read_bytes(file);
-        return bytes ? decode_picture(*bytes) : Error{bytes.error()};
+        return bytes ? decode_for(*bytes, largest_picture_px, box) : Error{bytes.error()};
     } catch (const std::bad_alloc&) {
         return Error{"There is not enough memory for this picture."};
     }
+}
+
+} // namespace
+
+Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px) {
+    return decode_for(bytes, largest_px, no_box());
+}
+
+Result<cv::Mat> read_picture(const std::filesystem::path& file) { return read_for(file, no_box()); }
+
+Result<cv::Mat> read_picture_to_fit(const std::filesystem::path& file, cv::Size box) {
+    return read_for(file, box);
 }
 
 } // namespace tp

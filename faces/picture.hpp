@@ -21,6 +21,12 @@ Result<cv::Mat> read_picture(const std::filesystem::path& file);
 /// The same from a file's bytes; `largest_px` pixels at most.
 Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px = largest_picture_px);
 
+/// A photograph as large as a screen of `box` pixels can show whole, never larger than it is: the longer way round is
+/// `read_picture` and shrinking. A JPEG is decoded at a half, a quarter or an eighth where that is enough.
+Result<cv::Mat> read_picture_to_fit(const std::filesystem::path& file, cv::Size box);
+
+/// The picture shrunk (areas averaged) until it fits into `box`; itself where it does.
+cv::Mat shrunk_to_fit(const cv::Mat& picture, cv::Size box);
 /// The picture shrunk (areas averaged) until no side is longer than `longest_px`; itself where none is.
 cv::Mat not_larger_than(const cv::Mat& picture, int longest_px);
 

@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t signature_size = 8, chunk_frame = 12; ///< bytes; length, type and checksum of a chunk
 constexpr std::array<std::string_view, 5> needed{"IHDR", "PLTE", "tRNS", "IDAT", "IEND"};
 
-const Error cut_short{"The PNG file is cut short: a part of the picture is missing."};
-const Error damaged{"The PNG file is damaged."};
+const Error png_cut_short{"The PNG file is cut short: a part of the picture is missing."};
+const Error damaged_png{"The PNG file is damaged."};
 
 std::uint32_t number_at(const Bytes& bytes, std::size_t at) {
     return static_cast<std::uint32_t>(bytes[at]) << 24 | static_cast<std::uint32_t>(bytes[at + 1]) << 16 |
@@ -45,9 +45,9 @@ std::uint32_t crc_of(const unsigned char* begin, const unsigned char* end) {
 Result<PngSize> png_size(const Bytes& bytes) {
     constexpr std::size_t width_at = 16, height_at = 20, needs = 24;
     if (bytes.size() < needs)
-        return cut_short;
+        return png_cut_short;
     if (std::string(&bytes[12], &bytes[16]) != needed.front())
-        return damaged;
+        return damaged_png;
     return PngSize{number_at(bytes, width_at), number_at(bytes, height_at)};
 }
 
@@ -65,13 +65,13 @@ Result<Bytes> bare_png(const Bytes& bytes) {
         if (std::find(needed.begin(), needed.end(), type) == needed.end())
             continue;
         if (crc_of(chunk + 4, chunk + 8 + length) != number_at(bytes, at - 4))
-            return damaged;
+            return damaged_png;
         bare.insert(bare.end(), chunk, bytes.data() + at);
         has_pixels = has_pixels || type == "IDAT";
         if (type == "IEND")
-            return has_pixels ? Result<Bytes>(std::move(bare)) : damaged;
+            return has_pixels ? Result<Bytes>(std::move(bare)) : damaged_png;
     }
-    return cut_short;
+    return png_cut_short;
 }
 
 } // namespace tp

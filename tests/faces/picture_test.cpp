@@ -106,6 +106,13 @@ Bytes jpeg_claiming(unsigned side) {
     return bytes;
 }
 
+void tag_orientation(const fs::path& file, int orientation) {
+    const auto image = Exiv2::ImageFactory::open(file.string());
+    image->readMetadata();
+    image->exifData()["Exif.Image.Orientation"] = static_cast<uint16_t>(orientation);
+    image->writeMetadata();
+}
+
 Bytes text(const std::string& content) { return {content.begin(), content.end()}; }
 
 Bytes first_part(const Bytes& bytes, double fraction) {
@@ -160,10 +167,7 @@ private slots:
         QFETCH(int, orientation);
         const fs::path file = written("turned" + ending.toStdString(),
                                       encoded(stored_as(sample(), orientation), ending.toUtf8()));
-        const auto image = Exiv2::ImageFactory::open(file.string());
-        image->readMetadata();
-        image->exifData()["Exif.Image.Orientation"] = static_cast<uint16_t>(orientation);
-        image->writeMetadata();
+        tag_orientation(file, orientation);
 
         const auto picture = read_picture(file);
         QVERIFY2(picture.ok(), picture.error().c_str());
@@ -171,12 +175,33 @@ private slots:
         QVERIFY2(largest_difference(*picture, sample()) <= (ending == ".jpg" ? 8.0 : 0.0),
                  qPrintable(QString::number(largest_difference(*picture, sample()))));
     }
+    void fits_a_screen_as_the_whole_picture_shrunk_does_data() {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("height");
+        for (const auto& [width, height] : {std::pair(300, 200), {299, 201}, {96, 64}, {75, 50}, {37, 500}, {11, 9}, {1, 1}})
+            QTest::addRow("%d x %d", width, height) << width << height;
+    }
+    void fits_a_screen_as_the_whole_picture_shrunk_does() {
+        QFETCH(int, width);
+        QFETCH(int, height);
+        const cv::Size box(width, height);
+        for (int orientation = 1; orientation <= 8; ++orientation)
+            for (const char* ending : {".jpg", ".png"}) {
+                const fs::path file = written(std::string("fit") + ending, encoded(stored_as(sample(299, 201), orientation), ending));
+                tag_orientation(file, orientation);
+                const auto fitted = read_picture_to_fit(file, box);
+                const cv::Mat whole = shrunk_to_fit(read_picture(file).value(), box);
+                QVERIFY(fitted.ok() && fitted->size() == whole.size());
+                QVERIFY(whole.cols <= std::max(1, width) && whole.rows <= std::max(1, height));
+                QVERIFY(whole.cols >= std::min(299, width) - 1 || whole.rows >= std::min(201, height) - 1);
+                const double difference = largest_difference(*fitted, whole);
+                QVERIFY2(difference <= 8.0, std::to_string(difference).c_str());
+            }
+    }
+
     void ignores_an_orientation_that_makes_no_sense() {
         const fs::path file = written("odd.jpg", encoded(sample(), ".jpg"));
-        const auto image = Exiv2::ImageFactory::open(file.string());
-        image->readMetadata();
-        image->exifData()["Exif.Image.Orientation"] = uint16_t{77};
-        image->writeMetadata();
+        tag_orientation(file, 77);
         const auto picture = read_picture(file);
         QVERIFY2(picture.ok(), picture.error().c_str());
         QCOMPARE(picture->cols, sample().cols);

@@ -4,6 +4,7 @@
 #include "app/picture/overlay.hpp"
 #include "app/picture/picture_file.hpp"
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 

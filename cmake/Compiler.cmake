@@ -12,7 +12,9 @@ set(TOUCHPHOTO_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. addre
 
 add_library(tp_compile_options INTERFACE)
 target_compile_options(tp_compile_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  -Wall -Wextra -Wpedantic -Wconversion
+  # In a room that is compiled as one, a local name may be that of a neighbour file's.
+  $<IF:$<AND:$<BOOL:${TOUCHPHOTO_WHOLE_BUILD}>,$<CXX_COMPILER_ID:GNU>>,-Wshadow=local,-Wshadow>
   $<$<BOOL:${TOUCHPHOTO_WERROR}>:-Werror>)
 
 if(TOUCHPHOTO_SANITIZE)

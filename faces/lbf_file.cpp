@@ -17,7 +17,7 @@ namespace {
 constexpr int landmarks = 68;
 constexpr int most_stages = 10; ///< FacemarkLBF has sizes of features for so many
 constexpr int most_trees = 64, most_depth = 12;
-constexpr std::uintmax_t most_bytes = 512U << 20;
+constexpr std::uintmax_t most_model_bytes = 512U << 20;
 constexpr std::size_t most_indented = 16; ///< spaces
 
 std::size_t indentation(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
@@ -79,7 +79,7 @@ std::optional<int> whole(const cv::FileNode& node, int most) {
 } // namespace
 
 std::optional<std::vector<Vec2>> lbf_mean_shape(const std::filesystem::path& file) {
-    if (std::filesystem::file_size(file) > most_bytes)
+    if (std::filesystem::file_size(file) > most_model_bytes)
         return std::nullopt;
     const Result<Bytes> bytes = read_bytes(file);
     if (!bytes || !is_flat_yaml({reinterpret_cast<const char*>(bytes->data()), bytes->size()}))

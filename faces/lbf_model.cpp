@@ -19,10 +19,10 @@ using Points = std::vector<Vec2>;
 
 constexpr int box_px = 256; ///< the box in which the facemark looks; it sees half a box around it too
 constexpr int window_px = 2 * box_px;
-constexpr std::size_t lid_points = 9, lip_points = 11, outline_points = 33; ///< both ends counted
+constexpr std::size_t lid_points = 9, lip_points = 11, outline_samples = 33; ///< both ends counted
 
 // Numbers of iBUG's points (300-W), from 0.
-constexpr std::size_t right_eye = 36, left_eye = 42, eye_end = 48;
+constexpr std::size_t ibug_right_eye = 36, ibug_left_eye = 42, ibug_eye_end = 48;
 
 std::complex<double> number(Vec2 v) { return {v.x, v.y}; }
 Vec2 vector(std::complex<double> z) { return {z.real(), z.imag()}; }
@@ -41,7 +41,7 @@ Affine similarity(std::complex<double> turned_and_scaled, Vec2 offset) {
 }
 
 Affine by_eyes(const Points& mean, const Detection& face) {
-    const Vec2 right = mean_of(mean, right_eye, left_eye), left = mean_of(mean, left_eye, eye_end);
+    const Vec2 right = mean_of(mean, ibug_right_eye, ibug_left_eye), left = mean_of(mean, ibug_left_eye, ibug_eye_end);
     const auto map = number(face.left_eye - face.right_eye) / number(left - right);
     return similarity(map, face.right_eye - vector(map * number(right)));
 }
@@ -112,7 +112,7 @@ Landmarks features_of_68(std::span<const Vec2> p) {
                              rounded(p, {54, 53, 52, 51, 50, 49, 48}, lip_points));
     found.inner_lip =
         around(rounded(p, {60, 67, 66, 65, 64}, lip_points), rounded(p, {64, 63, 62, 61, 60}, lip_points));
-    found.outline = rounded(p, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}, outline_points);
+    found.outline = rounded(p, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}, outline_samples);
     return found;
 }
 

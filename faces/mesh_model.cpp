@@ -18,7 +18,7 @@ constexpr int input_px = 256;
 constexpr double window_margin = 1.5;    ///< window per extent of the box, then of the points
 constexpr std::size_t skin_points = 468; ///< of 478; the others are the irises
 constexpr std::size_t all_points = 478;
-constexpr std::size_t outline_points = 33;
+constexpr std::size_t mesh_outline_points = 33;
 /// Presence on faces is above 12, on false alarms below -2 (faces/README.md): a half of confidence in
 /// between.
 constexpr double presence_of_half = 5.0;
@@ -81,7 +81,7 @@ Points chosen(const Points& mesh, const std::array<std::size_t, Count>& indices)
     return points;
 }
 
-Iris iris_at(const Points& mesh, std::size_t centre) {
+Iris mesh_iris(const Points& mesh, std::size_t centre) {
     double radius = 0.0;
     for (std::size_t i = 1; i <= 4; ++i)
         radius += 0.25 * length(mesh[centre + i] - mesh[centre]);
@@ -136,14 +136,14 @@ std::optional<Landmarks> MeshModel::locate(const cv::Mat& picture, const Detecti
     found.inner_lip = chosen(answer.points, inner_lip);
     const Points skin(answer.points.begin(), answer.points.begin() + skin_points);
     found.outline =
-        silhouette_below_eyes(skin, answer.points[right_corner], answer.points[left_corner], outline_points);
+        silhouette_below_eyes(skin, answer.points[right_corner], answer.points[left_corner], mesh_outline_points);
     if (found.outline.empty())
         return std::nullopt;
     found.right_brow = chosen(answer.points, right_brow);
     found.left_brow = chosen(answer.points, left_brow);
     found.nose = chosen(answer.points, nose);
-    found.right_iris = iris_at(answer.points, right_iris);
-    found.left_iris = iris_at(answer.points, left_iris);
+    found.right_iris = mesh_iris(answer.points, right_iris);
+    found.left_iris = mesh_iris(answer.points, left_iris);
     found.confidence = 1.0 / (1.0 + std::exp(presence_of_half - answer.presence));
     found.between_passes_px = {
         moved_px(before, answer.points, right_eye), moved_px(before, answer.points, left_eye),

@@ -9,8 +9,8 @@ namespace tp {
 namespace {
 
 constexpr int usual_side = 320, thorough_side = 1280; ///< px, the longer side of what the net is shown
-constexpr float least_score = 0.6F;
-constexpr float most_overlap = 0.3F;
+constexpr float least_face_score = 0.6F;
+constexpr float most_face_overlap = 0.3F;
 constexpr int most_candidates = 5000;
 
 } // namespace
@@ -18,7 +18,7 @@ constexpr int most_candidates = 5000;
 Result<std::unique_ptr<Detector>> YunetDetector::load(const std::filesystem::path& file) {
     try {
         auto net = cv::FaceDetectorYN::create(file.string(), "", cv::Size(usual_side, usual_side),
-                                              least_score, most_overlap, most_candidates);
+                                              least_face_score, most_face_overlap, most_candidates);
         auto detector = std::make_unique<YunetDetector>(net);
         detector->detect(cv::Mat::zeros(64, 64, CV_8UC3),
                          Effort::usual); // a net of another kind fails here, not later

@@ -35,7 +35,7 @@ struct CountingAllocator {
     }
 };
 
-std::vector<BoostSegment> segments_of(const FlatScene& scene) {
+std::vector<BoostSegment> boost_segments(const FlatScene& scene) {
     std::vector<BoostSegment> segments;
     for (const Polyline& line : scene.lines)
         for (std::size_t i = 0; i < line.segment_count(); ++i) {
@@ -49,7 +49,7 @@ std::vector<BoostSegment> segments_of(const FlatScene& scene) {
 class BoostRtree final : public LoopingMethod<BoostRtree> {
 public:
     explicit BoostRtree(const FlatScene& scene)
-        : tree_(segments_of(scene), Parameters(), Indexable(), Equal(), allocator_) {}
+        : tree_(boost_segments(scene), Parameters(), Indexable(), Equal(), allocator_) {}
     Nearest answer(Vec2 place) const {
         const BoostPoint point(place.x, place.y);
         BoostSegment nearest;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/expression_report.hpp"
 
+#include "app/cli/json_number.hpp"
 #include "app/report/csv_table.hpp"
 
 #include <QJsonArray>
@@ -22,8 +23,6 @@ bool chosen(const ExpressionChoices& choices, Expression expression) {
 double share(const ExpressionShares& shares, Expression expression) {
     return shares[static_cast<std::size_t>(expression)];
 }
-
-double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
 
 std::string name(Expression expression) { return std::string(name_of(expression)); }
 
@@ -47,7 +46,7 @@ QJsonObject json(const ExpressionShares& shares, const ExpressionChoices& choice
     QJsonObject object;
     for (const Expression expression : all_expressions)
         if (chosen(choices, expression))
-            object.insert(text(name_of(expression)), rounded(share(shares, expression)));
+            object.insert(text(name_of(expression)), in_thousandths(share(shares, expression)));
     return object;
 }
 
@@ -123,7 +122,7 @@ std::string line_about(const JudgedFace& face) {
 QByteArray json_line(const JudgedFace& face, const ExpressionChoices& choices) {
     QJsonObject cues;
     for (std::size_t i = 0; i < cue_count; ++i)
-        cues.insert(text(cue_kinds[i].name), rounded(face.cues[i]));
+        cues.insert(text(cue_kinds[i].name), in_thousandths(face.cues[i]));
     const QJsonObject line{
         {"photo", QString::fromStdString(face.photo)},
         {"face", face.number},

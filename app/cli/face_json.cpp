@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/face_json.hpp"
 
+#include "app/cli/json_number.hpp"
 #include "core/geometry/flatten.hpp"
 
 #include <QJsonArray>
@@ -8,7 +9,6 @@
 #include <QJsonObject>
 
 #include <algorithm>
-#include <cmath>
 
 namespace tp {
 
@@ -17,8 +17,6 @@ namespace {
 constexpr FlattenTolerance dense{0.02, 2.0};  ///< px; far below what a net or a finger can tell
 constexpr FlattenTolerance sparse{0.2, 10.0}; ///< for what is exact to some pixels
 
-double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
-
 QJsonValue text_or_null(const std::string& text) {
     return text.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(QString::fromStdString(text));
 }
@@ -26,7 +24,7 @@ QJsonValue text_or_null(const std::string& text) {
 QJsonArray points(const Contour& contour, const FlattenTolerance& tolerance) {
     QJsonArray array;
     for (const Vec2 p : flatten(contour, tolerance).points)
-        array.append(QJsonArray{rounded(p.x), rounded(p.y)});
+        array.append(QJsonArray{in_thousandths(p.x), in_thousandths(p.y)});
     return array;
 }
 
@@ -50,13 +48,13 @@ QJsonObject json(const Face& face) {
             reasons.append(QString::fromStdString(reason));
         quality.insert(
             QString::fromStdString(face.contours[i].name),
-            QJsonObject{{"expected_error_percent", rounded(face.quality[i].expected_error_percent)},
+            QJsonObject{{"expected_error_percent", in_thousandths(face.quality[i].expected_error_percent)},
                         {"reasons", reasons}});
     }
     const Rect& box = face.box;
     return {{"box",
-             QJsonArray{rounded(box.min.x), rounded(box.min.y), rounded(box.width()), rounded(box.height())}},
-            {"score", rounded(face.score)},
+             QJsonArray{in_thousandths(box.min.x), in_thousandths(box.min.y), in_thousandths(box.width()), in_thousandths(box.height())}},
+            {"score", in_thousandths(face.score)},
             {"contours", by_name(face.contours, dense)},
             {"extras", by_name(face.extras, sparse)},
             {"mended", mended},
@@ -75,11 +73,11 @@ QByteArray json_line(const std::string& photo, const Extraction& extraction) {
                            {"width", extraction.width},
                            {"height", extraction.height},
                            {"turned_degrees", extraction.turned_degrees},
-                           {"milliseconds", QJsonObject{{"decode", rounded(ms.decode)},
-                                                        {"detect", rounded(ms.detect)},
-                                                        {"landmarks", rounded(ms.landmarks)},
-                                                        {"edges", rounded(ms.edges)},
-                                                        {"contours", rounded(ms.contours)}}},
+                           {"milliseconds", QJsonObject{{"decode", in_thousandths(ms.decode)},
+                                                        {"detect", in_thousandths(ms.detect)},
+                                                        {"landmarks", in_thousandths(ms.landmarks)},
+                                                        {"edges", in_thousandths(ms.edges)},
+                                                        {"contours", in_thousandths(ms.contours)}}},
                            {"faces", faces},
                            {"problem", text_or_null(extraction.problem)}};
     return QJsonDocument(line).toJson(QJsonDocument::Compact);

@@ -3,6 +3,7 @@
 
 #include <QFile>
 #include <QJsonDocument>
+#include <QJsonValue>
 
 #include <cerrno>
 #include <cstring>

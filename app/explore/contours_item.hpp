@@ -4,6 +4,7 @@
 #include "app/explore/explore_session.hpp"
 
 #include <QColor>
+#include <QPainter>
 #include <QPointer>
 #include <QQuickPaintedItem>
 #include <QtQml/qqmlregistration.h>

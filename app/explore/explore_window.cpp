@@ -3,7 +3,9 @@
 
 #include "app/explore/explore_module.hpp"
 
+#include <QColor>
 #include <QScreen>
+#include <QVariant>
 
 namespace tp {
 

@@ -4,6 +4,7 @@
 #include "app/scene/feature_words.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tp {

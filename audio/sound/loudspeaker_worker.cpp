@@ -20,7 +20,7 @@ constexpr int looks_until_tried_again =
     5 * looks_a_second;                               ///< the one that was lost, though it never seemed away
 constexpr std::int64_t most_silence = 2 * sound_rate; ///< behind the end, where the sink's clock stands still
 
-QAudioFormat format_for(const QAudioDevice& device) {
+QAudioFormat played_format(const QAudioDevice& device) {
     QAudioFormat format;
     format.setSampleRate(sound_rate);
     format.setChannelCount(played_channels);
@@ -48,7 +48,7 @@ void LoudspeakerWorker::start(quint64 run, std::shared_ptr<SoundSource> source) 
     look_.start();
     const QAudioDevice loudspeaker = QMediaDevices::defaultAudioOutput();
     id_ = loudspeaker.id();
-    const QAudioFormat format = format_for(loudspeaker);
+    const QAudioFormat format = played_format(loudspeaker);
     if (loudspeaker.isNull() || !loudspeaker.isFormatSupported(format)) {
         lose();
         return;

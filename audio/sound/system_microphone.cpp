@@ -14,11 +14,11 @@ namespace tp {
 
 namespace {
 
-constexpr int look_ms = 500;
-constexpr int looks_until_stalled = 6;      // 3 s
-constexpr int looks_until_tried_again = 10; // 5 s: the one that was lost, though it never seemed away
+constexpr int microphone_look_ms = 500;
+constexpr int looks_until_mute = 6;      // 3 s
+constexpr int looks_until_opened_again = 10; // 5 s: the one that was lost, though it never seemed away
 
-QAudioFormat format_for(const QAudioDevice& device) {
+QAudioFormat recorded_format(const QAudioDevice& device) {
     QAudioFormat format;
     format.setSampleRate(sound_rate);
     format.setChannelCount(1);
@@ -31,7 +31,7 @@ QAudioFormat format_for(const QAudioDevice& device) {
 } // namespace
 
 SystemMicrophone::SystemMicrophone(QObject* parent) : SoundInput(parent), look_(this) {
-    look_.setInterval(look_ms);
+    look_.setInterval(microphone_look_ms);
     connect(&look_, &QTimer::timeout, this, &SystemMicrophone::look);
 }
 
@@ -47,7 +47,7 @@ void SystemMicrophone::start() {
         lose(Trouble::none_there);
         return;
     }
-    const QAudioFormat format = format_for(microphone);
+    const QAudioFormat format = recorded_format(microphone);
     if (!microphone.isFormatSupported(format)) {
         lose(Trouble::unfit);
         return;
@@ -98,14 +98,14 @@ void SystemMicrophone::look() {
     if (source_ != nullptr) {
         if (microphone.isNull() || source_->state() == QAudio::StoppedState)
             lose(Trouble::none_there);
-        else if (++silent_looks_ >= looks_until_stalled)
+        else if (++silent_looks_ >= looks_until_mute)
             lose(Trouble::stalled);
         else if (microphone.id() != id_)
             start(); // the system has turned to another one
     } else if (lost_) {
         if (microphone.isNull()) {
             id_.clear(); // the same one is news when it is back
-        } else if (microphone.id() != id_ || ++waited_looks_ >= looks_until_tried_again) {
+        } else if (microphone.id() != id_ || ++waited_looks_ >= looks_until_opened_again) {
             stop();
             emit came();
         }

@@ -8,7 +8,7 @@
 namespace tp {
 
 namespace {
-constexpr int longest_goodbye_ms = 2000;
+constexpr int longest_last_fill_ms = 2000;
 } // namespace
 
 ThreadedFiller::ThreadedFiller(QObject* parent)
@@ -23,7 +23,7 @@ ThreadedFiller::ThreadedFiller(QObject* parent)
 
 ThreadedFiller::~ThreadedFiller() {
     thread_->quit();
-    if (thread_->wait(longest_goodbye_ms))
+    if (thread_->wait(longest_last_fill_ms))
         delete thread_;
 }
 

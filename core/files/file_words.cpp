@@ -41,9 +41,7 @@ std::string readable(std::string_view text) {
     return result;
 }
 
-std::string quoted(const std::filesystem::path& path) {
-    return tp::quoted(std::string_view(readable(path.string())));
-}
+std::string quoted_readable(std::string_view text) { return tp::quoted(std::string_view(readable(text))); }
 
 std::string reason_of(int error) {
     switch (error) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -11,8 +12,14 @@ namespace tp {
 /// that turn the direction of writing become blanks.
 std::string readable(std::string_view text);
 
-/// A path in quotation marks and readable, for naming it in a sentence.
-std::string quoted(const std::filesystem::path& path);
+/// Text of another's making in quotation marks and readable, for naming it in a sentence.
+std::string quoted_readable(std::string_view text);
+
+/// The same for a path. Nothing else turns into a path on its way here, so that text is quoted as text.
+template <std::same_as<std::filesystem::path> Path>
+std::string quoted(const Path& path) {
+    return quoted_readable(path.string());
+}
 
 /// Why the system would not, from its `errno`: the end of a sentence, such as "the disk is full."
 std::string reason_of(int error);

@@ -2,6 +2,7 @@
 #include "core/guidance/spacing.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace tp {
 

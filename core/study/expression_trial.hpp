@@ -3,6 +3,7 @@
 
 #include "core/study/expression_observer.hpp"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>

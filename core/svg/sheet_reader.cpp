@@ -49,13 +49,13 @@ std::string shortened(std::string_view text) {
     return name.substr(0, end) + "…";
 }
 
-std::string quoted(std::string_view text) { return tp::quoted(shortened(text)); }
+std::string quoted_short(std::string_view text) { return tp::quoted(shortened(text)); }
 
 std::string spoken_name(pugi::xml_node element) {
     const std::string_view tag = element.name();
     const std::string kind = "The " + (tag == "g" ? "group" : shortened(tag));
     const std::string_view id = element.attribute("id").value();
-    return id.empty() ? kind + " without an id" : kind + " " + quoted(id);
+    return id.empty() ? kind + " without an id" : kind + " " + quoted_short(id);
 }
 
 /// The name without its prefix, where the prefix is the root's; empty for elements of another vocabulary.
@@ -78,7 +78,7 @@ Result<std::optional<double>> side(pugi::xml_node root, const char* name, double
         return std::optional<double>{};
     const auto length = svg::length_in_units(text, units_per_mm, 0.0);
     if (!length || !std::isfinite(*length))
-        return Error{"The drawing's " + std::string(name) + " " + quoted(text) +
+        return Error{"The drawing's " + std::string(name) + " " + quoted_short(text) +
                      " is not a length in mm, cm, in, pt, pc or px."};
     if (!(*length > 0.0))
         return Error{"The drawing's " + std::string(name) + " is " + shortened(text) +
@@ -152,7 +152,7 @@ private:
         if (const auto attribute = root.attribute("viewBox"); !svg::trimmed(attribute.value()).empty()) {
             box = svg::view_box_from(attribute.value());
             if (!box)
-                return Error{"The drawing's viewBox " + quoted(attribute.value()) +
+                return Error{"The drawing's viewBox " + quoted_short(attribute.value()) +
                              " is not four numbers with a width and a height larger than zero."};
         }
         if (!box && !(*width && *height))
@@ -225,7 +225,7 @@ private:
         const char* text = element.attribute("transform").value();
         const auto transform = svg::transform_from(text);
         if (!transform)
-            return Error{spoken_name(element) + " has a transform that cannot be read: " + quoted(text) +
+            return Error{spoken_name(element) + " has a transform that cannot be read: " + quoted_short(text) +
                          "."};
         view.to_sheet = compose(view.to_sheet, *transform);
         return {};

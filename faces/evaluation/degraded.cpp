@@ -4,6 +4,7 @@
 #include "core/geometry/flatten.hpp"
 #include "faces/evaluation/contour_error.hpp"
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 

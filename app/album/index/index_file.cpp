@@ -56,7 +56,7 @@ void set_aside(const fs::path& cache) {
     fs::remove(cache / damage_name, none);
 }
 
-std::string reason_of(const SqlFault& fault) {
+std::string sql_reason(const SqlFault& fault) {
     constexpr int sqlite_read_only = 8, sqlite_cannot_open = 14;
     if (fault.full())
         return "the disk is full.";
@@ -83,7 +83,7 @@ Result<IndexFile> IndexFile::open(const fs::path& cache, std::vector<std::string
         return Error{reason};
     const Lock lock(cache);
     if (!lock.ok())
-        return Error{tp::reason_of(errno)};
+        return Error{reason_of(errno)};
     const fs::path file = cache / file_name;
     const auto told = [&](const char* why) {
         set_aside(cache);
@@ -104,7 +104,7 @@ Result<IndexFile> IndexFile::open(const fs::path& cache, std::vector<std::string
         } catch (const SqlFault& fault) {
             constexpr int sqlite_error = 1; // a table is not there, or another one
             if (attempt > 0 || !(fault.damaged() || fault.code == sqlite_error))
-                return Error{reason_of(fault)};
+                return Error{sql_reason(fault)};
             told("is damaged");
         }
     }
@@ -116,10 +116,10 @@ std::string IndexFile::remove(const fs::path& cache) {
         return {};
     const Lock lock(cache);
     if (!lock.ok())
-        return tp::reason_of(errno);
+        return reason_of(errno);
     for (const char* part : parts)
         if (!fs::remove(cache / (std::string(file_name) + part), error) && error)
-            return tp::reason_of(error.value());
+            return reason_of(error.value());
     fs::remove(cache / damage_name, error);
     return {};
 }

@@ -46,7 +46,7 @@ std::vector<Packed> files_of(const fs::path& album, const fs::path& photo) {
 }
 
 /// libarchive's own words, as the end of a sentence.
-std::string reason_of(archive* zip) {
+std::string zip_reason(archive* zip) {
     const char* words = archive_error_string(zip);
     return (words ? readable(words) : std::string("it cannot be written")) + ".";
 }
@@ -66,7 +66,7 @@ public:
         if (archive_write_open(zip_.get(), this, nullptr, take, nullptr) != ARCHIVE_OK)
             return why();
         for (const Packed& one : files)
-            total_ += size_of(one.file);
+            total_ += size_or_zero(one.file);
         for (const Packed& one : files)
             if (std::string problem = add(one); !problem.empty())
                 return problem;
@@ -74,18 +74,12 @@ public:
     }
 
 private:
-    static std::uintmax_t size_of(const fs::path& file) {
-        std::error_code error;
-        const std::uintmax_t size = fs::file_size(file, error);
-        return error ? 0 : size;
-    }
-
     la_ssize_t take(const void* bytes, std::size_t count) {
         disk_ = file_.write({static_cast<const char*>(bytes), count});
         return disk_.empty() ? static_cast<la_ssize_t>(count) : -1;
     }
 
-    std::string why() const { return disk_.empty() ? reason_of(zip_.get()) : disk_; }
+    std::string why() const { return disk_.empty() ? zip_reason(zip_.get()) : disk_; }
 
     std::string add(const Packed& one) {
         std::ifstream stream(one.file, std::ios::binary);

@@ -2,6 +2,7 @@
 #include "app/album/keeper/import_sources.hpp"
 
 #include "app/album/keeper/bundle.hpp"
+#include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/photo_name.hpp"
 
 #include <algorithm>
@@ -11,22 +12,12 @@ namespace tp {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::uintmax_t size_of(const fs::path& file) {
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);
-    return error ? 0 : size;
-}
-
-} // namespace
-
 std::vector<PhotoToImport> photographs_in(const std::vector<fs::path>& files_and_folders) {
     std::vector<PhotoToImport> photos;
     for (const fs::path& source : files_and_folders) {
         std::error_code error;
         if (!fs::is_directory(source, error)) {
-            photos.push_back({source, {}, size_of(source)});
+            photos.push_back({source, {}, size_or_zero(source)});
             continue;
         }
         std::vector<PhotoToImport> inside;
@@ -39,7 +30,7 @@ std::vector<PhotoToImport> photographs_in(const std::vector<fs::path>& files_and
             if (place->is_directory(error) && file.filename().string().starts_with('.'))
                 place.disable_recursion_pending();
             else if (has_photo_name(file) && place->is_regular_file(error))
-                inside.push_back({file, folder == "." ? fs::path() : folder, size_of(file)});
+                inside.push_back({file, folder == "." ? fs::path() : folder, size_or_zero(file)});
         }
         std::sort(inside.begin(), inside.end(),
                   [](const PhotoToImport& a, const PhotoToImport& b) { return a.file < b.file; });

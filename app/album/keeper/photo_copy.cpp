@@ -18,15 +18,9 @@ namespace {
 
 constexpr int most_names = 10'000;
 
-std::uintmax_t size_of(const fs::path& file) {
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);
-    return error ? 0 : size;
-}
-
 /// The same bytes, or one of the files cannot be read.
 bool same_bytes(const fs::path& a, const fs::path& b) {
-    if (size_of(a) != size_of(b))
+    if (size_or_zero(a) != size_or_zero(b))
         return false;
     const auto first = content_hash(a), second = content_hash(b);
     return first && second && *first == *second;

@@ -78,6 +78,12 @@ fs::path beside(const fs::path& photo, const Companion& companion) {
     return base += companion.suffix;
 }
 
+std::uintmax_t size_or_zero(const fs::path& file) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    return error ? 0 : size;
+}
+
 Result<std::string> content_hash(const fs::path& file) {
     std::error_code error;
     std::ifstream stream;

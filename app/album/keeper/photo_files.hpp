@@ -3,6 +3,7 @@
 
 #include "core/base/result.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -34,6 +35,9 @@ std::vector<Companion> companions_of(const std::filesystem::path& photo);
 
 /// The name that a companion has beside a photograph of another name or folder.
 std::filesystem::path beside(const std::filesystem::path& photo, const Companion& companion);
+
+/// How long a file is, bytes; 0 where that cannot be known.
+std::uintmax_t size_or_zero(const std::filesystem::path& file);
 
 /// SHA-256 of a file's bytes, hexadecimal; a sentence where it cannot be read.
 Result<std::string> content_hash(const std::filesystem::path& file);

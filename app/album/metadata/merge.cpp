@@ -2,7 +2,6 @@
 #include "app/album/metadata/merge.hpp"
 
 #include "app/album/metadata/xmp_names.hpp"
-#include "core/base/words.hpp"
 #include "core/files/file_words.hpp"
 
 #include <algorithm>
@@ -17,15 +16,13 @@ namespace {
 /// As far apart as two people may mark one face.
 constexpr double same_face = 0.05;
 
-std::string in_quotes(std::string_view text) { return tp::quoted(std::string_view(readable(text))); }
-
 std::string named(std::string_view what, std::string_view name) {
-    return std::string(what).append(" ").append(in_quotes(name));
+    return std::string(what).append(" ").append(quoted_readable(name));
 }
 
 /// Of two versions of something both are told: what it is now, and what the other said.
 std::string told(const std::string& what, std::string_view now, std::string_view other) {
-    return what + " was " + in_quotes(other) + " in another copy; it is " + in_quotes(now) + " now.";
+    return what + " was " + quoted_readable(other) + " in another copy; it is " + quoted_readable(now) + " now.";
 }
 
 /// What a merge of records takes care of.
@@ -61,7 +58,7 @@ private:
             const auto [place, added] = all.emplace(language, text);
             if (!added && place->second != text)
                 merge_.told.push_back(
-                    told(language == "x-default" ? what : what + " in " + in_quotes(language), place->second,
+                    told(language == "x-default" ? what : what + " in " + quoted_readable(language), place->second,
                          text));
         }
         if (!current || all != *current)

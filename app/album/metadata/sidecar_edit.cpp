@@ -5,7 +5,6 @@
 #include "app/album/metadata/xmp_names.hpp"
 #include "app/album/metadata/xmp_record.hpp"
 #include "app/album/metadata/xmp_text.hpp"
-#include "core/base/words.hpp"
 #include "core/files/file_words.hpp"
 
 #include <algorithm>
@@ -26,8 +25,6 @@ void add_name(Names& names, const std::string& name) {
     if (!name.empty() && !has(names, name))
         names.push_back(name);
 }
-
-std::string in_quotes(std::string_view text) { return tp::quoted(std::string_view(readable(text))); }
 
 /// One sidecar and what stands behind it, while it is being changed.
 class Edit {
@@ -168,17 +165,17 @@ std::string refusal(const SidecarChanges& changes) {
         std::set<std::string> files;
         for (const Tag& tag : *changes.tags) {
             if (!is_file_name(tag.file) || holdable(tag.file) != tag.file)
-                return "The recording " + in_quotes(tag.file) +
+                return "The recording " + quoted_readable(tag.file) +
                        " cannot be listed: that is no name of a file that XML can hold.";
             if (!files.insert(tag.file).second)
-                return "The recording " + in_quotes(tag.file) + " cannot be listed twice.";
+                return "The recording " + quoted_readable(tag.file) + " cannot be listed twice.";
         }
     }
     if (changes.faces)
         for (const FaceRegion& face : *changes.faces)
             for (const double share : {face.x, face.y, face.width, face.height})
                 if (!(share >= 0.0) || !(share <= 1.0))
-                    return "The face of " + in_quotes(face.name) + " lies outside the photograph.";
+                    return "The face of " + quoted_readable(face.name) + " lies outside the photograph.";
     return {};
 }
 

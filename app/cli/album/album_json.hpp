@@ -7,6 +7,7 @@
 #include "app/album/metadata/photo_record.hpp"
 
 #include <QByteArray>
+#include <QJsonArray>
 #include <QJsonObject>
 
 #include <filesystem>

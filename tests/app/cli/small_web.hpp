@@ -3,6 +3,8 @@
 
 #include <QByteArray>
 #include <QHash>
+#include <QHostAddress>
+#include <QObject>
 #include <QTcpServer>
 #include <QTcpSocket>
 #include <QUrl>

@@ -2,9 +2,11 @@
 #include "app/controls/controls_module.hpp"
 
 #include <QAccessible>
+#include <QColor>
 #include <QQuickItem>
 #include <QQuickView>
 #include <QTest>
+#include <QUrl>
 
 #include <algorithm>
 #include <cmath>

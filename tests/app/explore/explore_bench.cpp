@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_bench.hpp"
 
+#include <QColor>
+
 using namespace tp;
 
 namespace {

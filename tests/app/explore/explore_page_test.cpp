@@ -3,11 +3,16 @@
 #include "explore_bench.hpp"
 
 #include <QAccessible>
+#include <QCoreApplication>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QLineF>
 #include <QMimeData>
 #include <QPointingDevice>
 #include <QQuickItem>
 #include <QSet>
 #include <QTest>
+#include <QtGlobal>
 
 using namespace tp;
 

@@ -3,6 +3,7 @@
 #include "explore_bench.hpp"
 
 #include <QTest>
+#include <QVariantMap>
 
 using namespace tp;
 

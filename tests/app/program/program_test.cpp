@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <QColor>
 #include <QImage>
 #include <QProcess>
 #include <QSet>

@@ -4,6 +4,7 @@
 #include "core/files/new_file.hpp"
 #include "sounds.hpp"
 
+#include <QCoreApplication>
 #include <QTemporaryDir>
 #include <QTest>
 

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <QString>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>

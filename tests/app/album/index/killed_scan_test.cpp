@@ -3,6 +3,7 @@
 // --scan ALBUM CACHE this program is that process: it writes a byte for each photograph that it has read.
 #include "test_album.hpp"
 
+#include <QCoreApplication>
 #include <QTest>
 
 #include <csignal>

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 
 using namespace tp;

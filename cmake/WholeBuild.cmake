@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+# Building everything at once, as the scripts in packaging do, in half the time. A room is compiled a dozen files at a
+# time, so that the headers of Qt and OpenCV are read once for them all; a test, which is a program of its own, takes
+# Qt's headers precompiled (<QTest> alone costs a compiler three seconds). What a file forgot to include then comes from
+# its neighbours, which tests/house/check_own_includes.py finds; a name that is in no header is told apart from those of
+# the whole room. After a change of one file the preset `dev`, which builds file by file, is the quicker one.
+option(TOUCHPHOTO_WHOLE_BUILD "Build quickly as a whole rather than after each change" OFF)
+
+# tp_build_as_one(room)
+function(tp_build_as_one room)
+  if(TOUCHPHOTO_WHOLE_BUILD)
+    set_target_properties(${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  endif()
+endfunction()
+
+# Only headers that mean the same everywhere: not <QTest> itself and nothing of Qt Gui, which look at macros that
+# differ from one target to the next.
+set(_precompiled <QDateTime> <QDir> <QFile> <QJsonDocument> <QObject> <QTemporaryDir> <QThread> <QVariant>
+    <algorithm> <atomic> <cmath> <filesystem> <fstream> <functional> <random> <set> <thread> <opencv2/imgproc.hpp>)
+
+if(TOUCHPHOTO_WHOLE_BUILD)
+  file(CONFIGURE OUTPUT precompiled.cpp CONTENT "")
+  add_library(tp_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(tp_precompiled PRIVATE Qt6::Core opencv_imgproc tp_compile_options) # -Wpedantic changes macros
+  target_precompile_headers(tp_precompiled PRIVATE ${_precompiled})
+endif()
+
+# tp_use_precompiled(test)
+function(tp_use_precompiled test)
+  if(TOUCHPHOTO_WHOLE_BUILD)
+    target_precompile_headers(${test} REUSE_FROM tp_precompiled)
+  endif()
+endfunction()

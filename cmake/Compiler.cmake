@@ -14,7 +14,7 @@ add_library(tp_compile_options INTERFACE)
 target_compile_options(tp_compile_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion
   # In a room that is compiled as one, a local name may be that of a neighbour file's.
-  $<IF:$<AND:$<BOOL:${TOUCHPHOTO_WHOLE_BUILD}>,$<CXX_COMPILER_ID:GNU>>,-Wshadow=local,-Wshadow>
+  $<IF:$<BOOL:${TOUCHPHOTO_WHOLE_BUILD}>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
   $<$<BOOL:${TOUCHPHOTO_WERROR}>:-Werror>)
 
 if(TOUCHPHOTO_SANITIZE)

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::ptrdiff_t most_folders = 64; // in each other; a name could otherwise make thousands
+constexpr std::ptrdiff_t most_folders = 64;        // in each other; a name could otherwise make thousands
 constexpr std::uintmax_t always_allowed = 1 << 20; // bytes, whatever the growth
 
 using Archive = std::unique_ptr<archive, decltype(&archive_read_free)>;

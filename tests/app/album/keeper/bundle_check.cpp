@@ -20,14 +20,15 @@ namespace {
 
 const BundleLimits limits{1 << 16, 64, 200.0};
 
-/// A folder in memory where there is one, gone with the program. The bundle is unpacked some folders deep, so that what
-/// climbs out of it is seen.
+/// A folder in memory where there is one, gone with the program. The bundle is unpacked some folders deep, so
+/// that what climbs out of it is seen.
 class Place {
 public:
     Place() {
         std::error_code error;
         const bool memory = fs::is_directory("/dev/shm", error);
-        std::string name = ((memory ? fs::path("/dev/shm") : fs::temp_directory_path()) / "bundle-XXXXXX").string();
+        std::string name =
+            ((memory ? fs::path("/dev/shm") : fs::temp_directory_path()) / "bundle-XXXXXX").string();
         if (::mkdtemp(name.data()) == nullptr)
             qFatal("no folder to unpack in");
         folder_ = name;
@@ -46,7 +47,8 @@ public:
     /// What lies in it beside the bundle and below `out`.
     std::size_t outside() const {
         std::size_t count = 0;
-        for (auto file = fs::recursive_directory_iterator(folder_); file != fs::recursive_directory_iterator(); ++file) {
+        for (auto file = fs::recursive_directory_iterator(folder_);
+             file != fs::recursive_directory_iterator(); ++file) {
             if (file->path() == out())
                 file.disable_recursion_pending();
             else
@@ -112,7 +114,8 @@ std::string complaint_about_bundle(std::string_view bytes) {
     const bool zip = bytes.starts_with("PK");
     const std::vector<ZipEntry> entries = zip ? std::vector<ZipEntry>{} : entries_in(bytes);
     if (zip)
-        std::ofstream(place.bundle(), std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        std::ofstream(place.bundle(), std::ios::binary)
+            .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     else
         write_zip(place.bundle(), entries);
 

@@ -44,7 +44,8 @@ private slots:
         album.write(".touchphoto/people/Anna.flac", "her name");
         Trash trash(album.path());
         const mode_t before = ::umask(0);
-        const auto id = trash.put({"2026/a.jpg.tags/memo.flac", ".touchphoto/people/Anna.flac"}, "recordings");
+        const auto id =
+            trash.put({"2026/a.jpg.tags/memo.flac", ".touchphoto/people/Anna.flac"}, "recordings");
         QVERIFY2(id.ok(), id.error().c_str());
         const auto mode = [&](const fs::path& name) {
             struct stat about {};

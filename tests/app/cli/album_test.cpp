@@ -62,6 +62,10 @@ private slots:
             QVERIFY(line.contains("source") && line.contains("photo") && line["problem"].isNull());
         }
         QCOMPARE(fates, (QStringList{"imported", "imported", "duplicate"}));
+        QVERIFY(lines_of(imported).at(0)["sound"].isNull());
+        const QJsonObject sound = lines_of(imported).at(1)["sound"].toObject();
+        QCOMPARE(sound["source"].toString(), "sound_file");
+        QVERIFY(fs::exists(family.folder / "Mai/IMG_2.JPG.tags" / sound["recording"].toString().toStdString()));
 
         const Run added =
             album({"tag", "add", family.photo(), "--kind", "memo", "--from", text(family.card / "memo.wav"),

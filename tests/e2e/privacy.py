@@ -142,6 +142,8 @@ class Album(unittest.TestCase):
         with open(PHOTO, "rb") as one, open(self.path("card/IMG_2.JPG"), "wb") as other:
             other.write(one.read() + b"\0")
         self.tone("card/IMG_1.WAV")
+        subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-f", "lavfi", "-i", "sine=duration=1", "-c:a", "aac",
+                        self.path("card/IMG_2.MOV")], check=True)
         self.tone("memo.wav")
         self.traces = 0
 
@@ -174,7 +176,8 @@ class Album(unittest.TestCase):
 
     def test_the_verbs_reach_nobody_and_what_they_write_is_the_owner_s(self):
         album, photo = self.path("album"), self.path("album/Mai/IMG_1.JPG")
-        self.album("import", album, self.path("card"), "--into", "Mai", "--json")
+        lines = self.album("import", album, self.path("card"), "--into", "Mai", "--json").splitlines()
+        self.assertEqual([json.loads(line)["sound"]["source"] for line in lines], ["sound_file", "live_photo"])
         self.album("tag", "add", photo, "--from", self.path("memo.wav"), "--person", "Anna", "--transcript", "Anna by the lake")
         self.album("tag", "add", photo, "--from", self.path("memo.wav"), "--kind", "place")
         self.album("scan", album, "--json")
@@ -195,7 +198,7 @@ class Album(unittest.TestCase):
         cache, own = list(files_below(self.path("cache"))), list(files_below(os.path.join(album, ".touchphoto")))
         recordings = [path for path in files_below(album) if ".tags" in path or path.endswith(".flac")]
         self.assertTrue(any(os.path.isfile(path) and os.path.getsize(path) > 4096 for path in cache), "no index")
-        self.assertGreaterEqual(sum(path.endswith(".flac") for path in recordings), 3)
+        self.assertGreaterEqual(sum(path.endswith(".flac") for path in recordings), 4)
         self.assertTrue(any(path.endswith("people/Anna.flac") for path in recordings), recordings)
         self.assertTrue(any("/trash/" in path for path in own), own)
         for path in cache + own + recordings + [self.path("family.touchphoto")]:
@@ -251,7 +254,7 @@ class Page(unittest.TestCase):
 def outer():
     missing = accessibility.what_is_missing() or network_trace.can_trace()
     if not missing:
-        missing = next((tool for tool in ("pulseaudio", "pactl") if shutil.which(tool) is None), None)
+        missing = next((tool for tool in ("ffmpeg", "pulseaudio", "pactl") if shutil.which(tool) is None), None)
     if missing:
         print(f"SKIP: {missing}")
         return 77

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <system_error>
 #include <utility>
@@ -26,6 +27,12 @@ namespace fs = std::filesystem;
 namespace {
 
 using Fate = ImportedPhoto::Fate;
+
+std::uint64_t size_of(const fs::path& file) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    return error ? 0 : size;
+}
 
 /// How long the rest takes at the speed so far.
 class Clock {
@@ -117,9 +124,7 @@ private:
 
     /// With the sound that a camera recorded with the photograph, or why it did not come along.
     ImportedPhoto with_sound(ImportedPhoto photo) {
-        std::error_code error;
-        const fs::directory_iterator recordings(tags_folder(photo.place), error);
-        if (recordings != fs::directory_iterator()) // its own came along, or this one did before
+        if (has_recordings(photo.place)) // its own came along, or this one did before
             return photo;
         const RecordingLabel label{RecordingKind::ambient, {}, {}, {}, {}, {}};
         const auto take = [&](SoundSource source, const Result<AlbumKeeper::Added>& added) {
@@ -137,8 +142,16 @@ private:
                  keeper_.add_video_sound(photo.place, photo.source, *inside, label));
         else if (const auto video = video_beside(photo.source))
             take(SoundSource::live_photo,
-                 keeper_.add_video_sound(photo.place, *video, {0, fs::file_size(*video, error)}, label));
+                 keeper_.add_video_sound(photo.place, *video, {0, size_of(*video)}, label));
         return photo;
+    }
+
+    /// Whole ones: what a kill left half-written is none.
+    static bool has_recordings(const fs::path& photo) {
+        std::error_code error;
+        const fs::directory_iterator files(tags_folder(photo), error);
+        return std::any_of(fs::begin(files), fs::end(files),
+                           [](const fs::directory_entry& file) { return !is_temporary(file.path()); });
     }
 
     static std::optional<VideoPlace> video_in(const fs::path& photo) {

@@ -181,10 +181,14 @@ private slots:
         QVERIFY(stopped->stopped);
         fs::remove_all(album / "IMG_1.JPG.tags");
         fs::remove(album / "IMG_1.JPG.xmp");
+        const fs::path half = album.write("IMG_1.JPG.tags/.touchphoto-1-1.tmp", "what was being written");
+        QVERIFY(is_temporary(half));
+        fs::permissions(half.parent_path(), fs::perms::owner_all);
         const auto rest = go_on_importing(album.path(), stopped->id, {});
         QVERIFY2(rest.ok(), rest.error().c_str());
         QCOMPARE(rest->photos.size(), std::size_t{2});
         QVERIFY(rest->photos[0].fate == Fate::duplicate && rest->photos[0].sound.has_value());
+        fs::remove(half);
         QVERIFY(!recording_of(album / "IMG_1.JPG").empty());
         QVERIFY(check_album(album.path())->findings.empty());
     }

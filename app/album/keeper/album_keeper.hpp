@@ -83,7 +83,9 @@ public:
 
     /// Keeps how somebody says a person's name; an earlier one goes to the trash.
     std::string keep_name_recording(const std::string& person, const std::filesystem::path& sound);
-    /// Where it is kept, if it is.
+    /// Where it is kept, be it there or not.
+    std::filesystem::path place_of_name(const std::string& person) const;
+    /// The same, if it is there.
     std::optional<std::filesystem::path> name_recording(const std::string& person) const;
 
     // Taking back.

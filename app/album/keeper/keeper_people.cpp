@@ -221,8 +221,10 @@ Result<std::size_t> AlbumKeeper::rename_person(const std::vector<fs::path>& phot
     return changed->size();
 }
 
+fs::path AlbumKeeper::place_of_name(const std::string& person) const { return name_file(album_, person); }
+
 std::optional<fs::path> AlbumKeeper::name_recording(const std::string& person) const {
-    const fs::path file = name_file(album_, person);
+    const fs::path file = place_of_name(person);
     std::error_code error;
     return fs::is_regular_file(file, error) ? std::optional(file) : std::nullopt;
 }
@@ -230,7 +232,7 @@ std::optional<fs::path> AlbumKeeper::name_recording(const std::string& person) c
 std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs::path& sound) {
     if (person.empty())
         return "A person needs a name before it can be recorded.";
-    const fs::path file = name_file(album_, person);
+    const fs::path file = place_of_name(person);
     if (const std::string reason = make_folder(file.parent_path(), Readers::owner_only); !reason.empty())
         return "The name cannot be kept: " + reason;
     const auto taken_in =

@@ -83,6 +83,9 @@ public:
 
     /// Keeps how somebody says a person's name; an earlier one goes to the trash.
     std::string keep_name_recording(const std::string& person, const std::filesystem::path& sound);
+    /// Gives it to another name, for a person who is called so everywhere from now on; where that name has
+    /// been recorded already, this one goes to the trash. Done where there is none.
+    std::string rename_name_recording(const std::string& from, const std::string& to);
     /// Where it is kept, be it there or not.
     std::filesystem::path place_of_name(const std::string& person) const;
     /// The same, if it is there.

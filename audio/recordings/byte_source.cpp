@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace tp {
 
@@ -15,6 +16,17 @@ std::size_t MemoryBytes::read(std::uint64_t at, std::span<char> to) const {
     if (at >= bytes_.size())
         return 0;
     return bytes_.copy(to.data(), to.size(), static_cast<std::size_t>(at));
+}
+
+PartOfBytes::PartOfBytes(std::unique_ptr<ByteSource> whole, std::uint64_t begin, std::uint64_t size)
+    : whole_(std::move(whole)), begin_(std::min(begin, whole_->size())),
+      size_(std::min(size, whole_->size() - begin_)) {}
+
+std::size_t PartOfBytes::read(std::uint64_t at, std::span<char> to) const {
+    if (at >= size_)
+        return 0;
+    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(to.size(), size_ - at));
+    return whole_->read(begin_ + at, to.first(count));
 }
 
 Result<std::unique_ptr<FileBytes>> FileBytes::open(const std::filesystem::path& file) {

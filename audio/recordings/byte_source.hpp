@@ -32,6 +32,19 @@ private:
     std::string_view bytes_;
 };
 
+/// Some of another's bytes: those from `begin` on, `size` of them or as many as there are.
+class PartOfBytes : public ByteSource {
+public:
+    PartOfBytes(std::unique_ptr<ByteSource> whole, std::uint64_t begin, std::uint64_t size);
+    std::uint64_t size() const override { return size_; }
+    std::size_t read(std::uint64_t at, std::span<char> to) const override;
+
+private:
+    std::unique_ptr<ByteSource> whole_;
+    std::uint64_t begin_;
+    std::uint64_t size_;
+};
+
 /// A file's bytes; its size is what it was when it was opened.
 class FileBytes : public ByteSource {
 public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/recordings/camera_sound.hpp"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -19,12 +20,13 @@ std::string lower(std::string text) {
 
 } // namespace
 
-CameraSounds::CameraSounds(const fs::path& folder) {
+CameraSounds::CameraSounds(const fs::path& folder, const std::vector<std::string>& ends) {
     std::error_code error;
     for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
          entry.increment(error)) {
         std::error_code unknown;
-        if (lower(entry->path().extension().string()) == ".wav" && entry->is_regular_file(unknown))
+        const std::string extension = lower(entry->path().extension().string());
+        if (std::find(ends.begin(), ends.end(), extension) != ends.end() && entry->is_regular_file(unknown))
             sounds_.emplace(lower(entry->path().stem().string()), folder / entry->path().filename());
     }
 }
@@ -41,6 +43,10 @@ std::optional<fs::path> CameraSounds::of(const fs::path& photo) const {
 
 std::optional<fs::path> sound_beside(const fs::path& photo) {
     return CameraSounds(photo.parent_path()).of(photo);
+}
+
+std::optional<fs::path> video_beside(const fs::path& photo) {
+    return CameraSounds(photo.parent_path(), {".mov", ".mp4"}).of(photo);
 }
 
 } // namespace tp

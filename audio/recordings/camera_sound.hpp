@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tp {
 
@@ -12,10 +13,11 @@ namespace tp {
 /// files of one object share their name). Read once, asked for each photograph.
 class CameraSounds {
 public:
-    /// A folder that cannot be read has none.
-    explicit CameraSounds(const std::filesystem::path& folder);
+    /// A folder that cannot be read has none. `ends`: what their names end in, in lower case.
+    explicit CameraSounds(const std::filesystem::path& folder,
+                          const std::vector<std::string>& ends = {".wav"});
 
-    /// The WAV file beside that photograph, upper and lower case (of ASCII) being the same; where two would
+    /// The file beside that photograph, upper and lower case (of ASCII) being the same; where two would
     /// do, the one that is spelled like the photograph, else the first by name.
     std::optional<std::filesystem::path> of(const std::filesystem::path& photo) const;
 
@@ -26,5 +28,8 @@ private:
 
 /// The same for one photograph.
 std::optional<std::filesystem::path> sound_beside(const std::filesystem::path& photo);
+
+/// The film of a Live Photo, by the same rule: IMG_1.MOV or IMG_1.MP4 beside IMG_1.HEIC or IMG_1.JPG.
+std::optional<std::filesystem::path> video_beside(const std::filesystem::path& photo);
 
 } // namespace tp

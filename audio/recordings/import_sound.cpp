@@ -8,6 +8,7 @@
 #include "audio/recordings/sound_reader.hpp"
 #include "core/files/durable_file.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace tp {
@@ -38,6 +39,13 @@ std::string seconds_in_words(std::uint64_t frames, int rate) {
     return std::to_string(frames / static_cast<std::uint64_t>(rate)) + " s";
 }
 
+/// A sentence where more than `slack` frames of those that were claimed are missing; else empty.
+std::string warning_of(std::uint64_t frames, std::uint64_t claimed, std::uint64_t slack, int rate) {
+    return frames + slack >= claimed ? std::string{}
+                                     : "It is damaged; only the first " + seconds_in_words(frames, rate) +
+                                           " of " + seconds_in_words(claimed, rate) + " could be read.";
+}
+
 } // namespace
 
 Result<ImportedSound> import_sound(const fs::path& from, const fs::path& folder,
@@ -66,12 +74,32 @@ Result<ImportedSound> import_sound(const fs::path& from, const fs::path& folder,
     const auto file = under_free_name(folder, recording_stem(notes.label), ".flac", store);
     if (!file)
         return Error{file.error()};
-    ImportedSound imported{*file, {}};
     const auto second = static_cast<std::uint64_t>(about->format.rate); // MP3 only estimates its length
-    if (frames + (about->exact_length ? 0 : second) < about->frames)
-        imported.warning = "It is damaged; only the first " + seconds_in_words(frames, about->format.rate) +
-                           " of " + seconds_in_words(about->frames, about->format.rate) + " could be read.";
-    return imported;
+    return ImportedSound{
+        *file, warning_of(frames, about->frames, about->exact_length ? 0 : second, about->format.rate)};
+}
+
+Result<ImportedSound> import_sound(const std::function<Result<std::unique_ptr<SoundStream>>()>& open,
+                                   const fs::path& folder, const RecordingNotes& notes) {
+    if (const auto begins = open(); !begins)
+        return Error{begins.error()};
+    if (std::string reason = make_folder(folder, Readers::owner_only); !reason.empty())
+        return Error{reason};
+    VorbisComments comments;
+    set_notes(comments, notes);
+    std::string warning;
+    const auto store = [&](const fs::path& place) -> std::string {
+        const auto sound = open();
+        if (!sound)
+            return sound.error();
+        const int rate = (*sound)->format().rate;
+        const auto stored = store_flac(**sound, comments, place, Incomplete::stored);
+        if (stored) // a codec fills its last block up, and its container says so or not
+            warning = warning_of(*stored, (*sound)->frames(), static_cast<std::uint64_t>(rate), rate);
+        return stored.error();
+    };
+    const auto file = under_free_name(folder, recording_stem(notes.label), ".flac", store);
+    return file ? Result<ImportedSound>(ImportedSound{*file, warning}) : Error{file.error()};
 }
 
 } // namespace tp

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "audio/recordings/recording_notes.hpp"
+#include "audio/recordings/sound_stream.hpp"
 #include "core/base/result.hpp"
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 
 namespace tp {
@@ -21,5 +24,9 @@ struct ImportedSound {
 /// stay. `from` is only read. An error is the end of a sentence, and then there is no new file.
 Result<ImportedSound> import_sound(const std::filesystem::path& from, const std::filesystem::path& folder,
                                    const RecordingNotes& notes);
+
+/// The same for sound that is in no sound file. `open` begins it anew whenever it is called.
+Result<ImportedSound> import_sound(const std::function<Result<std::unique_ptr<SoundStream>>()>& open,
+                                   const std::filesystem::path& folder, const RecordingNotes& notes);
 
 } // namespace tp

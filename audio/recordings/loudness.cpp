@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <ebur128.h>
 #include <vector>
 
@@ -72,9 +73,14 @@ Result<Loudness> loudness_of(const std::filesystem::path& file) {
         return Error{reader.error()};
     LoudnessMeter meter(reader->format());
     std::vector<std::int32_t> block(sound_block);
-    while (const std::size_t frames = reader->read(block))
+    std::uint64_t all = 0;
+    while (const std::size_t frames = reader->read(block)) {
         meter.add(std::span<const std::int32_t>(
             block.data(), frames * static_cast<std::size_t>(reader->format().channels)));
+        all += frames;
+    }
+    if (all < reader->frames() && reader->exact_length())
+        return Error{"it is damaged, and cannot be read to its end."};
     return meter.loudness();
 }
 

@@ -51,7 +51,8 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// Of a whole sound file; reads it to its end. An error is the end of a sentence.
+/// Of a whole sound file; reads it to its end. An error is the end of a sentence, also where less can be read
+/// than the file claims.
 Result<Loudness> loudness_of(const std::filesystem::path& file);
 
 } // namespace tp

@@ -120,6 +120,7 @@ public:
             ++report_.photos;
         }
         left_behind(there);
+        people();
         imports_and_trash();
         return std::move(report_);
     }
@@ -189,10 +190,12 @@ private:
         unreadable_sidecar(photo);
         const auto record = read_record(photo);
         if (!record) {
+            every_sidecar_was_read_ = false;
             found(Kind::unreadable_sidecar, photo, record.error());
             return;
         }
         recordings(photo, *record);
+        remember_people(*record);
         if (options_.hashes && !record->content_hash.empty())
             changed_photo(photo, record->content_hash);
         if (!record->content_hash.empty())
@@ -234,6 +237,7 @@ private:
         const fs::path sidecar = sidecar_of(photo);
         if (!name_taken(sidecar) || content_hash_in(sidecar))
             return;
+        every_sidecar_was_read_ = false;
         found(Kind::unreadable_sidecar, sidecar, quoted(sidecar) + " cannot be read.",
               "It goes to the trash, and a new one lists the photograph's recordings.", [&] {
                   return keeper_.trash()
@@ -242,14 +246,20 @@ private:
               });
     }
 
-    void recordings(const fs::path& photo, const PhotoRecord& record) {
-        const fs::path folder = tags_folder(photo);
+    /// The files of a folder of recordings that nobody is writing.
+    static std::set<std::string> recordings_in(const fs::path& folder) {
         std::error_code error;
         std::set<std::string> there;
         for (const auto& file : fs::directory_iterator(folder, error))
             if (file.is_regular_file(error) && !is_temporary(file.path()) &&
                 !file.path().filename().string().ends_with(wav_part_end))
                 there.insert(file.path().filename().string());
+        return there;
+    }
+
+    void recordings(const fs::path& photo, const PhotoRecord& record) {
+        const fs::path folder = tags_folder(photo);
+        const std::set<std::string> there = recordings_in(folder);
         for (const std::string& file : there) {
             ++report_.recordings;
             const auto facts = recording_facts(folder / file);
@@ -358,6 +368,59 @@ private:
         return place == by_hash_.end() ? std::nullopt : std::optional(place->second);
     }
 
+    void remember_people(const PhotoRecord& record) {
+        known_people_.insert(record.persons.begin(), record.persons.end());
+        for (const FaceRegion& face : record.faces)
+            known_people_.insert(face.name);
+        for (const Tag& tag : record.tags) {
+            known_people_.insert(tag.label.person);
+            known_people_.insert(tag.label.speaker);
+        }
+    }
+
+    /// How somebody says people's names.
+    void people() {
+        const fs::path folder = keeper_.place_of_name("a").parent_path();
+        unfinished_recordings(folder);
+        for (const std::string& file : recordings_in(folder))
+            check_name(folder / file);
+        open_to_others(folder, recordings_in(folder));
+    }
+
+    void check_name(const fs::path& file) {
+        const auto facts = recording_facts(file);
+        if (!facts) {
+            found(Kind::unreadable_recording, file, facts.error(),
+                  "It goes to the trash, and the name can be recorded again.",
+                  [&] { return keeper_.trash().put({file}, "a name that cannot be heard").error(); });
+            return;
+        }
+        const std::string& person = facts->label.person;
+        if (person.empty()) {
+            found(Kind::unlisted_recording, file, quoted(file) + " does not say whose name it is.");
+            return;
+        }
+        if (const fs::path place = keeper_.place_of_name(person); place != file)
+            misplaced_name(file, person, place);
+        else if (!known_people_.contains(person) && every_sidecar_was_read_)
+            found(Kind::left_behind, file,
+                  quoted(file) + " says the name of " + readable(person) + ", who is on no photograph.");
+    }
+
+    /// A name was being recorded when its program ended.
+    void misplaced_name(const fs::path& file, const std::string& person, const fs::path& place) {
+        const std::string sentence =
+            quoted(file) + " says the name of " + readable(person) + " and does not have its place.";
+        if (name_taken(place))
+            found(Kind::unlisted_recording, file, sentence,
+                  "Another one has it, so this one goes to the trash.", [&] {
+                      return keeper_.trash().put({file}, "how somebody says " + readable(person)).error();
+                  });
+        else
+            found(Kind::unlisted_recording, file, sentence, "It goes there, " + quoted(place) + ".",
+                  [&] { return move_file(file, place); });
+    }
+
     void imports_and_trash() {
         for (const std::string& id : unfinished_imports(album_))
             found(Kind::unfinished_import, album_ / ".touchphoto" / "import" / (id + ".json"),
@@ -375,6 +438,8 @@ private:
     CheckReport report_;
     std::map<std::string, fs::path> by_hash_;
     bool all_hashed_ = false;
+    std::set<std::string> known_people_; ///< those that a photograph speaks of
+    bool every_sidecar_was_read_ = true;
 };
 
 } // namespace

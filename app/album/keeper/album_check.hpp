@@ -18,11 +18,12 @@ struct Finding {
     enum class Kind {
         half_written,         ///< a temporary file that a killed program left; nothing in it was acknowledged
         unfinished_recording, ///< a recording that a crash stopped
-        unlisted_recording,   ///< a recording that its photograph does not know of
+        unlisted_recording,   ///< a recording that its photograph or person does not know of
         missing_recording,    ///< a listed recording without its file
         unreadable_recording,
         unreadable_sidecar,
-        left_behind,    ///< a sidecar, contours or recordings whose photograph is not beside them
+        left_behind,    ///< a sidecar, contours or recordings whose photograph is not beside them, or a
+                        ///< name of nobody
         conflict_copy,  ///< another machine changed the same sidecar
         changed_photo,  ///< its bytes are not those that its sidecar knew
         open_to_others, ///< recordings that other people on this machine may hear

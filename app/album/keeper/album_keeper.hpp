@@ -15,6 +15,9 @@
 
 namespace tp {
 
+struct ImportedSound;
+struct VideoPlace;
+
 /// Everything that a person does to the photographs in one folder of an album and below it. Each step is on
 /// the disk when it returns and can be taken back; the photograph's own bytes are never written.
 ///
@@ -35,6 +38,10 @@ public:
     /// Where the label does not say when it was recorded, the file's time does.
     Result<Added> add_recording(const std::filesystem::path& photo, const std::filesystem::path& sound,
                                 const RecordingLabel& label);
+    /// Takes in the sound of a short video, a file of its own or a part of one such as a motion photo. One
+    /// that is longer than a minute is a film, and refused.
+    Result<Added> add_video_sound(const std::filesystem::path& photo, const std::filesystem::path& file,
+                                  const VideoPlace& video, const RecordingLabel& label);
     /// Lists a recording that lies among the photograph's already, as the recorder leaves it, by its own
     /// comments.
     Result<Tag> list_recording(const std::filesystem::path& photo, const std::string& file);
@@ -76,7 +83,12 @@ public:
 
     /// Keeps how somebody says a person's name; an earlier one goes to the trash.
     std::string keep_name_recording(const std::string& person, const std::filesystem::path& sound);
-    /// Where it is kept, if it is.
+    /// Gives it to another name, for a person who is called so everywhere from now on; where that name has
+    /// been recorded already, this one goes to the trash. Done where there is none.
+    std::string rename_name_recording(const std::string& from, const std::string& to);
+    /// Where it is kept, be it there or not.
+    std::filesystem::path place_of_name(const std::string& person) const;
+    /// The same, if it is there.
     std::optional<std::filesystem::path> name_recording(const std::string& person) const;
 
     // Taking back.
@@ -88,6 +100,7 @@ public:
     const std::filesystem::path& album() const { return album_; }
 
 private:
+    Result<Added> listed(const std::filesystem::path& photo, const ImportedSound& kept);
     using Change = std::function<SidecarChanges(const PhotoRecord&)>;
     /// Reads, changes and writes the sidecar; nobody of ours comes between.
     std::string change_sidecar(const std::filesystem::path& photo, const Change& change);

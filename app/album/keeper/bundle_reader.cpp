@@ -7,6 +7,8 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <array>
+#include <cstddef>
+#include <iterator>
 #include <memory>
 #include <system_error>
 
@@ -16,6 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::ptrdiff_t most_folders = 64;        // in each other; a name could otherwise make thousands
 constexpr std::uintmax_t always_allowed = 1 << 20; // bytes, whatever the growth
 
 using Archive = std::unique_ptr<archive, decltype(&archive_read_free)>;
@@ -34,6 +37,8 @@ Result<fs::path> path_of(archive_entry* entry) {
         written.startsWith(QStringLiteral("%:")) ? tp::path_of(written) : Result<fs::path>(fs::path(name));
     if (!decoded || !stays_below(*decoded) || name.find('\\') != std::string::npos)
         return Error{"it holds " + quoted(fs::path(name)) + ", which would lie outside the album."};
+    if (std::distance(decoded->begin(), decoded->end()) > most_folders)
+        return Error{"it holds a file in more folders than any album has."};
     return *decoded;
 }
 

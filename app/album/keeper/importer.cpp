@@ -6,14 +6,19 @@
 #include "app/album/keeper/import_sources.hpp"
 #include "app/album/keeper/photo_copy.hpp"
 #include "app/album/keeper/photo_files.hpp"
+#include "app/album/metadata/motion_photo.hpp"
+#include "audio/recordings/byte_source.hpp"
 #include "audio/recordings/camera_sound.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <system_error>
+#include <utility>
 
 namespace tp {
 
@@ -22,6 +27,12 @@ namespace fs = std::filesystem;
 namespace {
 
 using Fate = ImportedPhoto::Fate;
+
+std::uint64_t size_of(const fs::path& file) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(file, error);
+    return error ? 0 : size;
+}
 
 /// How long the rest takes at the speed so far.
 class Clock {
@@ -97,26 +108,55 @@ private:
         const auto hash = content_hash(source.file);
         if (!hash)
             return {source.file, {}, Fate::failed, hash.error()};
-        if (const auto place = known(*hash)) // when an import goes on, a kill may have come before the sound
-            return {source.file, *place, Fate::duplicate,
-                    goes_on_ ? take_sound(source.file, *place) : std::string{}};
+        if (const auto place =
+                known(*hash)) { // when an import goes on, a kill may have come before the sound
+            ImportedPhoto photo{source.file, *place, Fate::duplicate, {}};
+            return goes_on_ ? with_sound(std::move(photo)) : photo;
+        }
         const auto copied = copy_photo(source.file, album_ / list_.into / source.folder);
         if (!copied)
             return {
                 source.file, {}, Fate::failed, quoted(source.file) + " was not imported: " + copied.error()};
         this_time_[*hash] = copied->place;
-        return {source.file, copied->place, copied->was_there ? Fate::duplicate : Fate::imported,
-                take_sound(source.file, copied->place)};
+        return with_sound(
+            {source.file, copied->place, copied->was_there ? Fate::duplicate : Fate::imported, {}});
     }
 
-    /// The sound that a camera recorded with the photograph; why it did not come along.
-    std::string take_sound(const fs::path& photo, const fs::path& place) {
-        const auto sound = sound_beside(photo);
+    /// With the sound that a camera recorded with the photograph, or why it did not come along.
+    ImportedPhoto with_sound(ImportedPhoto photo) {
+        if (has_recordings(photo.place)) // its own came along, or this one did before
+            return photo;
+        const RecordingLabel label{RecordingKind::ambient, {}, {}, {}, {}, {}};
+        const auto take = [&](SoundSource source, const Result<AlbumKeeper::Added>& added) {
+            photo.problem = !added                   ? added.error()
+                            : added->warning.empty() ? std::string{}
+                                                     : "The sound of " + quoted(photo.source.filename()) +
+                                                           " is not whole. " + added->warning;
+            if (added)
+                photo.sound = TakenSound{added->tag.file, source};
+        };
+        if (const auto sound = sound_beside(photo.source))
+            take(SoundSource::sound_file, keeper_.add_recording(photo.place, *sound, label));
+        else if (const auto inside = video_in(photo.source))
+            take(SoundSource::motion_photo,
+                 keeper_.add_video_sound(photo.place, photo.source, *inside, label));
+        else if (const auto video = video_beside(photo.source))
+            take(SoundSource::live_photo,
+                 keeper_.add_video_sound(photo.place, *video, {0, size_of(*video)}, label));
+        return photo;
+    }
+
+    /// Whole ones: what a kill left half-written is none.
+    static bool has_recordings(const fs::path& photo) {
         std::error_code error;
-        const fs::directory_iterator recordings(tags_folder(place), error);
-        if (!sound || recordings != fs::directory_iterator()) // its own came along, or this one did before
-            return {};
-        return keeper_.add_recording(place, *sound, {RecordingKind::ambient, {}, {}, {}, {}, {}}).error();
+        const fs::directory_iterator files(tags_folder(photo), error);
+        return std::any_of(fs::begin(files), fs::end(files),
+                           [](const fs::directory_entry& file) { return !is_temporary(file.path()); });
+    }
+
+    static std::optional<VideoPlace> video_in(const fs::path& photo) {
+        const auto bytes = FileBytes::open(photo);
+        return bytes ? video_inside(**bytes) : std::nullopt;
     }
 
     const fs::path& album_;
@@ -130,6 +170,11 @@ private:
 };
 
 } // namespace
+
+std::string_view name_of(SoundSource source) {
+    constexpr std::array<std::string_view, 3> names{"sound_file", "motion_photo", "live_photo"};
+    return names[static_cast<std::size_t>(source)];
+}
 
 std::size_t ImportReport::count(Fate fate) const {
     return static_cast<std::size_t>(std::count_if(

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tp {
@@ -19,6 +20,22 @@ struct ImportProgress {
     std::uintmax_t bytes_done = 0, bytes_total = 0;
     std::filesystem::path current;      ///< empty at the end
     std::optional<double> seconds_left; ///< by the speed so far; none in the first second
+};
+
+/// Where a camera put the sound of a photograph.
+enum class SoundSource {
+    sound_file,   ///< IMG_1.WAV beside IMG_1.JPG
+    motion_photo, ///< a video inside the photograph's own file
+    live_photo,   ///< IMG_1.MOV beside IMG_1.HEIC
+};
+
+/// "sound_file", …: as in JSON.
+std::string_view name_of(SoundSource source);
+
+/// The ambient recording that a camera's sound became.
+struct TakenSound {
+    std::string recording; ///< its file name among the photograph's recordings
+    SoundSource source = SoundSource::sound_file;
 };
 
 /// What became of one photograph that was to be imported.
@@ -32,6 +49,7 @@ struct ImportedPhoto {
     std::filesystem::path place;
     Fate fate = Fate::imported;
     std::string problem; ///< where imported: what did not come along
+    std::optional<TakenSound> sound = {};
 };
 
 struct ImportReport {
@@ -52,7 +70,7 @@ struct ImportTools {
 
 // Copies photographs with all that is theirs into a folder of an album: from folders, whose own folders are
 // kept, a camera's card, single files or .touchphoto bundles. A sound of the photograph's name (IMG_1.WAV)
-// becomes its ambient recording.
+// becomes its ambient recording, and so does the sound of a motion photo's or a Live Photo's video.
 //
 // What is to be imported is on the disk before the first byte is copied, so that an import that was stopped,
 // killed or cut off goes on where it was. A photograph is copied after its companions: where it is,

@@ -3,6 +3,8 @@
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "audio/recordings/import_sound.hpp"
+#include "audio/recordings/recording_file.hpp"
+#include "audio/recordings/recording_notes.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
@@ -221,8 +223,10 @@ Result<std::size_t> AlbumKeeper::rename_person(const std::vector<fs::path>& phot
     return changed->size();
 }
 
+fs::path AlbumKeeper::place_of_name(const std::string& person) const { return name_file(album_, person); }
+
 std::optional<fs::path> AlbumKeeper::name_recording(const std::string& person) const {
-    const fs::path file = name_file(album_, person);
+    const fs::path file = place_of_name(person);
     std::error_code error;
     return fs::is_regular_file(file, error) ? std::optional(file) : std::nullopt;
 }
@@ -230,7 +234,7 @@ std::optional<fs::path> AlbumKeeper::name_recording(const std::string& person) c
 std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs::path& sound) {
     if (person.empty())
         return "A person needs a name before it can be recorded.";
-    const fs::path file = name_file(album_, person);
+    const fs::path file = place_of_name(person);
     if (const std::string reason = make_folder(file.parent_path(), Readers::owner_only); !reason.empty())
         return "The name cannot be kept: " + reason;
     const auto taken_in =
@@ -259,6 +263,43 @@ std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs
                    [this, exchange, earlier, later] {
                        return earlier->empty() ? trash_.restore(*later) : exchange(*earlier, *later);
                    }});
+    return {};
+}
+
+std::string AlbumKeeper::rename_name_recording(const std::string& from, const std::string& to) {
+    const auto file = name_recording(from);
+    if (!file || to.empty() || from == to)
+        return {};
+    if (name_taken(place_of_name(to))) {
+        const std::string what = "how somebody says " + readable(from);
+        const auto id = std::make_shared<std::string>();
+        const auto put_away = [this, file, what, id] {
+            const auto put = trash_.put({*file}, what);
+            if (put)
+                *id = *put;
+            return put.error();
+        };
+        if (std::string problem = put_away(); !problem.empty())
+            return problem;
+        history_.done({what + " was deleted", [this, id] { return trash_.restore(*id); }, put_away});
+        return {};
+    }
+    const auto give = [this](const std::string& one, const std::string& other) -> std::string {
+        const fs::path place = place_of_name(one);
+        const auto about = about_recording(place);
+        if (!about)
+            return quoted(place) + " cannot be used: " + about.error();
+        RecordingNotes notes = about->notes;
+        notes.label.person = other;
+        std::string reason = relabel_recording(place, notes); // after a kill the check moves it to its place
+        if (reason.empty())
+            reason = move_file(place, place_of_name(other));
+        return reason.empty() ? reason : quoted(place) + " cannot be renamed: " + reason;
+    };
+    if (std::string problem = give(from, to); !problem.empty())
+        return problem;
+    history_.done({"the recorded name of " + readable(from) + " became that of " + readable(to),
+                   [give, from, to] { return give(to, from); }, [give, from, to] { return give(from, to); }});
     return {};
 }
 

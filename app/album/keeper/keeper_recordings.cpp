@@ -4,10 +4,13 @@
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/keeper/recording_facts.hpp"
 #include "app/album/keeper/tag_note.hpp"
+#include "app/album/metadata/motion_photo.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "audio/recordings/byte_source.hpp"
 #include "audio/recordings/import_sound.hpp"
 #include "audio/recordings/recording_file.hpp"
 #include "audio/recordings/trim.hpp"
+#include "audio/video/video_sound.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
@@ -25,6 +28,8 @@ namespace tp {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::uint64_t longest_video_s = 60; // a Live Photo lasts 3 s, a motion photo a few
 
 auto find_tag(std::vector<Tag>& tags, const std::string& file) {
     return std::find_if(tags.begin(), tags.end(), [&](const Tag& tag) { return tag.file == file; });
@@ -91,8 +96,39 @@ Result<AlbumKeeper::Added> AlbumKeeper::add_recording(const fs::path& photo, con
     const auto kept = import_sound(sound, tags_folder(photo), notes);
     if (!kept)
         return Error{quoted(sound) + " cannot be taken in: " + kept.error()};
-    auto tag = list_recording(photo, kept->file.filename().string());
-    return tag ? Result<Added>(Added{*std::move(tag), kept->warning}) : Error{tag.error()};
+    return listed(photo, *kept);
+}
+
+Result<AlbumKeeper::Added> AlbumKeeper::add_video_sound(const fs::path& photo, const fs::path& file,
+                                                        const VideoPlace& video,
+                                                        const RecordingLabel& label) {
+    if (std::string problem = outside(photo); !problem.empty())
+        return Error{problem};
+    RecordingNotes notes{label, {}};
+    if (notes.label.recorded.empty())
+        notes.label.recorded = time_of(file);
+    const auto open = [&]() -> Result<std::unique_ptr<SoundStream>> {
+        auto bytes = FileBytes::open(file);
+        if (!bytes)
+            return Error{bytes.error()};
+        auto sound =
+            VideoSound::open(std::make_unique<PartOfBytes>(std::move(*bytes), video.begin, video.size));
+        if (!sound)
+            return Error{sound.error()};
+        if (sound->frames() > longest_video_s * static_cast<std::uint64_t>(sound->format().rate))
+            return Error{"it is longer than a minute, so it is a film and not the photograph's."};
+        return std::unique_ptr<SoundStream>(std::make_unique<VideoSound>(std::move(*sound)));
+    };
+    const auto kept = import_sound(open, tags_folder(photo), notes);
+    if (!kept)
+        return Error{"The sound of the video " + std::string(video.begin > 0 ? "in " : "") + quoted(file) +
+                     " does not come along: " + kept.error()};
+    return listed(photo, *kept);
+}
+
+Result<AlbumKeeper::Added> AlbumKeeper::listed(const fs::path& photo, const ImportedSound& kept) {
+    auto tag = list_recording(photo, kept.file.filename().string());
+    return tag ? Result<Added>(Added{*std::move(tag), kept.warning}) : Error{tag.error()};
 }
 
 Result<Tag> AlbumKeeper::list_recording(const fs::path& photo, const std::string& file) {

@@ -2,6 +2,7 @@
 #include "app/album/keeper/trash.hpp"
 
 #include "app/album/keeper/path_text.hpp"
+#include "app/album/keeper/photo_files.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/whole_file.hpp"
@@ -12,6 +13,8 @@
 #include <QJsonObject>
 
 #include <algorithm>
+#include <cerrno>
+#include <sys/stat.h>
 #include <system_error>
 
 namespace tp {
@@ -39,15 +42,21 @@ Result<std::string> new_folder(const fs::path& trash, const QDateTime& now) {
     if (const std::string reason = make_folder(trash, Readers::owner_only); !reason.empty())
         return Error{"Nothing was deleted, because the trash cannot be made: " + reason};
     const std::string start = now.toString(QStringLiteral("yyyy-MM-ddThhmmss.zzz")).toStdString();
-    std::error_code error;
     for (int number = 1;; ++number) {
         const std::string id = number == 1 ? start : start + "-" + std::to_string(number);
-        if (fs::create_directory(trash / id, error))
+        if (::mkdir((trash / id).c_str(), 0700) == 0)
             return id;
-        if (error)
-            return Error{"Nothing was deleted, because the trash cannot be written to: " +
-                         reason_of(error.value())};
+        if (errno != EEXIST)
+            return Error{"Nothing was deleted, because the trash cannot be written to: " + reason_of(errno)};
     }
+}
+
+/// Makes the folder that something goes back to; recordings lie where only their owner may look.
+std::string make_folder_again(const fs::path& folder) {
+    if (folder.extension() != ".tags" && std::none_of(folder.begin(), folder.end(), is_own_folder))
+        return make_folder(folder);
+    const std::string reason = make_folder_again(folder.parent_path());
+    return reason.empty() ? make_folder(folder, Readers::owner_only) : reason;
 }
 
 /// A folder whose list was not on the disk when its program ended, so that nothing was moved into it either.
@@ -106,7 +115,7 @@ std::string Trash::move_back(const TrashEntry& entry) const {
         if (!name_taken(kept(entry.id, i)))
             continue;
         const fs::path place = album_ / entry.files[i];
-        std::string reason = make_folder(place.parent_path());
+        std::string reason = make_folder_again(place.parent_path());
         if (reason.empty())
             reason = move_file(kept(entry.id, i), place);
         if (!reason.empty())

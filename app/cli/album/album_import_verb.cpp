@@ -25,6 +25,9 @@ void print_photo(const ImportedPhoto& photo, bool json) {
         std::printf("%s is now %s.\n", name.c_str(), quoted(photo.place).c_str());
     else if (photo.fate == Fate::duplicate)
         std::printf("%s is in the album already, as %s.\n", name.c_str(), quoted(photo.place).c_str());
+    if (photo.sound)
+        std::printf("The sound around it is now its recording %s.\n",
+                    quoted(fs::path(photo.sound->recording)).c_str());
     std::fflush(stdout);
     if (!photo.problem.empty())
         say_problem(photo.problem);
@@ -57,7 +60,8 @@ int album_import(const QStringList& words) {
     VerbLine line(
         "album import",
         "Copies photographs into an album: files, folders, a camera's card, .touchphoto bundles. Sidecars,\n"
-        "contours and recordings come along; so does a sound of the same name (IMG_1.WAV). What the album\n"
+        "contours and recordings come along; so do a sound of the same name (IMG_1.WAV) and the sound of a\n"
+        "motion photo or a Live Photo (IMG_1.MOV), as recordings of what was to be heard. What the album\n"
         "holds already is not copied again. The sources are only read. An import that was stopped or killed\n"
         "goes on with --continue.");
     add_index_options(line)

@@ -85,7 +85,10 @@ QJsonObject to_json(const ImportedPhoto& photo) {
         {"photo", photo.place.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(path_text(photo.place))},
         {"fate", names[static_cast<std::size_t>(photo.fate)]},
         {"problem",
-         photo.problem.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(json_text(photo.problem))}};
+         photo.problem.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(json_text(photo.problem))},
+        {"sound", photo.sound ? QJsonValue(QJsonObject{{"recording", json_text(photo.sound->recording)},
+                                                       {"source", text_of(name_of(photo.sound->source))}})
+                              : QJsonValue(QJsonValue::Null)}};
 }
 
 QJsonObject to_json(const Finding& finding) {

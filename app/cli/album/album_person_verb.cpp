@@ -64,7 +64,8 @@ int person_rename(const QStringList& words) {
     std::vector<fs::path> photos;
     for (const QString& word : line.arguments().mid(3))
         photos.push_back(path_given(word));
-    if (photos.empty()) {
+    const bool everywhere = photos.empty();
+    if (everywhere) {
         StopOnSignal stop;
         auto index = scanned_index(line, {first_path(line)}, stop);
         if (!index)
@@ -75,9 +76,13 @@ int person_rename(const QStringList& words) {
         for (const PhotoEntry& entry : *found)
             photos.push_back(entry.path);
     }
-    const auto changed = AlbumKeeper(first_path(line)).rename_person(photos, from, to);
+    AlbumKeeper keeper(first_path(line));
+    const auto changed = keeper.rename_person(photos, from, to);
     if (!changed)
         return refused(changed.error());
+    if (everywhere)
+        if (const std::string problem = keeper.rename_name_recording(from, to); !problem.empty())
+            return refused(problem);
     std::printf("%zu photographs changed.\n", *changed);
     return *changed > 0 ? exit_done
                         : refused("Nobody of the name " + quoted(fs::path(from)) + " is on them.");

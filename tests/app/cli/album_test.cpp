@@ -63,6 +63,11 @@ private slots:
             QVERIFY(line.contains("source") && line.contains("photo") && line["problem"].isNull());
         }
         QCOMPARE(fates, (QStringList{"imported", "imported", "duplicate"}));
+        QVERIFY(lines_of(imported).at(0)["sound"].isNull());
+        const QJsonObject sound = lines_of(imported).at(1)["sound"].toObject();
+        QCOMPARE(sound["source"].toString(), "sound_file");
+        QVERIFY(
+            fs::exists(family.folder / "Mai/IMG_2.JPG.tags" / sound["recording"].toString().toStdString()));
 
         const Run added =
             album({"tag", "add", family.photo(), "--kind", "memo", "--from", text(family.card / "memo.wav"),
@@ -87,7 +92,11 @@ private slots:
             QCOMPARE(lines_of(found)[0]["photo"].toString(), family.photo());
         }
         QCOMPARE(lines_of(album({"list", family.album(), "--json"})).size(), std::size_t{2});
+        QCOMPARE(album({"person", "record", family.album(), "Jörg", "--from", text(family.card / "memo.wav")})
+                     .code,
+                 0);
         QCOMPARE(album({"person", "rename", family.album(), "Jörg", "Georg"}).code, 0);
+        QVERIFY(fs::exists(family.folder / ".touchphoto/people/Georg.flac"));
         const QJsonObject shown = lines_of(album({"show", family.photo(), "--json"})).at(0);
         QCOMPARE(shown["persons"].toArray(), QJsonArray{"Georg"});
         QCOMPARE(shown["faces"].toArray().at(0)["name"].toString(), "Georg");

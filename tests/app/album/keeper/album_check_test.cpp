@@ -10,6 +10,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <sys/stat.h>
 
 using namespace tp;
@@ -200,6 +201,78 @@ private slots:
         found_and_mended(album.folder, Kind::open_to_others);
     }
 
+    void names_in_order_are_not_found() {
+        Album album; // Anna is whom its recording is about
+        QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
+        QCOMPARE(album.keeper.name_face(album.photo, {0.5, 0.5, 0.2, 0.2, "../Ô/Jörg %"}), std::string());
+        QCOMPARE(album.keeper.keep_name_recording("../Ô/Jörg %", album.sound), std::string());
+        QCOMPARE(kinds(check(album.folder, false)), std::vector<Kind>{});
+    }
+
+    void a_name_that_cannot_be_heard_makes_way() {
+        Album album;
+        QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
+        const fs::path place = album.keeper.place_of_name("Anna");
+        fs::resize_file(place, fs::file_size(place) / 4);
+        found_and_mended(album.folder, Kind::unreadable_recording);
+        QVERIFY(!fs::exists(place));
+        QCOMPARE(album.keeper.trash().entries().size(), std::size_t{1});
+        QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
+    }
+
+    /// A kill between the name's recording and its place.
+    void a_name_without_its_place_goes_there() {
+        Album album;
+        QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
+        const fs::path place = album.keeper.place_of_name("Anna"),
+                       stray = place.parent_path() / "undated-person.flac";
+        fs::rename(place, stray);
+        const std::string sound = album.folder.read(".touchphoto/people/undated-person.flac");
+        found_and_mended(album.folder, Kind::unlisted_recording);
+        QVERIFY(!fs::exists(stray));
+        QVERIFY(album.folder.read(".touchphoto/people/Anna.flac") == sound);
+        // where a name has been recorded before, that one stays
+        fs::copy_file(place, stray);
+        found_and_mended(album.folder, Kind::unlisted_recording);
+        QVERIFY(!fs::exists(stray) && fs::exists(place));
+        QCOMPARE(album.keeper.trash().entries().size(), std::size_t{1});
+    }
+
+    void half_written_names_are_deleted() {
+        Album album;
+        QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
+        const fs::path half = album.folder.write(".touchphoto/people/.touchphoto-999999999-1.tmp", "half");
+        found_and_mended(album.folder, Kind::half_written);
+        QVERIFY(!fs::exists(half));
+    }
+
+    void a_name_of_nobody_is_said_and_stays() {
+        Album album;
+        QCOMPARE(album.keeper.keep_name_recording("Nobody here", album.sound), std::string());
+        for (const bool mend : {false, true}) {
+            const CheckReport report = check(album.folder, mend);
+            QCOMPARE(kinds(report), std::vector<Kind>{Kind::left_behind});
+            QVERIFY(report.findings[0].sentence.find("Nobody here") != std::string::npos);
+            QVERIFY(report.findings[0].mend.empty());
+        }
+        // who is on a photograph whose sidecar cannot be read is not known to be nobody
+        const std::string sidecar = album.folder.read("2026/IMG_1.jpg.xmp");
+        album.folder.write("2026/IMG_1.jpg.xmp", "no XMP");
+        const auto found = kinds(check(album.folder, false));
+        QVERIFY(std::find(found.begin(), found.end(), Kind::left_behind) == found.end());
+        album.folder.write("2026/IMG_1.jpg.xmp", sidecar);
+        QVERIFY(album.keeper.name_recording("Nobody here").has_value());
+    }
+
+    void names_that_others_may_hear_are_shut() {
+        Album album;
+        QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
+        fs::permissions(album.keeper.place_of_name("Anna"), fs::perms::all);
+        found_and_mended(album.folder, Kind::open_to_others);
+        fs::permissions(album.keeper.place_of_name("Anna").parent_path(), fs::perms::all);
+        found_and_mended(album.folder, Kind::open_to_others);
+    }
+
     void another_machine_s_sidecar_is_merged_and_told() {
         Album album;
         const AlbumFolder elsewhere;
@@ -219,6 +292,16 @@ private slots:
         album.folder.write(".touchphoto/trash/2026/list.json", "{");
         QCOMPARE(kinds(check(album.folder, true)),
                  (std::vector<Kind>{Kind::unfinished_import, Kind::damaged_trash}));
+    }
+
+    void a_recording_that_is_cut_short_is_said() {
+        Album album;
+        const fs::path place = tags_folder(album.photo) / album.file;
+        fs::resize_file(place, fs::file_size(place) / 2);
+        const CheckReport report = check(album.folder, true);
+        QCOMPARE(kinds(report), std::vector<Kind>{Kind::unreadable_recording});
+        QVERIFY(report.findings[0].sentence.ends_with("cannot be read to its end."));
+        QVERIFY(fs::exists(place)); // what is left of it
     }
 
     void a_sound_that_is_none_is_said() {

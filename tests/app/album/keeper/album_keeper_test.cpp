@@ -208,6 +208,36 @@ private slots:
         QVERIFY(!keeper.name_recording("Tom"));
     }
 
+    void a_recorded_name_goes_where_its_person_goes() {
+        const AlbumFolder album;
+        AlbumKeeper keeper(album.path());
+        const fs::path sound = a_sound(album, "s.wav", 0.5, 300.0);
+        const auto whose = [&](const std::string& person) {
+            const auto file = keeper.name_recording(person);
+            return file ? about_recording(*file)->notes.label.person : std::string("nobody's");
+        };
+        QCOMPARE(keeper.rename_name_recording("Ana", "Anna"), std::string()); // there is none
+        QCOMPARE(keeper.keep_name_recording("Ana", sound), std::string());
+        for (int i = 0; i < 2; ++i) {
+            QCOMPARE(i == 0 ? keeper.rename_name_recording("Ana", "Anna/Maria") : keeper.history().redo(),
+                     std::string());
+            QCOMPARE(whose("Anna/Maria"), std::string("Anna/Maria"));
+            QVERIFY(!keeper.name_recording("Ana"));
+            QCOMPARE(keeper.history().undo(), std::string());
+            QCOMPARE(whose("Ana"), std::string("Ana"));
+            QVERIFY(!keeper.name_recording("Anna/Maria"));
+        }
+        QCOMPARE(keeper.keep_name_recording("Tom", a_sound(album, "2.wav", 0.8, 500.0)), std::string());
+        QCOMPARE(keeper.rename_name_recording("Ana", "Tom"), std::string()); // two became one
+        QVERIFY(!keeper.name_recording("Ana"));
+        QCOMPARE(about_recording(*keeper.name_recording("Tom"))->seconds(), 0.8);
+        QCOMPARE(keeper.history().undo(), std::string());
+        QCOMPARE(whose("Ana"), std::string("Ana"));
+        album.write(".touchphoto/people/Ana.flac", "no sound");
+        QVERIFY(keeper.rename_name_recording("Ana", "Eva").ends_with('.'));
+        QVERIFY(!keeper.name_recording("Eva"));
+    }
+
     void what_makes_no_sense_changes_nothing() {
         const AlbumFolder album, other;
         const fs::path photo = a_photo(album, "a.jpg", 1), outside = a_photo(other, "b.jpg", 2);

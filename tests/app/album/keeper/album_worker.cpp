@@ -78,6 +78,8 @@ int main(int, char** words) {
     }
     record(keeper, photo);
     step("face Anna", [&] { return keeper.name_face(photo, {0.5, 0.5, 0.2, 0.3, "Anna"}); });
+    step("name Anna", [&] { return keeper.keep_name_recording("Anna", sound); });
+    step("name Anna again", [&] { return keeper.keep_name_recording("Anna", sound); });
     step("text", [&] { return keeper.describe(photo, "x-default", "In the garden", "A long afternoon."); });
     if (!files.empty()) {
         step("label " + files[0], [&] {

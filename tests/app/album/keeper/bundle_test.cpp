@@ -1,50 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "album_folder.hpp"
 #include "app/album/keeper/bundle.hpp"
+#include "made_zip.hpp"
 
 #include <QTest>
 
-#include <archive.h>
-#include <archive_entry.h>
 #include <random>
 
 using namespace tp;
+using namespace tp::test;
 namespace fs = std::filesystem;
-
-namespace {
-
-struct Entry {
-    std::string name;
-    std::string bytes{"x"};
-    unsigned type = AE_IFREG;
-    std::string link{};
-};
-
-/// A zip file of these entries, as a foreign program would write it.
-void write_zip(const fs::path& file, const std::vector<Entry>& entries,
-               const char* options = "zip:compression=deflate") {
-    archive* zip = archive_write_new();
-    archive_write_set_format_zip(zip);
-    archive_write_set_options(zip, options);
-    if (archive_write_open_filename(zip, file.c_str()) != ARCHIVE_OK)
-        qFatal("%s", archive_error_string(zip));
-    for (const Entry& one : entries) {
-        archive_entry* entry = archive_entry_new();
-        archive_entry_set_pathname(entry, one.name.c_str());
-        archive_entry_set_filetype(entry, one.type);
-        archive_entry_set_perm(entry, 0666);
-        if (!one.link.empty())
-            archive_entry_set_symlink(entry, one.link.c_str());
-        archive_entry_set_size(entry, static_cast<la_int64_t>(one.bytes.size()));
-        archive_write_header(zip, entry);
-        archive_write_data(zip, one.bytes.data(), one.bytes.size());
-        archive_entry_free(entry);
-    }
-    archive_write_close(zip);
-    archive_write_free(zip);
-}
-
-} // namespace
 
 class BundleTest : public QObject {
     Q_OBJECT
@@ -116,13 +81,19 @@ private slots:
         limits.most_growth = 1e9;
         limits.most_bytes = 1'000'000;
         QVERIFY(!unpack_bundle(place / "bomb", place / "out2", limits).empty());
-        std::vector<Entry> many;
+        std::vector<ZipEntry> many;
         for (int i = 0; i < 20; ++i)
             many.push_back({std::to_string(i), ""});
         write_zip(place / "many", many);
         limits.most_files = 10;
         QVERIFY(unpack_bundle(place / "many", place / "out3", limits).find("more files") !=
                 std::string::npos);
+        std::string deep = "a.jpg";
+        for (int i = 0; i < 100; ++i)
+            deep.insert(0, "a/");
+        write_zip(place / "deep", {{deep}});
+        QVERIFY(unpack_bundle(place / "deep", place / "out5").find("more folders") != std::string::npos);
+        QVERIFY(!fs::exists(place / "out5/a"));
         write_zip(place / "twice", {{"a", "first"}, {"a", "second"}});
         QVERIFY(unpack_bundle(place / "twice", place / "out4").find("already") != std::string::npos);
         QCOMPARE(place.read("out4/a"), std::string("first"));

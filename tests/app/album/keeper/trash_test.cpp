@@ -38,6 +38,31 @@ private slots:
         QVERIFY(album.files() == before);
     }
 
+    void only_the_owner_may_see_what_is_in_it_or_comes_back_to_recordings() {
+        const AlbumFolder album;
+        album.write("2026/a.jpg.tags/memo.flac", "sound");
+        album.write(".touchphoto/people/Anna.flac", "her name");
+        Trash trash(album.path());
+        const mode_t before = ::umask(0);
+        const auto id =
+            trash.put({"2026/a.jpg.tags/memo.flac", ".touchphoto/people/Anna.flac"}, "recordings");
+        QVERIFY2(id.ok(), id.error().c_str());
+        const auto mode = [&](const fs::path& name) {
+            struct stat about {};
+            return ::stat((album / name).c_str(), &about) == 0 ? about.st_mode & 0777u : 0u;
+        };
+        const auto kept = mode(".touchphoto/trash/" + *id);
+        fs::remove_all(album / "2026");
+        fs::remove_all(album / ".touchphoto/people");
+        const std::string problem = trash.restore(*id);
+        ::umask(before);
+        QCOMPARE(problem, std::string());
+        QCOMPARE(kept, 0700u);
+        QCOMPARE(mode("2026/a.jpg.tags"), 0700u);
+        QCOMPARE(mode(".touchphoto/people"), 0700u);
+        QCOMPARE(mode("2026"), 0777u);
+    }
+
     void the_newest_is_first_and_each_has_its_own_place() {
         const AlbumFolder album;
         Trash trash(album.path());

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bundle_check.hpp"
+#include "byte_mutants.hpp"
+
+#include <QTest>
+
+using namespace tp::test;
+
+namespace {
+
+constexpr std::uint64_t seed = 20260501;
+constexpr std::size_t mutated_bundles = 2'000;
+
+std::vector<Seed> bundles() { return corpus(TP_SOURCE_DIR "/tests/app/album/keeper/bundle_corpus"); }
+
+} // namespace
+
+class HostileBundles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void bundle_corpus() {
+        QVERIFY(bundles().size() >= 10);
+        for (const Seed& input : bundles()) {
+            const std::string complaint = complaint_about_bundle(input.text);
+            QVERIFY2(complaint.empty(), (input.name + ": " + complaint).c_str());
+        }
+    }
+
+    void mutated_bundles_are_refused_or_harmless() {
+        const std::vector<Seed> seeds = bundles();
+        ByteMutator mutator(seed);
+        for (std::size_t i = 0; i < mutated_bundles; ++i) {
+            const std::string complaint = complaint_about_bundle(mutator.mutant(seeds));
+            QVERIFY2(complaint.empty(), (std::to_string(i) + ": " + complaint).c_str());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(HostileBundles)
+#include "hostile_test.moc"

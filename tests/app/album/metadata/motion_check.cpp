@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "motion_check.hpp"
+
+#include "app/album/metadata/motion_photo.hpp"
+#include "audio/recordings/byte_source.hpp"
+
+namespace tp::test {
+
+std::string complaint_about_motion(std::string_view bytes) {
+    const auto place = video_inside(MemoryBytes(bytes));
+    if (!place)
+        return {};
+    if (!bytes.starts_with("\xFF\xD8"))
+        return "found in what is no JPEG";
+    if (place->begin < 2 || place->size == 0 || place->begin >= bytes.size() ||
+        place->size > bytes.size() - place->begin)
+        return "it does not lie in the file";
+    return bytes.substr(place->begin, place->size).substr(4).starts_with("ftyp") ? ""
+                                                                                 : "no video begins there";
+}
+
+} // namespace tp::test

@@ -1,0 +1,275 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The page and the verbs of an album under strace: they talk to this machine's sound, speech, display and accessibility
+servers and to nobody else, and what they write of a family only its owner may read.
+
+privacy.py PROGRAM LAB PHOTO    ends in 77 where something that it needs is missing
+"""
+import json
+import os
+import re
+import shutil
+import stat
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import wave
+
+import accessibility
+import network_trace
+
+INNER = "TOUCHPHOTO_E2E_INNER"
+# What each local server's socket is called. "@" begins an abstract name.
+SERVERS = {
+    "display": r"@?/tmp/\.X11-unix/X\d+|.*/wayland-\d+",
+    "session bus": r"@?/tmp/dbus-\w+|/run/user/\d+/bus",
+    "accessibility": r".*/at-spi/bus[_\d]*|.*/at-spi2-\w+/socket",
+    "sound": r".*/pulse/native|.*/sound-server/socket|.*/pipewire-\d+",
+    "speech": r".*/speech-dispatcher/speechd\.sock",
+    # The C library's own, where that is installed: Mesa asks it for the home of who sits here, to keep shaders in.
+    "user names": r"/var/run/nscd/socket",
+}
+
+
+def judged(trace):
+    with open(trace, encoding="utf-8", errors="replace") as file:
+        return network_trace.judged(file.read(), SERVERS)
+
+
+class Judge(unittest.TestCase):
+    """The judge can say no."""
+
+    ALLOWED = """\
+11 socket(AF_UNIX, SOCK_STREAM|SOCK_CLOEXEC, 0) = 3
+11 connect(3, {sa_family=AF_UNIX, sun_path=@"/tmp/.X11-unix/X99"}, 20) = 0
+11 connect(3, {sa_family=AF_UNIX, sun_path="/run/user/1000/pulse/native"}, 110 <unfinished ...>
+12 socketpair(AF_UNIX, SOCK_STREAM|SOCK_CLOEXEC, 0, [4, 5]) = 0
+11 <... connect resumed>) = 0
+11 sendmsg(3, {msg_name=NULL, msg_namelen=0, msg_iov=[{iov_base="x", iov_len=1}], msg_iovlen=1}, MSG_NOSIGNAL) = 1
+11 getpeername(3, {sa_family=AF_UNIX, sun_path=@"/tmp/.X11-unix/X99"}, [124 => 20]) = 0
+11 socket(AF_NETLINK, SOCK_RAW|SOCK_CLOEXEC|SOCK_NONBLOCK, NETLINK_KOBJECT_UEVENT) = 7
+11 bind(7, {sa_family=AF_NETLINK, nl_pid=0, nl_groups=0x000002}, 12) = 0
+11 --- SIGTERM {si_signo=SIGTERM} ---
+12 +++ exited with 0 +++
+11 +++ killed by SIGTERM +++
+"""
+    REFUSED = (
+        '11 socket(AF_INET, SOCK_DGRAM|SOCK_CLOEXEC, IPPROTO_IP) = 3',
+        '11 socket(AF_INET6, SOCK_STREAM, IPPROTO_TCP <unfinished ...>',
+        'socket(AF_INET, SOCK_STREAM, IPPROTO_IP) = -1 EAFNOSUPPORT (Address family not supported by protocol)',
+        '11 connect(3, {sa_family=AF_INET, sin_port=htons(53), sin_addr=inet_addr("127.0.0.53")}, 16) = 0',
+        '11 connect(3, {sa_family=AF_INET6, sin6_port=htons(443), inet_pton(AF_INET6, "::1", &sin6_addr)}, 28) = 0',
+        '11 connect(3, {sa_family=AF_UNIX, sun_path="/run/user/1000/someone"}, 110) = 0',
+        '11 connect(3, {sa_family=AF_UNIX, sun_path="/tmp/.X11-unix/X99/../other"}, 110) = 0',
+        '11 connect(3, 0x7ffd1, 110) = -1 EFAULT (Bad address)',
+        '11 sendto(3, "x", 1, 0, {sa_family=AF_INET, sin_port=htons(9), sin_addr=inet_addr("1.2.3.4")}, 16) = 1',
+        '11 sendmsg(3, {msg_name={sa_family=AF_UNIX, sun_path="/dev/log"}, msg_namelen=110, msg_iovlen=1}, 0) = 1',
+        '11 socket(AF_NETLINK, SOCK_RAW|SOCK_CLOEXEC, NETLINK_ROUTE) = 3',
+        '11 socket(AF_VSOCK, SOCK_STREAM, 0) = 3',
+        '11 socket(AF_PACKET, SOCK_RAW, htons(ETH_P_ALL)) = 3',
+        '11 bind(3, {sa_family=AF_UNIX, sun_path="/tmp/mine"}, 110) = 0',
+        '11 listen(3, 1) = 0',
+        '11 io_uring_setup(8, {flags=0}) = 4',
+        '11 a line that nobody knows',
+    )
+
+    def test_local_servers_are_known_by_name(self):
+        found = network_trace.judged(self.ALLOWED, SERVERS)
+        self.assertEqual(found.offences, [])
+        self.assertEqual(dict(found.servers), {"display": 1, "sound": 1})
+        self.assertEqual((found.lines, found.ended), (12, 2))
+
+    def test_each_offence_is_said_by_its_call(self):
+        for line in self.REFUSED:
+            with self.subTest(line=line):
+                found = network_trace.judged(self.ALLOWED + line + "\n", SERVERS)
+                self.assertEqual(len(found.offences), 1)
+                self.assertIn(line, found.offences[0])
+
+    def test_a_real_connection_is_seen(self):
+        with tempfile.TemporaryDirectory() as folder:
+            trace = os.path.join(folder, "trace")
+            reach = "import socket; socket.socket(socket.AF_INET, socket.SOCK_DGRAM).connect(('127.0.0.1', 9))"
+            run_traced([sys.executable, "-c", reach], trace)
+            offences = judged(trace).offences
+        self.assertEqual([re.search(r"(\w+)\(", line)[1] for line in offences][:2], ["socket", "connect"])
+
+
+def run_traced(command, trace, calls=network_trace.CALLS, **how):
+    """Runs it to its end, and until the trace is whole."""
+    done = subprocess.run(network_trace.traced(command, trace, calls), capture_output=True, text=True, **how)
+    wait_until(lambda: is_whole(trace))
+    return done
+
+
+def is_whole(trace):
+    """Whether the first process that it speaks of has ended."""
+    with open(trace, encoding="utf-8", errors="replace") as file:
+        lines = file.read().splitlines()
+    first = lines[0].split()[0] if lines else None
+    return any(re.match(rf"{first}\s+\+\+\+ (exited|killed)", line) for line in lines)
+
+
+def wait_until(true):
+    end = time.monotonic() + accessibility.PATIENCE
+    while not true():
+        if time.monotonic() > end:
+            raise AssertionError("it did not happen")
+        time.sleep(0.05)
+
+
+def files_below(folder):
+    for place, folders, files in os.walk(folder):
+        for name in folders + files:
+            yield os.path.join(place, name)
+
+
+def open_to_others(path):
+    return stat.S_IMODE(os.lstat(path).st_mode) & 0o077
+
+
+class Album(unittest.TestCase):
+    """An afternoon with the verbs, with a umask that keeps nothing from anybody."""
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder, True)
+        for name in ("album", "card", "cache", "home", "session"):
+            os.mkdir(self.path(name), 0o700)
+        shutil.copy(PHOTO, self.path("card/IMG_1.JPG"))
+        with open(PHOTO, "rb") as one, open(self.path("card/IMG_2.JPG"), "wb") as other:
+            other.write(one.read() + b"\0")
+        self.tone("card/IMG_1.WAV")
+        subprocess.run(["ffmpeg", "-nostdin", "-v", "error", "-f", "lavfi", "-i", "sine=duration=1", "-c:a", "aac",
+                        self.path("card/IMG_2.MOV")], check=True)
+        self.tone("memo.wav")
+        self.traces = 0
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def tone(self, name):
+        with wave.open(self.path(name), "wb") as file:
+            file.setnchannels(1)
+            file.setsampwidth(2)
+            file.setframerate(8000)
+            file.writeframes(b"".join(int(8000 * (i // 10 % 2) - 4000).to_bytes(2, "little", signed=True)
+                                      for i in range(8000)))
+
+    def album(self, *words):
+        """The verb's stdout; nothing of it went to the network, and no file was made that others may read."""
+        self.traces += 1
+        trace = self.path(f"trace{self.traces}")
+        # without a session's folder Qt would ask the C library, and that the machine's name service, who sits here
+        environment = dict(os.environ, HOME=self.path("home"), XDG_CACHE_HOME=self.path("cache"),
+                           XDG_RUNTIME_DIR=self.path("session"))
+        done = run_traced([LAB, "album", *words], trace, network_trace.CALLS, env=environment,
+                          preexec_fn=lambda: os.umask(0))
+        self.assertEqual(done.returncode, 0, f"album {' '.join(words)}: {done.stdout}{done.stderr}")
+        found = judged(trace)
+        self.assertEqual(found.offences, [], f"album {' '.join(words)}")
+        self.assertEqual(sum(found.servers.values()), 0, f"album {words[0]} needs no server at all: {found.servers}")
+        self.assertGreaterEqual(found.ended, 1, "strace saw nothing")
+        return done.stdout
+
+    def test_the_verbs_reach_nobody_and_what_they_write_is_the_owner_s(self):
+        album, photo = self.path("album"), self.path("album/Mai/IMG_1.JPG")
+        lines = self.album("import", album, self.path("card"), "--into", "Mai", "--json").splitlines()
+        self.assertEqual([json.loads(line)["sound"]["source"] for line in lines], ["sound_file", "live_photo"])
+        self.album("tag", "add", photo, "--from", self.path("memo.wav"), "--person", "Anna", "--transcript", "Anna by the lake")
+        self.album("tag", "add", photo, "--from", self.path("memo.wav"), "--kind", "place")
+        self.album("scan", album, "--json")
+        found = self.album("search", album, "lake", "--json")
+        self.assertEqual([os.path.basename(json.loads(line)["photo"]) for line in found.splitlines()], ["IMG_1.JPG"])
+        self.album("list", album)
+        self.album("show", photo, "--json")
+        first = json.loads(self.album("tag", "list", photo, "--json").splitlines()[0])["file"]
+        self.album("tag", "delete", photo, first)
+        self.album("trash", "list", album)
+        self.album("person", "list", album)
+        self.album("person", "record", album, "Anna", "--from", self.path("memo.wav"))
+        self.album("export", album, "--to", self.path("family.touchphoto"))
+        self.album("import", album, self.path("family.touchphoto"), "--into", "again")
+        self.album("rebuild", album)
+        self.assertEqual(json.loads(self.album("check", album, "--json"))["findings"], [])
+
+        cache, own = list(files_below(self.path("cache"))), list(files_below(os.path.join(album, ".touchphoto")))
+        recordings = [path for path in files_below(album) if ".tags" in path or path.endswith(".flac")]
+        self.assertTrue(any(os.path.isfile(path) and os.path.getsize(path) > 4096 for path in cache), "no index")
+        self.assertGreaterEqual(sum(path.endswith(".flac") for path in recordings), 4)
+        self.assertTrue(any(path.endswith("people/Anna.flac") for path in recordings), recordings)
+        self.assertTrue(any("/trash/" in path for path in own), own)
+        for path in cache + own + recordings + [self.path("family.touchphoto")]:
+            self.assertEqual(open_to_others(path), 0, f"others may read {path}")
+        print(f"looked at: {len(cache)} files and folders of the index, {len(own)} of .touchphoto, "
+              f"{len(recordings)} of recordings")
+
+
+class Page(unittest.TestCase):
+    """The page with its voice on, operated by an accessibility client."""
+
+    def explore(self, page):
+        page.await_name("One face. Eyes, mouth and outline can be felt.")
+        page.press("left eye")
+        page.await_name("Under the finger: left eye")
+        page.press("Guided tour")
+        page.await_name("Tour finished.")
+        page.press("Where am I?")
+        page.await_name("On the left eye.")
+        page.press("Stop")
+        page.press("Force on")
+
+    def test_it_talks_to_local_servers_only(self):
+        import pyatspi
+        import sound
+
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder, True)
+        os.mkdir(os.path.join(folder, "sound-server"), 0o700)
+        server = sound.Server(os.path.join(folder, "sound-server"))
+        self.addCleanup(server.end)
+        helpers = [subprocess.Popen([accessibility.LAUNCHER, "--launch-immediately"]), subprocess.Popen(["openbox"])]
+        for helper in helpers:
+            self.addCleanup(helper.wait, 20)
+            self.addCleanup(helper.terminate)
+        time.sleep(1.0)
+        trace = os.path.join(folder, "trace")
+        program = subprocess.Popen(network_trace.traced([PROGRAM, "--voice", "on", PHOTO], trace))
+        try:
+            self.explore(accessibility.Page(pyatspi))
+            self.assertIsNone(program.poll(), "the program has ended")
+        finally:
+            program.terminate()
+            program.wait(20)
+        wait_until(lambda: is_whole(trace))
+        found = judged(trace)
+        self.assertEqual(found.offences, [])
+        for server in ("display", "session bus", "accessibility"):
+            self.assertGreater(found.servers[server], 0, f"it never met the {server}: is this the whole trace?")
+        print(f"met in {found.lines} lines of trace: " + ", ".join(sorted(found.servers)))
+
+
+def outer():
+    missing = accessibility.what_is_missing() or network_trace.can_trace()
+    if not missing:
+        missing = next((tool for tool in ("ffmpeg", "pulseaudio", "pactl") if shutil.which(tool) is None), None)
+    if missing:
+        print(f"SKIP: {missing}")
+        return 77
+    environment = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1",
+                       **{INNER: "1"})
+    for name in ("WAYLAND_DISPLAY", "SESSION_MANAGER"):
+        environment.pop(name, None)
+    command = ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", "dbus-run-session", "--", sys.executable]
+    return subprocess.run(command + [__file__] + sys.argv[1:], env=environment, timeout=580).returncode
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    if INNER not in os.environ:
+        sys.exit(outer())
+    PROGRAM, LAB, PHOTO = sys.argv[1:]
+    unittest.main(argv=sys.argv[:1], verbosity=2)

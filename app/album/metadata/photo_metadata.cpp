@@ -191,11 +191,8 @@ Result<PhotoMetadata> photo_metadata(const fs::path& photo) {
     }
     prepare_exiv2();
     try {
-        // FileIo, because the factory takes some names ("-", "data:…") for something else than a file
-        const auto image =
-            Exiv2::ImageFactory::open(Exiv2::BasicIo::AutoPtr(new Exiv2::FileIo(photo.string())));
-        if (image.get() == nullptr)
-            throw std::bad_alloc{};
+        // By its whole path, because the factory takes some names ("-", "data:…") for something else than a file.
+        const auto image = Exiv2::ImageFactory::open(fs::absolute(photo).string(), false);
         read_image(*image, metadata);
     } catch (...) {
         metadata.parts.problems.push_back("What the photograph " + quoted(photo) +

@@ -10,6 +10,7 @@
 #include "audio/recordings/sound_reader.hpp"
 #include "made_video.hpp"
 
+#include <QDate>
 #include <QTest>
 
 #include <chrono>

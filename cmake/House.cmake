@@ -25,7 +25,7 @@ tp_may(tp_study    tp_base tp_geometry tp_guidance tp_servo)
 tp_may(tp_device   ${_core})
 tp_may(tp_exiv2                                     USES PkgConfig::exiv2)
 tp_may(tp_faces    ${_core} tp_exiv2                USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc
-                                                         opencv_imgcodecs opencv_dnn opencv_objdetect opencv_face Threads::Threads)
+                                                         opencv_dnn opencv_objdetect opencv_face Threads::Threads)
 tp_may(tp_speech   tp_base                          USES Qt6::Core Qt6::TextToSpeech)
 tp_may(tp_recordings tp_base tp_files               USES PkgConfig::sndfile PkgConfig::ebur128)
 tp_may(tp_sound    tp_base tp_files tp_recordings   USES Qt6::Core Qt6::Multimedia PkgConfig::soundtouch)

@@ -215,7 +215,7 @@ struct FaceExtractor::Parts {
             if (edges)
                 lines = on_edges(picture, std::move(lines), &seen);
             result.milliseconds.edges += watch.lap();
-            const QualitySigns signs = signs_of(face.points, seen);
+            const QualitySigns signs = signs_of(face.points, seen, picture);
             std::string problem = problem_of(face.detection, face.points, picture.size());
             if (problem.empty() && edges)
                 problem = problem_of(signs);

@@ -9,8 +9,8 @@ namespace tp {
 inline constexpr int detector_cell = 8; ///< px of a picture per answer of the embedded detector's net
 
 /// What the net says of a picture (8-bit BGR): 1 × channels × rows × columns, an answer per `detector_cell`.
-/// A grey border, as in the training, brings the picture's sides to multiples of 32 px. Takes 38 bytes a pixel
-/// and keeps 32 of them in the net.
+/// A grey border, as in the training, brings the picture's sides to multiples of 32 px. Takes 38 bytes a
+/// pixel and keeps 32 of them in the net.
 cv::Mat detector_answer(cv::dnn::Net& net, const cv::Mat& picture);
 
 /// The same, keeping nothing: sides longer than `longest_part` px are cut into equal parts, each shown to a

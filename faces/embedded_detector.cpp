@@ -90,7 +90,8 @@ std::vector<Detection> faces_in_tiles(cv::dnn::Net& net, const ShrunkRows& pictu
         for (const int x : tile_starts(band.cols)) {
             if (stop.stop_requested())
                 return found;
-            for (Detection face : faces_in(detector_answer(net, band.colRange(x, std::min(x + tile, band.cols))))) {
+            for (Detection face :
+                 faces_in(detector_answer(net, band.colRange(x, std::min(x + tile, band.cols))))) {
                 const Vec2 corner(x, y);
                 face.box = {face.box.min + corner, face.box.max + corner};
                 face.right_eye += corner;

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
-#include <system_error>
-
 #include <sys/mman.h>
+#include <system_error>
 #include <unistd.h>
 
 extern "C" {

@@ -18,7 +18,7 @@ struct QualitySigns {
     double turn = 0.0, eye_turn = 0.0;
     double confidence = 0.0;                                            ///< of the landmarks, 0 … 1
     std::array<double, feature_count> between_passes{}, between_nets{}; ///< see Landmarks
-    double outline_off_step = 0.0; ///< see outline_step.hpp
+    double outline_off_step = 0.0;                                      ///< see outline_step.hpp
     EdgeReports edges;
 };
 

@@ -179,13 +179,13 @@ Result<std::vector<HarderRow>> run_harder_bench(const std::vector<PlacedPortrait
             for (std::size_t c = 0; c < extractors.size(); ++c) {
                 HarderRow& row = rows[w * contenders.size() + c];
                 const Extraction found = extractors[c].extract(ways[w].picture);
-                errors.push_back(found.faces.empty() ? std::nullopt
-                                                     : errors_of(ways[w].truth, found.faces.front().contours));
+                errors.push_back(found.faces.empty()
+                                     ? std::nullopt
+                                     : errors_of(ways[w].truth, found.faces.front().contours));
                 ++row.photos;
                 row.found += errors.back() ? 1 : 0;
-                row.failures +=
-                    !errors.back() || *std::max_element(errors.back()->begin(), errors.back()->end()) >
-                                          failure_percent;
+                row.failures += !errors.back() || *std::max_element(errors.back()->begin(),
+                                                                    errors.back()->end()) > failure_percent;
                 row.said += !found.faces.empty() && is_doubted(found.faces.front());
             }
             if (!std::all_of(errors.begin(), errors.end(), [](const auto& e) { return e.has_value(); }))
@@ -198,8 +198,8 @@ Result<std::vector<HarderRow>> run_harder_bench(const std::vector<PlacedPortrait
     }
     for (std::size_t r = 0; r < rows.size(); ++r)
         for (double& error : rows[r].error_percent)
-            error = compared[r / contenders.size()] > 0 ? error / compared[r / contenders.size()]
-                                                        : std::nan("");
+            error =
+                compared[r / contenders.size()] > 0 ? error / compared[r / contenders.size()] : std::nan("");
     return rows;
 }
 

@@ -56,8 +56,9 @@ void print(const std::vector<HarderRow>& rows) {
         std::printf("%s %-12s %6d %5d %8d %4d %6.2f %6.2f %6.2f %8.2f\n", column(row.how).c_str(),
                     row.contender.c_str(), row.photos, row.found, row.failures, row.said,
                     row.error_percent[0], row.error_percent[1], row.error_percent[2], row.error_percent[3]);
-    std::puts("\nmeans over the photographs in which every contender found a face; said: a problem or a reason\n"
-              "why a contour may be wrong was told.");
+    std::puts(
+        "\nmeans over the photographs in which every contender found a face; said: a problem or a reason\n"
+        "why a contour may be wrong was told.");
 }
 
 /// A sentence where something is wrong; else empty.
@@ -122,9 +123,10 @@ int bench_faces_verb(const QStringList& words) {
         "that are installed, over sizes of the pictures. Writes faces.csv, faces.png and faces.svg.");
     line.option("photos", "Where the photographs lie.", "DIR")
         .option("truth", "Their contours placed by hand, JSON (faces/evaluation/placed_truth.hpp).", "FILE")
-        .option("harder",
-                "Instead, portraits made harder: blurred, small, lit from the side, covered, turned, with open\n"
-                "mouths; the embedded nets beside the face mesh where it is installed. Writes harder.csv.")
+        .option(
+            "harder",
+            "Instead, portraits made harder: blurred, small, lit from the side, covered, turned, with open\n"
+            "mouths; the embedded nets beside the face mesh where it is installed. Writes harder.csv.")
         .option("people", "Only photographs whose name begins with a line of this file and _.", "FILE")
         .option("out", "Folder for the results; made where it is missing.", "DIR");
     if (const auto ended = line.parse(words, 0, 0))

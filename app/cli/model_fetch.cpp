@@ -58,7 +58,8 @@ public:
         take();
         if (problem_.empty() && bytes_ != known_.bytes)
             return "What came has " + std::to_string(bytes_) + " bytes instead of " +
-                   std::to_string(known_.bytes) + ": it was cut off, or it is another file. Nothing has changed; try again.";
+                   std::to_string(known_.bytes) +
+                   ": it was cut off, or it is another file. Nothing has changed; try again.";
         if (problem_.empty() && hash_.result().toHex() != known_.sha256)
             return "What came is another file: its SHA-256 is " + hash_.result().toHex().toStdString() +
                    " instead of " + known_.sha256.toStdString() + ". Nothing has changed.";
@@ -71,7 +72,8 @@ private:
         bytes_ += bytes.size();
         hash_.addData(bytes);
         if (bytes_ > known_.bytes)
-            end("What comes is larger than " + std::to_string(known_.bytes) + " bytes: it is another file. Nothing has changed.");
+            end("What comes is larger than " + std::to_string(known_.bytes) +
+                " bytes: it is another file. Nothing has changed.");
         else if (file_.write(bytes) != bytes.size())
             end("It cannot be written: " + said(file_.errorString()));
         else if (!bytes.isEmpty())

@@ -6,7 +6,6 @@
 #include "faces/picture.hpp"
 
 #include <opencv2/imgproc.hpp>
-
 #include <turbojpeg.h>
 
 #include <cmath>
@@ -52,10 +51,9 @@ cv::Mat through_jpeg(const cv::Mat& picture, int quality) {
     unsigned char* file = nullptr;
     unsigned long size = 0;
     tjhandle handle = tjInitCompress();
-    const bool good =
-        handle && tjCompress2(handle, picture.data, picture.cols, static_cast<int>(picture.step),
-                              picture.rows, TJPF_BGR, &file, &size, TJSAMP_420, quality,
-                              TJFLAG_ACCURATEDCT) == 0;
+    const bool good = handle && tjCompress2(handle, picture.data, picture.cols,
+                                            static_cast<int>(picture.step), picture.rows, TJPF_BGR, &file,
+                                            &size, TJSAMP_420, quality, TJFLAG_ACCURATEDCT) == 0;
     const Bytes bytes(file, file + (good ? size : 0));
     tjFree(file);
     if (handle)

@@ -202,9 +202,9 @@ Degraded with_opened_mouth(const cv::Mat& portrait, const std::vector<Contour>& 
         const std::vector<bool> lower = is_lip ? on_lower_part(points) : std::vector<bool>(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
             const double v = points[i].y;
-            const bool moves = is_lip ? lower[i]
-                                      : v >= mouth.bottom(points[i].x) &&
-                                            (mouth.inside(points[i].x) || v > 0.02 * width);
+            const bool moves =
+                is_lip ? lower[i]
+                       : v >= mouth.bottom(points[i].x) && (mouth.inside(points[i].x) || v > 0.02 * width);
             if (moves)
                 points[i].y += mouth.drop(points[i].x, std::max(v, mouth.bottom(points[i].x)));
             points[i] = frame.back(points[i]);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/detector_answer.hpp"
-
 #include "drawn_pictures.hpp"
+#include "faces/detector_answer.hpp"
 #include "faces/model_catalog.hpp"
 #include "faces/picture.hpp"
 #include "faces/quiet_opencv.hpp"
@@ -25,9 +24,9 @@ cv::Mat crowd(cv::Size size) {
     for (int px = 40; px < std::min(size.width, size.height) / 2; px += px / 2) {
         cv::Mat small;
         cv::resize(portrait, small, {px, px * portrait.rows / portrait.cols}, 0, 0, cv::INTER_AREA);
-        small.copyTo(picture(cv::Rect({random.uniform(0, size.width - small.cols),
-                                       random.uniform(0, size.height - small.rows)},
-                                      small.size())));
+        small.copyTo(picture(cv::Rect(
+            {random.uniform(0, size.width - small.cols), random.uniform(0, size.height - small.rows)},
+            small.size())));
     }
     return picture;
 }

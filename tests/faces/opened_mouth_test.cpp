@@ -34,8 +34,8 @@ std::vector<Contour> truth() {
         jaw.push_back(Vec2(200, 200) + Vec2(110, 150) * Vec2(std::cos(angle), std::sin(angle)));
     }
     return {ellipse(feature::right_eye, {155, 190}, {20, 8}), ellipse(feature::left_eye, {245, 190}, {20, 8}),
-            ellipse(feature::outer_lip, {200, 280}, {46, 16}), ellipse(feature::inner_lip, {200, 280}, {40, 3}),
-            contour_through(feature::outline, jaw, false)};
+            ellipse(feature::outer_lip, {200, 280}, {46, 16}),
+            ellipse(feature::inner_lip, {200, 280}, {40, 3}), contour_through(feature::outline, jaw, false)};
 }
 
 /// Skin with a black stroke along the lower lip's outer edge, to be seen where it goes.

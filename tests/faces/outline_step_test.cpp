@@ -30,8 +30,8 @@ std::vector<Vec2> arc(double radius, Vec2 middle = centre, std::size_t count = 3
 /// A disc of skin before a wall.
 cv::Mat disc(double radius) {
     cv::Mat picture(400, 400, CV_8UC3, cv::Scalar(200, 190, 180));
-    cv::circle(picture, {static_cast<int>(centre.x), static_cast<int>(centre.y)},
-               static_cast<int>(radius), cv::Scalar(120, 140, 190), cv::FILLED, cv::LINE_AA);
+    cv::circle(picture, {static_cast<int>(centre.x), static_cast<int>(centre.y)}, static_cast<int>(radius),
+               cv::Scalar(120, 140, 190), cv::FILLED, cv::LINE_AA);
     return picture;
 }
 

@@ -167,7 +167,8 @@ private slots:
     void what_goes_wrong_on_the_way_says_what_to_do_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QByteArrayList>("says");
-        QTest::newRow("cut off") << "/cut" << QByteArrayList{"has 1000 bytes instead of 345478", "try again."};
+        QTest::newRow("cut off") << "/cut"
+                                 << QByteArrayList{"has 1000 bytes instead of 345478", "try again."};
         QTest::newRow("another file")
             << "/other" << QByteArrayList{"its SHA-256 is ", yunet_model.sha256, "Nothing has changed."};
         QTest::newRow("too long") << "/long" << QByteArrayList{"larger than 345478", "Nothing has changed."};

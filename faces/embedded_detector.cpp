@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/embedded_detector.hpp"
 
+#include "faces/detector_answer.hpp"
 #include "faces/model_catalog.hpp"
 #include "faces/shrunk_rows.hpp"
 
@@ -19,22 +20,12 @@ constexpr int usual_finest = 640; ///< pictures are shrunk to about this before 
 /// large as the net knows them.
 constexpr double thorough_share = 0.4;
 constexpr int tile = 640, tile_overlap = 128; ///< px; a tile takes a twentieth of the memory of 50 megapixel
+constexpr int largest_part = 640;             ///< px, of a finer level: 1280 px at once would take 65 MB
 constexpr double large_face = 48.0;           ///< px of a level: four times the smallest face that is found
 constexpr double sure_score = 0.6;            ///< of a face for which finer levels are left out
-constexpr int cell = 8;                       ///< the net answers once per 8 × 8 px
-constexpr int block = 32;                     ///< its input sides must be multiples of this
 constexpr double unit_face = 40.0; ///< px; sizes are answered as the logarithm of a multiple of this
 constexpr double least_score = 0.3;
 constexpr double most_overlap = 0.35;
-
-/// A grey border, as in the training, brings the sides to multiples of `block`.
-cv::Mat padded(const cv::Mat& picture) {
-    const auto missing = [](int side) { return (block - side % block) % block; };
-    cv::Mat result;
-    cv::copyMakeBorder(picture, result, 0, missing(picture.rows), 0, missing(picture.cols),
-                       cv::BORDER_CONSTANT, cv::Scalar::all(127));
-    return result;
-}
 
 /// 1 / (1 + exp(-x))
 cv::Mat logistic(const cv::Mat& x) {
@@ -43,17 +34,18 @@ cv::Mat logistic(const cv::Mat& x) {
     return 1.0 / (1.0 + result);
 }
 
+/// Itself where it has that size.
 cv::Mat resized(const cv::Mat& picture, int longer) {
+    if (longer == std::max(picture.cols, picture.rows))
+        return picture;
     cv::Mat result;
     cv::resize(picture, result, size_with_longer_side(picture.size(), longer), 0, 0,
                longer < std::max(picture.cols, picture.rows) ? cv::INTER_AREA : cv::INTER_LINEAR);
     return result;
 }
 
-/// What the net sees, in pixels of `picture`.
-std::vector<Detection> faces_in(cv::dnn::Net& net, const cv::Mat& picture) {
-    net.setInput(cv::dnn::blobFromImage(padded(picture), 1.0 / 255.0, cv::Size(), cv::Scalar::all(127.5)));
-    cv::Mat output = net.forward();
+/// The faces in what the net answered, in pixels of what it was shown.
+std::vector<Detection> faces_in(cv::Mat output) {
     const auto plane = [&](int channel) {
         return cv::Mat(output.size[2], output.size[3], CV_32F, output.ptr<float>(0, channel));
     };
@@ -69,8 +61,8 @@ std::vector<Detection> faces_in(cv::dnn::Net& net, const cv::Mat& picture) {
             const auto value = [&](int channel) {
                 return static_cast<double>(plane(channel).at<float>(y, x));
             };
-            const Vec2 here((x + 0.5) * cell, (y + 0.5) * cell);
-            const Vec2 centre = here + Vec2(value(1), value(2)) * static_cast<double>(cell);
+            const Vec2 here((x + 0.5) * detector_cell, (y + 0.5) * detector_cell);
+            const Vec2 centre = here + Vec2(value(1), value(2)) * static_cast<double>(detector_cell);
             const double size = unit_face * std::exp(value(3));
             if (is_finite(centre) && std::isfinite(size))
                 found.push_back({{centre - 0.5 * size, centre + 0.5 * size},
@@ -98,7 +90,8 @@ std::vector<Detection> faces_in_tiles(cv::dnn::Net& net, const ShrunkRows& pictu
         for (const int x : tile_starts(band.cols)) {
             if (stop.stop_requested())
                 return found;
-            for (Detection face : faces_in(net, band.colRange(x, std::min(x + tile, band.cols)))) {
+            for (Detection face :
+                 faces_in(detector_answer(net, band.colRange(x, std::min(x + tile, band.cols))))) {
                 const Vec2 corner(x, y);
                 face.box = {face.box.min + corner, face.box.max + corner};
                 face.right_eye += corner;
@@ -140,8 +133,9 @@ std::vector<Detection> EmbeddedDetector::detect(const cv::Mat& picture, Effort e
         const cv::Mat shown = resized(levels[level] > usual_finest ? picture : base, levels[level]);
         const Vec2 back(static_cast<double>(picture.cols) / shown.cols,
                         static_cast<double>(picture.rows) / shown.rows);
-        cv::dnn::Net net = level < nets_.size() ? nets_[level] : embedded_net(EmbeddedModel::detector);
-        const std::vector<Detection> here = faces_in(net, shown);
+        const std::vector<Detection> here =
+            faces_in(level < nets_.size() ? detector_answer(nets_[level], shown)
+                                          : detector_answer_in_parts(shown, largest_part));
         for (const Detection& face : here)
             looks.shown.push_back(scaled(face, back));
         ++looks.taken;

@@ -178,11 +178,13 @@ struct FaceExtractor::Parts {
     /// because it seldom does.
     void look_turned(cv::Mat& picture, std::vector<LocatedFace>& located, Extraction& result,
                      const std::stop_token& stop) const {
-        const cv::Mat small = not_larger_than(picture, longest_turned_px);
+        cv::Mat small = not_larger_than(picture, longest_turned_px);
         double best = surest(located);
-        int best_degrees = 0;
+        int best_degrees = 0, small_degrees = 0;
         for (const int degrees : {180, 90, 270}) {
-            const double here = surest(locate_turned(turned(small, degrees), result.milliseconds, stop));
+            small = turned(small, (degrees - small_degrees + 360) % 360);
+            small_degrees = degrees;
+            const double here = surest(locate_turned(small, result.milliseconds, stop));
             if (here > best) {
                 best = here;
                 best_degrees = degrees;
@@ -213,7 +215,7 @@ struct FaceExtractor::Parts {
             if (edges)
                 lines = on_edges(picture, std::move(lines), &seen);
             result.milliseconds.edges += watch.lap();
-            const QualitySigns signs = signs_of(face.points, seen);
+            const QualitySigns signs = signs_of(face.points, seen, picture);
             std::string problem = problem_of(face.detection, face.points, picture.size());
             if (problem.empty() && edges)
                 problem = problem_of(signs);

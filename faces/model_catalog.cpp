@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <sys/mman.h>
 #include <system_error>
+#include <unistd.h>
 
 extern "C" {
 extern const char tp_model_detector[], tp_model_detector_end[];
@@ -31,8 +33,20 @@ bool looks_like_a_path(const std::string& choice) {
     return choice.find('/') != std::string::npos || choice.ends_with(".onnx") || choice.ends_with(".yaml");
 }
 
+/// Lets the system take back the memory of a file's bytes inside the program, which it reads again when they
+/// are wanted.
+void let_go(const char* begin, const char* end) {
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
+    const auto last = reinterpret_cast<std::uintptr_t>(end) / page * page;
+    if (first < last)
+        madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED); // failing, it costs memory only
+}
+
 cv::dnn::Net net_between(const char* begin, const char* end) {
-    return cv::dnn::readNetFromONNX(begin, static_cast<std::size_t>(end - begin));
+    cv::dnn::Net net = cv::dnn::readNetFromONNX(begin, static_cast<std::size_t>(end - begin));
+    let_go(begin, end);
+    return net;
 }
 
 Error not_installed(const PluggableModel& model) {
@@ -54,7 +68,9 @@ std::vector<EmbeddedModelFacts> embedded_models() {
             {"contours", "places the points of a face", "Apache-2.0",
              bytes(tp_model_contours, tp_model_contours_end)},
             {"eye", "looks closely at an eye", "Apache-2.0", bytes(tp_model_eye, tp_model_eye_end)},
-            {"mouth", "looks closely at the mouth", "Apache-2.0", bytes(tp_model_mouth, tp_model_mouth_end)}};
+            {"mouth", "looks closely at the mouth", "Apache-2.0", bytes(tp_model_mouth, tp_model_mouth_end)},
+            {"outline", "looks closely at the outline", "Apache-2.0",
+             bytes(tp_model_outline, tp_model_outline_end)}};
 }
 
 std::vector<std::filesystem::path> model_folders() {

@@ -2,11 +2,11 @@
 #include "faces/picture.hpp"
 
 #include "faces/jpeg_picture.hpp"
+#include "faces/other_formats.hpp"
 #include "faces/picture_metadata.hpp"
 #include "faces/png_picture.hpp"
 #include "faces/quiet_opencv.hpp"
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -61,15 +61,8 @@ bool is_webp_cut_short(const Bytes& bytes) {
 }
 
 Result<cv::Mat> decode_by_opencv(const Bytes& bytes, PictureKind kind) {
-    const HushedThread hushed;
-    cv::Mat picture;
-    try {
-        picture = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-    } catch (const cv::Exception&) { // limits of OpenCV and of the decoders below it
-    }
-    if (picture.empty())
-        return damaged(kind);
-    return picture;
+    Result<cv::Mat> picture = decode_other_format(bytes);
+    return picture.ok() && picture->empty() ? damaged(kind) : picture;
 }
 
 /// How much of its size a picture keeps when it has to fit into `box`; 1 at most.

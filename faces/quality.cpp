@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/quality.hpp"
 
+#include "faces/outline_step.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -92,7 +94,7 @@ std::vector<std::string> reasons(const QualitySigns& signs, FeatureIndex feature
 
 } // namespace
 
-QualitySigns signs_of(const Landmarks& points, const EdgeReports& edges) {
+QualitySigns signs_of(const Landmarks& points, const EdgeReports& edges, const cv::Mat& picture) {
     QualitySigns signs;
     signs.confidence = points.confidence;
     signs.edges = edges;
@@ -100,6 +102,7 @@ QualitySigns signs_of(const Landmarks& points, const EdgeReports& edges) {
     signs.unit_px = length(left - right);
     if (!(signs.unit_px > 0.0))
         return signs;
+    signs.outline_off_step = outline_off_step(picture, points.outline, signs.unit_px);
     const Vec2 across = (left - right) / signs.unit_px;
     const auto balance = [](double a, double b) {
         return std::clamp((a - b) / std::max(std::abs(a) + std::abs(b), 1e-9), -1.0, 1.0);
@@ -130,7 +133,8 @@ std::array<double, predictor_count> predictors(const QualitySigns& signs, Featur
             unclear(2.0 * std::min(lower, upper)),
             std::abs(signs.turn),
             std::abs(signs.eye_turn),
-            -std::log(1.02 - std::clamp(signs.confidence, 0.0, 1.0))};
+            -std::log(1.02 - std::clamp(signs.confidence, 0.0, 1.0)),
+            feature == at_outline ? signs.outline_off_step : 0.0};
 }
 
 ContourQuality quality_of(const QualitySigns& signs, FeatureIndex feature) {

@@ -4,6 +4,8 @@
 #include "faces/edge_fit.hpp"
 #include "faces/face.hpp"
 
+#include <opencv2/core/mat.hpp>
+
 #include <array>
 
 namespace tp {
@@ -16,13 +18,15 @@ struct QualitySigns {
     double turn = 0.0, eye_turn = 0.0;
     double confidence = 0.0;                                            ///< of the landmarks, 0 … 1
     std::array<double, feature_count> between_passes{}, between_nets{}; ///< see Landmarks
+    double outline_off_step = 0.0;                                      ///< see outline_step.hpp
     EdgeReports edges;
 };
 
-QualitySigns signs_of(const Landmarks& landmarks, const EdgeReports& edges);
+/// `picture` (8-bit BGR) is the one in which they were found.
+QualitySigns signs_of(const Landmarks& landmarks, const EdgeReports& edges, const cv::Mat& picture);
 
 /// The numbers that predict a contour's error, the first one 1.
-inline constexpr std::size_t predictor_count = 11;
+inline constexpr std::size_t predictor_count = 12;
 std::array<double, predictor_count> predictors(const QualitySigns& signs, FeatureIndex feature);
 
 /// What the signs say about a contour: the error that portraits with such signs had (log-linear in the

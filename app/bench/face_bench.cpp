@@ -4,16 +4,17 @@
 #include "app/bench/bench_clock.hpp"
 #include "faces/batch.hpp"
 #include "faces/evaluation/contour_error.hpp"
+#include "faces/evaluation/degraded.hpp"
+#include "faces/evaluation/opened_mouth.hpp"
 #include "faces/model_catalog.hpp"
 #include "faces/picture.hpp"
-
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace tp {
 
@@ -33,16 +34,12 @@ Result<Sample> read_sample(const PlacedPortrait& portrait, int longest_px) {
     const std::chrono::duration<double, std::milli> decode = std::chrono::steady_clock::now() - begun;
     if (!picture)
         return Error{portrait.photo.string() + ": " + picture.error()};
-    Sample sample{*picture, portrait.truth, decode.count()};
-    const double scale =
-        longest_px > 0 ? longest_px / static_cast<double>(std::max(picture->cols, picture->rows)) : 1.0;
-    if (scale < 1.0) {
-        cv::Mat small;
-        cv::resize(*picture, small, {}, scale, scale, cv::INTER_AREA);
-        sample.picture = small;
-        for (Contour& contour : sample.truth)
-            contour = mapped(contour, [&](Vec2 p) { return scale * p; });
-    }
+    Sample sample{longest_px > 0 ? not_larger_than(*picture, longest_px) : *picture, portrait.truth,
+                  decode.count()};
+    const Vec2 scale(static_cast<double>(sample.picture.cols) / picture->cols,
+                     static_cast<double>(sample.picture.rows) / picture->rows);
+    for (Contour& contour : sample.truth)
+        contour = mapped(contour, [&](Vec2 p) { return scale * p; });
     return sample;
 }
 
@@ -57,6 +54,20 @@ std::optional<std::array<double, 4>> errors_of(const std::vector<Contour>& truth
     if (!right || !left || !outer || !inner || !outline)
         return std::nullopt;
     return std::array{0.5 * (*right + *left), *outer, *inner, *outline};
+}
+
+/// The portrait as it is, harder to see, turned, and with its mouth open.
+std::vector<Degraded> made_harder(const Sample& sample, unsigned seed) {
+    std::vector<Degraded> ways = degraded(sample.picture, sample.truth, seed);
+    for (const double openness : {0.1, 0.25, 0.5, 0.8})
+        ways.push_back(with_opened_mouth(sample.picture, sample.truth, openness, seed));
+    return ways;
+}
+
+/// Whether the person is told that something about this face may be wrong.
+bool is_doubted(const Face& face) {
+    return !face.problem.empty() || std::any_of(face.quality.begin(), face.quality.end(),
+                                                [](const ContourQuality& q) { return !q.reasons.empty(); });
 }
 
 Result<FaceBenchRow> weigh(const FaceContender& contender, const std::vector<PlacedPortrait>& portraits,
@@ -137,6 +148,58 @@ Result<std::vector<FaceBenchRow>> run_face_bench(const std::vector<PlacedPortrai
                 return Error{row.error()};
             rows.push_back(*row);
         }
+    return rows;
+}
+
+Result<std::vector<HarderRow>> run_harder_bench(const std::vector<PlacedPortrait>& portraits,
+                                                const std::vector<FaceContender>& contenders,
+                                                const std::function<void(const std::string&)>& progress) {
+    std::vector<FaceExtractor> extractors;
+    for (const FaceContender& contender : contenders) {
+        auto extractor = FaceExtractor::create(contender.choice);
+        if (!extractor)
+            return Error{extractor.error()};
+        extractors.push_back(std::move(*extractor));
+    }
+    std::vector<HarderRow> rows;
+    std::vector<int> compared; // by way: portraits in which every contender found a face
+    for (std::size_t i = 0; i < portraits.size(); ++i) {
+        progress("harder: " + portraits[i].photo.filename().string());
+        const Result<Sample> sample = read_sample(portraits[i], 0);
+        if (!sample)
+            return Error{sample.error()};
+        const std::vector<Degraded> ways = made_harder(*sample, static_cast<unsigned>(i));
+        for (std::size_t w = 0; w < ways.size(); ++w) {
+            if (compared.size() <= w) {
+                compared.push_back(0);
+                for (const FaceContender& contender : contenders)
+                    rows.push_back({ways[w].how, contender.name});
+            }
+            std::vector<std::optional<std::array<double, 4>>> errors;
+            for (std::size_t c = 0; c < extractors.size(); ++c) {
+                HarderRow& row = rows[w * contenders.size() + c];
+                const Extraction found = extractors[c].extract(ways[w].picture);
+                errors.push_back(found.faces.empty()
+                                     ? std::nullopt
+                                     : errors_of(ways[w].truth, found.faces.front().contours));
+                ++row.photos;
+                row.found += errors.back() ? 1 : 0;
+                row.failures += !errors.back() || *std::max_element(errors.back()->begin(),
+                                                                    errors.back()->end()) > failure_percent;
+                row.said += !found.faces.empty() && is_doubted(found.faces.front());
+            }
+            if (!std::all_of(errors.begin(), errors.end(), [](const auto& e) { return e.has_value(); }))
+                continue;
+            ++compared[w];
+            for (std::size_t c = 0; c < errors.size(); ++c)
+                for (std::size_t f = 0; f < errors[c]->size(); ++f)
+                    rows[w * contenders.size() + c].error_percent[f] += (*errors[c])[f];
+        }
+    }
+    for (std::size_t r = 0; r < rows.size(); ++r)
+        for (double& error : rows[r].error_percent)
+            error =
+                compared[r / contenders.size()] > 0 ? error / compared[r / contenders.size()] : std::nan("");
     return rows;
 }
 

@@ -50,12 +50,32 @@ Result<std::vector<FaceBenchRow>> run_face_bench(const std::vector<PlacedPortrai
                                                  const std::vector<FaceContender>& contenders,
                                                  const std::vector<int>& longest_px,
                                                  const std::function<void(const std::string&)>& progress);
+/// What one contender made of portraits that were made harder in one way (faces/evaluation/degraded.hpp,
+/// opened_mouth.hpp).
+struct HarderRow {
+    std::string how; ///< "turned 45 % rad"
+    std::string contender;
+    int photos = 0;
+    int found = 0;    ///< of those, with a face
+    int failures = 0; ///< no face found, or a feature more than 5 % off
+    int said = 0;     ///< of those found, with a problem or a reason why a contour may be wrong
+    /// Means over the photographs in which every contender found a face, as FaceBenchRow::features.
+    std::array<double, 4> error_percent{};
+};
+/// Every contender on every portrait in every harder way, way by way; an error as above.
+Result<std::vector<HarderRow>> run_harder_bench(const std::vector<PlacedPortrait>& portraits,
+                                                const std::vector<FaceContender>& contenders,
+                                                const std::function<void(const std::string&)>& progress);
+
 /// The embedded nets over the files, on one thread and on as many as there are cores.
 Result<std::vector<BatchSpeed>> run_batch_bench(const std::vector<PlacedPortrait>& portraits);
 
 /// faces.csv in `folder`, columns named as the fields.
 Result<std::filesystem::path> write_face_table(const std::filesystem::path& folder,
                                                const std::vector<FaceBenchRow>& rows);
+/// harder.csv in `folder`, columns named as the fields.
+Result<std::filesystem::path> write_harder_table(const std::filesystem::path& folder,
+                                                 const std::vector<HarderRow>& rows);
 /// faces.png and .svg in `folder`: milliseconds without decoding over mean error, a line a contender.
 Result<std::filesystem::path> plot_faces(const std::filesystem::path& folder,
                                          const std::vector<FaceBenchRow>& rows);

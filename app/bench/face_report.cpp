@@ -21,6 +21,17 @@ Result<std::filesystem::path> write_face_table(const std::filesystem::path& fold
     return table.write(folder / "faces.csv");
 }
 
+Result<std::filesystem::path> write_harder_table(const std::filesystem::path& folder,
+                                                 const std::vector<HarderRow>& rows) {
+    CsvTable table({"how", "contender", "photos", "found", "failures", "said", "eyes_percent",
+                    "outer_lip_percent", "inner_lip_percent", "outline_percent"});
+    for (const HarderRow& row : rows)
+        table.add({row.how, row.contender, std::to_string(row.photos), std::to_string(row.found),
+                   std::to_string(row.failures), std::to_string(row.said), cell(row.error_percent[0]),
+                   cell(row.error_percent[1]), cell(row.error_percent[2]), cell(row.error_percent[3])});
+    return table.write(folder / "harder.csv");
+}
+
 Result<std::filesystem::path> plot_faces(const std::filesystem::path& folder,
                                          const std::vector<FaceBenchRow>& rows) {
     const QColor colours[] = {QColor(20, 120, 200), QColor(120, 120, 130), QColor(30, 150, 70),

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <future>
 #include <optional>
 #include <unordered_set>
 #include <vector>
@@ -95,15 +96,19 @@ private:
     /// One a thread; at least one, so that a model that cannot be used is said whatever there is to do.
     Result<std::vector<FaceExtractor>> make_extractors() const {
         const auto wanted = static_cast<std::size_t>(jobs_ > 0 ? jobs_ : QThread::idealThreadCount());
+        const ExtractorChoice choice{line_.text("detector").toStdString(), line_.text("model").toStdString(),
+                                     !line_.has("no-edges")};
+        std::vector<std::future<Result<FaceExtractor>>> making; // all at once: each takes its time
+        do
+            making.push_back(std::async([&choice] { return FaceExtractor::create(choice); }));
+        while (making.size() < std::min(wanted, photos_.size()));
         std::vector<FaceExtractor> extractors;
-        do {
-            auto extractor =
-                FaceExtractor::create({line_.text("detector").toStdString(),
-                                       line_.text("model").toStdString(), !line_.has("no-edges")});
+        for (auto& one : making) {
+            auto extractor = one.get();
             if (!extractor)
                 return Error{extractor.error()};
             extractors.push_back(std::move(*extractor));
-        } while (extractors.size() < std::min(wanted, photos_.size()));
+        }
         return extractors;
     }
 

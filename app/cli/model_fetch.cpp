@@ -24,6 +24,8 @@ namespace {
 
 constexpr int longest_silence_ms = 30'000;
 constexpr int look_for_stop_every_ms = 100;
+constexpr const char* other_ways = " Nothing has changed; try again when this machine is online, or get the "
+                                   "file by other means and use --from FILE.";
 
 std::string said(const QString& reason) {
     return (reason.endsWith('.') ? reason.chopped(1) : reason).toStdString() + ".";
@@ -53,13 +55,15 @@ public:
         // Whether a transfer that was cut off is an error to Qt depends on how it was cut.
         if (reply_.error() != QNetworkReply::NoError &&
             reply_.error() != QNetworkReply::RemoteHostClosedError)
-            return "It cannot be fetched: " + said(reply_.errorString());
+            return "It cannot be fetched: " + said(reply_.errorString()) + other_ways;
         take();
         if (problem_.empty() && bytes_ != known_.bytes)
             return "What came has " + std::to_string(bytes_) + " bytes instead of " +
-                   std::to_string(known_.bytes) + ": it was cut off, or it is another file.";
+                   std::to_string(known_.bytes) +
+                   ": it was cut off, or it is another file. Nothing has changed; try again.";
         if (problem_.empty() && hash_.result().toHex() != known_.sha256)
-            return "What came is another file: its SHA-256 is " + hash_.result().toHex().toStdString() + ".";
+            return "What came is another file: its SHA-256 is " + hash_.result().toHex().toStdString() +
+                   " instead of " + known_.sha256.toStdString() + ". Nothing has changed.";
         return problem_;
     }
 
@@ -69,7 +73,8 @@ private:
         bytes_ += bytes.size();
         hash_.addData(bytes);
         if (bytes_ > known_.bytes)
-            end("What comes is larger than " + std::to_string(known_.bytes) + " bytes: it is another file.");
+            end("What comes is larger than " + std::to_string(known_.bytes) +
+                " bytes: it is another file. Nothing has changed.");
         else if (file_.write(bytes) != bytes.size())
             end("It cannot be written: " + said(file_.errorString()));
         else if (!bytes.isEmpty())

@@ -106,7 +106,7 @@ int main(int argc, char** argv) {
                     continue;
                 EdgeReports edges;
                 const auto contours = contours_of(on_edges(harder.picture, lines_through(*points), &edges));
-                const QualitySigns signs = signs_of(*points, edges);
+                const QualitySigns signs = signs_of(*points, edges, harder.picture);
                 for (std::size_t f = 0; f < feature_count; ++f)
                     if (const auto error = contour_error_percent(harder.truth, contours, names[f]))
                         samples[f].push_back({predictors(signs, static_cast<FeatureIndex>(f)),

@@ -3,14 +3,16 @@
 
 #include "core/geometry/flatten.hpp"
 #include "faces/evaluation/contour_error.hpp"
+#include "faces/picture.hpp"
+
+#include <opencv2/imgproc.hpp>
+#include <turbojpeg.h>
 
 #include <algorithm>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
-
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <stdexcept>
 
 namespace tp {
 namespace {
@@ -45,6 +47,24 @@ cv::Mat covered(cv::Mat picture, Rect area, double margin, cv::Scalar colour) {
     return picture;
 }
 
+/// Compressed to a JPEG file and read again. Throws std::runtime_error where TurboJPEG has no memory.
+cv::Mat through_jpeg(const cv::Mat& picture, int quality) {
+    unsigned char* file = nullptr;
+    unsigned long size = 0;
+    tjhandle handle = tjInitCompress();
+    const bool good = handle && tjCompress2(handle, picture.data, picture.cols,
+                                            static_cast<int>(picture.step), picture.rows, TJPF_BGR, &file,
+                                            &size, TJSAMP_420, quality, TJFLAG_ACCURATEDCT) == 0;
+    const Bytes bytes(file, file + (good ? size : 0));
+    tjFree(file);
+    if (handle)
+        tjDestroy(handle);
+    const Result<cv::Mat> read = decode_picture(bytes);
+    if (!read)
+        throw std::runtime_error(read.error());
+    return *read;
+}
+
 } // namespace
 
 std::vector<Degraded> degraded(const cv::Mat& portrait, const std::vector<Contour>& truth, unsigned seed) {
@@ -75,11 +95,9 @@ std::vector<Degraded> degraded(const cv::Mat& portrait, const std::vector<Contou
         add(said("noise", sigma, ""), noisy);
     }
     {
-        std::vector<uchar> bytes;
         cv::Mat small, blocky;
         cv::resize(portrait, small, {}, 0.4, 0.4, cv::INTER_AREA);
-        cv::imencode(".jpg", small, bytes, {cv::IMWRITE_JPEG_QUALITY, 8});
-        cv::resize(cv::imdecode(bytes, cv::IMREAD_COLOR), blocky, portrait.size(), 0, 0, cv::INTER_LINEAR);
+        cv::resize(through_jpeg(small, 8), blocky, portrait.size(), 0, 0, cv::INTER_LINEAR);
         add("jpeg 8", blocky);
     }
     {

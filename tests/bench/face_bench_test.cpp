@@ -57,6 +57,36 @@ private slots:
         QCOMPARE(csv.readAll().count('\n'), qsizetype(5));
     }
 
+    void portraits_made_harder_are_compared_way_by_way() {
+        const std::vector<PlacedPortrait> people = some_people(1);
+        if (people.empty())
+            QSKIP("needs ../shared/faces/photos/london_truth.json");
+        const std::vector<FaceContender> all = face_contenders();
+        const auto rows = run_harder_bench(people, {all[0], all[1]}, [](const std::string&) {});
+        QVERIFY2(rows.ok(), rows.error().c_str());
+        QVERIFY(rows->size() > 20 && rows->size() % 2 == 0);
+        double plain = -1.0, blurred = -1.0;
+        bool opened = false;
+        for (std::size_t i = 0; i < rows->size(); i += 2) {
+            const HarderRow &own = (*rows)[i], &bare = (*rows)[i + 1];
+            QCOMPARE(own.how, bare.how);
+            QVERIFY(own.contender == "embedded" && bare.contender == "embedded_without_edges");
+            QVERIFY(own.photos == 1 && own.found <= 1 && own.said <= own.found && own.failures <= 1);
+            opened = opened || own.how.starts_with("mouth opened");
+            plain = own.how == "as it is" ? own.error_percent[0] : plain;
+            blurred = own.how == "blur 50 ‰" ? own.error_percent[0] : blurred;
+        }
+        QVERIFY(opened && plain > 0.0 && blurred > plain);
+        const QTemporaryDir folder;
+        QVERIFY(write_harder_table(folder.path().toStdString(), *rows).ok());
+        QFile csv(folder.filePath("harder.csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        QCOMPARE(csv.readAll().count('\n'), static_cast<qsizetype>(rows->size() + 1));
+        QVERIFY(run_harder_bench({{"no/such/photo.jpg", {}}}, {all[0]}, [](const std::string&) {})
+                    .error()
+                    .find("no/such/photo.jpg") != std::string::npos);
+    }
+
     void a_batch_takes_every_photograph() {
         const std::vector<PlacedPortrait> people = some_people(3);
         if (people.empty())

@@ -40,7 +40,10 @@ private slots:
         QVERIFY2(extractor.ok(), extractor.error().c_str());
     }
     void embedded_nets_are_listed_with_their_size() {
-        std::size_t bytes = 0;
+        std::size_t bytes = 0, files = 0;
+        for (const auto& entry : fs::directory_iterator(TP_SOURCE_DIR "/resources/models"))
+            files += entry.path().extension() == ".onnx";
+        QCOMPARE(embedded_models().size(), files);
         for (const EmbeddedModelFacts& model : embedded_models()) {
             const fs::path file =
                 fs::path(TP_SOURCE_DIR "/resources/models") / (model.name + std::string(".onnx"));

@@ -165,6 +165,38 @@ private slots:
         QCOMPARE(web.asked(), asked);
     }
 
+    void what_goes_wrong_on_the_way_says_what_to_do_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QByteArrayList>("says");
+        QTest::newRow("cut off") << "/cut"
+                                 << QByteArrayList{"has 1000 bytes instead of 345478", "try again."};
+        QTest::newRow("another file")
+            << "/other" << QByteArrayList{"its SHA-256 is ", yunet_model.sha256, "Nothing has changed."};
+        QTest::newRow("too long") << "/long" << QByteArrayList{"larger than 345478", "Nothing has changed."};
+        QTest::newRow("gone") << "/gone" << QByteArrayList{"cannot be fetched: ", "use --from FILE."};
+        QTest::newRow("nobody there") << "" << QByteArrayList{"cannot be fetched: ", "use --from FILE."};
+    }
+    /// As a shell sees it, with an address of this machine in place of the known one.
+    void what_goes_wrong_on_the_way_says_what_to_do() {
+        QFETCH(QString, path);
+        QFETCH(QByteArrayList, says);
+        SmallWeb web;
+        web.serve("/cut", QByteArray(1000, 'x'), 345'478);
+        web.serve("/other", QByteArray(345'478, 'x'));
+        web.serve("/long", QByteArray(345'479, 'x'));
+        put(yunet(), "what the user had");
+        const QString address =
+            path.isEmpty() ? QStringLiteral("http://127.0.0.1:1/net.onnx") : web.address(path).toString();
+        const Run run = lab_and_serve({"models", "fetch", "yunet", "--yes", "--from", address}, "");
+        QCOMPARE(run.code, 1);
+        const QByteArray last = run.err.split('\n').value(run.err.count('\n') - 1);
+        for (const QByteArray& words : says)
+            QVERIFY2(last.contains(words), run.err.constData());
+        QVERIFY2(last.endsWith('.'), run.err.constData());
+        QCOMPARE(left(), QStringList{"yunet.onnx"});
+        QCOMPARE(bytes_of(yunet()), QByteArray("what the user had"));
+    }
+
     void files_are_taken_by_name() {
         const Run other = lab({"models", "fetch", "yunet", "--yes", "--from", another_net});
         QCOMPARE(other.code, 1);

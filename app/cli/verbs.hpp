@@ -8,6 +8,7 @@ namespace tp {
 /// The verbs of touchphoto-lab; each takes the words after its name and returns an ExitCode.
 int album_verb(const QStringList& words);
 int bench_verb(const QStringList& words);
+int devices_verb(const QStringList& words);
 int expressions_verb(const QStringList& words);
 int faces_verb(const QStringList& words);
 int field_verb(const QStringList& words);

@@ -14,6 +14,9 @@ const char* sentence(Fault fault) {
                "back.";
     case Fault::over_speed:
         return "The force is off, because the finger moves too fast. Move slowly and it comes back.";
+    case Fault::motors_off:
+        return "The force is off, because the device has switched its motors off to be safe. It comes back when "
+               "the device is ready.";
     case Fault::stale_input:
         return "The force is off, because the device does not say where the finger is.";
     case Fault::late_ticks:

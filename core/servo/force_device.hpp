@@ -68,6 +68,9 @@ public:
     /// Force off, device released. May be called twice.
     virtual void stop() noexcept = 0;
     virtual bool lost() const noexcept { return false; }
+    /// It reads, but has switched its motors off by itself; it obeys again once it was given no force and nothing
+    /// keeps it from that. The servo's thread.
+    virtual bool motors_off() const noexcept { return false; }
 };
 
 } // namespace tp

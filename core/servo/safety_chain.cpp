@@ -56,6 +56,8 @@ Fault SafetyChain::notice(const SafetyInput& input, double elapsed) noexcept {
         return Fault::late_ticks;
     if (input.now - last_fresh_ > limits_.stale_after)
         return Fault::stale_input;
+    if (input.motors_off)
+        return Fault::motors_off;
     if (!is_finite(input.position) || !is_finite(input.velocity) || !is_finite(input.force))
         return Fault::not_a_number;
     if (length(input.velocity) > limits_.max_speed)

@@ -178,6 +178,7 @@ void ServoLoop::tick() noexcept {
     input.now = now;
     input.fresh = reading.has_value();
     input.device_lost = device_.lost();
+    input.motors_off = device_.motors_off();
     input.position = position;
     input.velocity = velocity_.velocity();
     input.force = settings_.device_to_surface.pull_back_force(force);

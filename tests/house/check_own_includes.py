@@ -40,7 +40,7 @@ BRINGS = {"string": ["string_view"], "filesystem": ["string", "string_view", "ch
 
 # What every header of Qt that we include brings along (qobject.h and qstring.h reach them all).
 QT_BASICS = {"QString", "QStringLiteral", "QChar", "QLatin1Char", "QLatin1String", "QLatin1StringView", "QStringView",
-             "QByteArray", "QByteArrayLiteral", "QByteArrayView", "QList", "QStringList"}
+             "QByteArray", "QByteArrayList", "QByteArrayLiteral", "QByteArrayView", "QList", "QStringList"}
 # Names without a header of their own, or that a header must bring along, since it takes or gives them by value.
 QT_CARRIES = {
     "QObject": ["QMetaObject"], "QTest": ["QObject", "QMetaObject"], "QTimer": ["QObject", "QMetaObject"],

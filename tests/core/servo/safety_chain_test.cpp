@@ -216,6 +216,18 @@ private slots:
         QVERIFY(bench.run(1.0) == Vec2(0.0));
     }
 
+    void motors_that_the_device_switched_off_come_back_by_the_ramp() {
+        Bench bench;
+        bench.run(1.0);
+        bench.input.motors_off = true;
+        QVERIFY(bench.until_zero() <= 0.020 + 1e-9);
+        QCOMPARE(bench.chain.fault(), Fault::motors_off);
+        bench.input.motors_off = false;
+        QVERIFY(bench.run(0.1).x < 0.25);
+        QCOMPARE(bench.chain.fault(), Fault::none);
+        QVERIFY(bench.run(0.5).x > 0.99);
+    }
+
     void letting_go_takes_the_force_away_within_20_ms() {
         Bench bench;
         bench.run(1.0);
@@ -226,13 +238,13 @@ private slots:
     void every_fault_has_a_sentence_of_its_own() {
         std::set<std::string> sentences;
         for (const Fault fault :
-             {Fault::not_a_number, Fault::outside_workspace, Fault::over_speed, Fault::stale_input,
+             {Fault::not_a_number, Fault::outside_workspace, Fault::over_speed, Fault::motors_off, Fault::stale_input,
               Fault::late_ticks, Fault::stalled, Fault::device_lost}) {
             const std::string text = sentence(fault);
             QVERIFY(text.size() > 20 && text.back() == '.');
             sentences.insert(text);
         }
-        QCOMPARE(sentences.size(), std::size_t(7));
+        QCOMPARE(sentences.size(), std::size_t(8));
         QCOMPARE(std::string(sentence(Fault::none)), std::string());
     }
 };

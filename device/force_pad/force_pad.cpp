@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/force_pad/force_pad.hpp"
+
+#include "device/force_pad/pad_frames.hpp"
+
+#include <chrono>
+#include <utility>
+#include <vector>
+
+namespace tp {
+
+namespace {
+
+constexpr int most_reports = 64;           ///< that one read drains
+constexpr unsigned older_of_a_restart = 8; ///< PROTOCOL.md
+constexpr std::uint64_t motors_bit = std::uint64_t{1} << 32;
+
+std::uint64_t packed(const pad::ForceFrame& force) {
+    return static_cast<std::uint16_t>(force.x_mn) |
+           (static_cast<std::uint64_t>(static_cast<std::uint16_t>(force.y_mn)) << 16) |
+           (force.motors ? motors_bit : 0);
+}
+
+pad::ForceFrame unpacked(std::uint64_t mail) {
+    pad::ForceFrame force;
+    force.x_mn = static_cast<std::int16_t>(mail & 0xFFFFu);
+    force.y_mn = static_cast<std::int16_t>((mail >> 16) & 0xFFFFu);
+    force.motors = (mail & motors_bit) != 0;
+    return force;
+}
+
+} // namespace
+
+void ForcePad::Line::send(std::uint32_t turn_now) noexcept {
+    sent = turn_now;
+    pad::ForceFrame force = unpacked(mail.load(std::memory_order_acquire));
+    force.sequence = ++sequence;
+    if (!transport->write(pad::encode(force)))
+        lost.store(true, std::memory_order_release);
+}
+
+void ForcePad::Line::write_until_quit() noexcept {
+    while (!lost.load(std::memory_order_acquire)) {
+        turn.wait(sent, std::memory_order_acquire);
+        send(turn.load(std::memory_order_acquire));
+        if (quit.load(std::memory_order_acquire) && turn.load(std::memory_order_acquire) == sent)
+            break;
+    }
+    ended.store(true, std::memory_order_release);
+}
+
+ForcePad::ForcePad(Opener opener, Writer writer) : opener_(std::move(opener)), writer_(writer) {}
+
+ForcePad::~ForcePad() { stop(); }
+
+template <typename Answer>
+bool ForcePad::ask(pad::Frame question, Answer& answer, std::uint8_t page) {
+    constexpr int asks = 20;
+    constexpr int reads = 20; // states come in between
+    constexpr int wait_ms = 5;
+    for (int i = 0; i < asks; ++i) {
+        if (!line_->transport->write(question))
+            return false;
+        for (int k = 0; k < reads; ++k) {
+            pad::Frame frame;
+            const ReportTransport::Got got = line_->transport->read(frame, wait_ms);
+            if (got == ReportTransport::Got::lost)
+                return false;
+            if (got != ReportTransport::Got::report || !pad::decode(frame, answer))
+                continue;
+            if constexpr (requires { answer.page; }) {
+                if (answer.page != page)
+                    continue;
+            }
+            return true;
+        }
+    }
+    return false;
+}
+
+Result<Capabilities> ForcePad::open() {
+    stop();
+    Result<std::unique_ptr<ReportTransport>> opened = opener_();
+    if (!opened.ok())
+        return Error{opened.error()};
+    line_ = std::make_shared<Line>();
+    line_->transport = std::move(opened).value();
+    heard_ = false;
+    older_ = 0;
+    status_.store(0);
+    bad_frames_.store(0);
+
+    // Off first: what another program left on it ends here.
+    line_->transport->write(pad::encode(pad::ForceFrame{}));
+    const auto question = [](pad::FrameType what, std::uint8_t page = 0) {
+        return pad::encode(pad::AskFrame{0, what, page});
+    };
+    pad::IdentityFrame identity;
+    pad::CapabilitiesFrame can;
+    if (!ask(question(pad::FrameType::identity), identity) ||
+        !ask(question(pad::FrameType::capabilities), can)) {
+        line_->transport.reset();
+        return Error{
+            "The device with a force pad's ids does not answer like a force pad. Unplug it and plug it in "
+            "again; if it is no force pad, choose another device."};
+    }
+    std::vector<Vec2> outline;
+    for (std::uint8_t page = 0; outline.size() < can.corners; ++page) {
+        pad::OutlineFrame corners;
+        if (!ask(question(pad::FrameType::outline, page), corners, page) || corners.corners == 0) {
+            line_->transport.reset();
+            return Error{
+                "The force pad did not say which places it reaches. Unplug it and plug it in again."};
+        }
+        for (int i = 0; i < corners.corners; ++i)
+            outline.emplace_back(1e-3 * corners.x_um[i], 1e-3 * corners.y_um[i]);
+    }
+    Result<Capabilities> made = capabilities_of(can, identity.serial, outline);
+    open_ = made.ok();
+    if (!open_)
+        line_->transport.reset();
+    else if (writer_ == Writer::own_thread)
+        thread_ = std::thread([line = line_] { line->write_until_quit(); });
+    return made;
+}
+
+Result<bool> ForcePad::home() {
+    pad::CalibrationFrame calibration;
+    if (!open_ || !ask(pad::encode(pad::CalibrateFrame{}), calibration) || !calibration.homed)
+        return Error{"The force pad could not be homed. See that it is plugged in, and try again."};
+    return true;
+}
+
+void ForcePad::take(const pad::Frame& frame) noexcept {
+    pad::StateFrame state;
+    if (!pad::decode(frame, state)) {
+        const pad::FrameType type = pad::type_of(frame);
+        const bool late_answer = type == pad::FrameType::identity || type == pad::FrameType::capabilities ||
+                                 type == pad::FrameType::outline || type == pad::FrameType::calibration;
+        if (!late_answer)
+            bad_frames_.fetch_add(1, std::memory_order_relaxed);
+        return;
+    }
+    if (heard_ && !pad::newer(state.sequence, sequence_) && ++older_ < older_of_a_restart) {
+        bad_frames_.fetch_add(1, std::memory_order_relaxed);
+        return;
+    }
+    heard_ = true;
+    fresh_ = true;
+    older_ = 0;
+    sequence_ = state.sequence;
+    state_.position = {1e-3 * state.x_um, 1e-3 * state.y_um};
+    state_.buttons = state.buttons;
+    status_.store(state.status, std::memory_order_relaxed);
+}
+
+std::optional<DeviceState> ForcePad::read(double now) noexcept {
+    if (!open_)
+        return std::nullopt;
+    fresh_ = false;
+    for (int i = 0; i < most_reports && !lost(); ++i) {
+        pad::Frame frame;
+        const ReportTransport::Got got = line_->transport->read(frame, 0);
+        if (got == ReportTransport::Got::nothing)
+            break;
+        if (got == ReportTransport::Got::lost)
+            line_->lost.store(true, std::memory_order_release);
+        else if (got == ReportTransport::Got::odd)
+            bad_frames_.fetch_add(1, std::memory_order_relaxed);
+        else
+            take(frame);
+    }
+    if (!fresh_)
+        return std::nullopt;
+    state_.time = now;
+    return state_;
+}
+
+void ForcePad::post(std::uint64_t mail) noexcept {
+    line_->mail.store(mail, std::memory_order_release);
+    line_->turn.fetch_add(1, std::memory_order_release);
+    line_->turn.notify_one();
+}
+
+bool ForcePad::write(const SafeForce& force) noexcept {
+    if (!open_ || lost())
+        return false;
+    post(packed(force_frame(force)));
+    return true;
+}
+
+void ForcePad::halt() noexcept {
+    if (line_)
+        post(0);
+}
+
+void ForcePad::deliver() noexcept {
+    if (!open_ || lost())
+        return;
+    const std::uint32_t turn = line_->turn.load(std::memory_order_acquire);
+    if (turn != line_->sent)
+        line_->send(turn);
+}
+
+void ForcePad::stop() noexcept {
+    if (!open_)
+        return;
+    line_->quit.store(true, std::memory_order_release);
+    post(0);
+    if (thread_.joinable()) {
+        for (int i = 0; i < 1000 && !line_->ended.load(std::memory_order_acquire); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (!line_->ended.load(std::memory_order_acquire)) {
+            thread_.detach(); // it holds the line itself, and the pad's watchdog has taken the force away
+            open_ = false;
+            return;
+        }
+        thread_.join();
+    } else {
+        deliver();
+    }
+    open_ = false;
+    line_->transport.reset();
+}
+
+bool ForcePad::lost() const noexcept { return line_ && line_->lost.load(std::memory_order_acquire); }
+
+bool ForcePad::motors_off() const noexcept {
+    return heard_ && (status_.load(std::memory_order_relaxed) & pad::status::armed) == 0;
+}
+
+std::string ForcePad::complaint() const { return pad_sentence(status_.load(std::memory_order_relaxed)); }
+
+} // namespace tp

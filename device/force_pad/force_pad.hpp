@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/servo/force_device.hpp"
+#include "device/force_pad/report_transport.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace tp {
+
+/// A force pad (PROTOCOL.md) behind the port of the servo.
+///
+/// Reading never waits: what has arrived is drained and the newest state kept. Writing hands the force to a
+/// writer by a mailbox that holds only the latest, because a transport's write can stall for milliseconds to
+/// seconds; the writer sends one frame for each time the servo wrote, never by itself, so that a servo that
+/// stands still starves the pad's watchdog too.
+class ForcePad final : public ForceDevice {
+public:
+    enum class Writer {
+        own_thread,
+        caller, ///< deliver() is the writer's step; for simulated time
+    };
+    using Opener = std::function<Result<std::unique_ptr<ReportTransport>>()>;
+
+    explicit ForcePad(Opener opener, Writer writer = Writer::own_thread);
+    ~ForcePad() override;
+    ForcePad(const ForcePad&) = delete;
+    ForcePad& operator=(const ForcePad&) = delete;
+
+    /// Asks the pad who it is and what it can do; an error where it does not answer like a force pad.
+    Result<Capabilities> open() override;
+    std::optional<DeviceState> read(double now) noexcept override;
+    bool write(const SafeForce& force) noexcept override;
+    void halt() noexcept override;
+    /// Waits a second at most for a writer that hangs in the system; it is then left to end by itself.
+    void stop() noexcept override;
+    bool lost() const noexcept override;
+    bool motors_off() const noexcept override;
+
+    /// Tells an open pad that its knob stands on the mark. Before the servo ticks: it waits for the answer.
+    Result<bool> home();
+    /// Sends what the mailbox holds, if anything is new in it.
+    void deliver() noexcept;
+    /// Why its motors are off and what to do, for a person. Any thread.
+    std::string complaint() const;
+    /// Frames since open that were broken, repeated or older than one before. Any thread.
+    std::uint64_t bad_frames() const noexcept { return bad_frames_.load(std::memory_order_relaxed); }
+
+private:
+    /// What the writer shares with the rest; it outlives the pad where the writer hangs.
+    struct Line {
+        std::unique_ptr<ReportTransport> transport;
+        std::atomic<std::uint64_t> mail{0}; ///< x, y in mN and whether the motors are on, packed
+        std::atomic<std::uint32_t> turn{0}; ///< counts what was put into the mailbox
+        std::atomic<bool> quit{false};
+        std::atomic<bool> ended{false};
+        std::atomic<bool> lost{false};
+        std::uint32_t sent = 0; ///< turn that was sent last; only the writer
+        std::uint16_t sequence = 0;
+
+        void send(std::uint32_t turn_now) noexcept;
+        void write_until_quit() noexcept;
+    };
+    void post(std::uint64_t mail) noexcept;
+    void take(const pad::Frame& frame) noexcept;
+    template <typename Answer>
+    bool ask(pad::Frame question, Answer& answer, std::uint8_t page = 0);
+
+    Opener opener_;
+    Writer writer_;
+    std::shared_ptr<Line> line_; ///< stays until the next open, for halt() from anywhere
+    bool open_ = false;
+    std::thread thread_;
+    std::atomic<std::uint16_t> status_{0};
+    std::atomic<std::uint64_t> bad_frames_{0};
+
+    // Only the servo's thread.
+    bool heard_ = false; ///< a state since open
+    bool fresh_ = false; ///< a state in this read
+    unsigned older_ = 0; ///< states in a row that were no newer
+    std::uint16_t sequence_ = 0;
+    DeviceState state_;
+};
+
+} // namespace tp

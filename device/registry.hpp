@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/servo/force_device.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+/// A device that can be used now.
+struct ListedDevice {
+    std::string name;  ///< "simulated", or "pad:" and the serial number; what device_named takes
+    std::string about; ///< as a person is told
+    std::string serial_number;
+};
+
+/// The simulated device first, then what is plugged in. One thread at a time.
+std::vector<ListedDevice> list_devices();
+
+/// A device by its name, not yet open. An error where there is none of that name now.
+Result<std::unique_ptr<ForceDevice>> device_named(const std::string& name);
+
+} // namespace tp

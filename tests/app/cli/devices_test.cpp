@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// touchphoto-lab devices as a shell sees it.
+#include "lab_process.hpp"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+class DevicesTest : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+    QString scene() {
+        return written(folder_.filePath("scene.svg"),
+                       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"150mm\" "
+                       "viewBox=\"0 0 200 150\">"
+                       "<path id=\"line\" d=\"M 20 77 L 180 77\"/></svg>");
+    }
+
+private slots:
+    void lists_the_simulated_device_always() {
+        const Run run = lab({"devices", "--json"});
+        QCOMPARE(run.code, 0);
+        const QJsonObject first = QJsonDocument::fromJson(run.out.split('\n').first()).object();
+        QCOMPARE(first["name"].toString(), QString("simulated"));
+        QVERIFY(lab({"devices"}).out.startsWith("simulated "));
+    }
+
+    void tests_a_device() {
+        const Run run = lab({"devices", "test", "simulated", "--seconds", "0.3"});
+        QVERIFY2(run.out.contains("force       3 N"), run.out + run.err);
+    }
+
+    void what_is_not_there_is_said_so() {
+        for (const char* const verb : {"test", "home"}) {
+            const Run run = lab({"devices", verb, "pad:none"});
+            QCOMPARE(run.code, 1);
+            QVERIFY(is_one_sentence(run.err) || run.err.contains("lists what is there"));
+        }
+        QCOMPARE(lab({"devices", "home", "simulated"}).code, 1);
+        QCOMPARE(lab({"devices", "test"}).code, 2);
+        QCOMPARE(lab({"devices", "record", folder_.filePath("no"), "--device", "pad:none"}).code, 1);
+    }
+
+    void a_session_is_recorded_and_replayed() {
+        const QString file = folder_.filePath("session");
+        const Run recorded = lab({"devices", "record", file, "--seconds", "1", "--scene", scene()});
+        QVERIFY2(recorded.code == 0, recorded.err);
+        const Run csv = lab({"devices", "replay", file});
+        QCOMPARE(csv.code, 0);
+        QVERIFY(csv.out.startsWith("now_s,fresh,x_mm,y_mm,fx_n,fy_n,lost,motors_off,refused\n"));
+        QVERIFY(csv.out.count('\n') > 10);
+        const Run again = lab({"devices", "replay", file, "--scene", scene()});
+        QCOMPARE(again.code, 0);
+        const QByteArray ticks = QByteArray::number(csv.out.count('\n') - 1);
+        QVERIFY2(again.out.startsWith("ticks " + ticks + ','), again.out);
+        QCOMPARE(lab({"devices", "record", file}).code, 1); // it exists
+    }
+
+    void what_is_no_recording_is_refused() {
+        const Run run = lab({"devices", "replay", scene()});
+        QCOMPARE(run.code, 1);
+        QVERIFY(run.err.contains("no recording of a force device"));
+        QCOMPARE(lab({"devices", "replay", folder_.filePath("missing")}).code, 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(DevicesTest)
+#include "devices_test.moc"

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/force_pad/protocol/frame.hpp"
+#include "device/force_pad/protocol/usb.hpp"
+#include "frame_check.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include <cstring>
+#include <random>
+
+using namespace tp::pad;
+
+namespace {
+
+QByteArray hex(const Frame& frame) {
+    return QByteArray(reinterpret_cast<const char*>(frame.bytes), frame_size).toHex(' ');
+}
+
+/// The frame of PROTOCOL.md with its CRC, made there by another program.
+QByteArray golden(const char* start) {
+    QFile page(QStringLiteral(TP_SOURCE_DIR "/device/force_pad/PROTOCOL.md"));
+    if (!page.open(QIODevice::ReadOnly))
+        return {};
+    const QList<QByteArray> lines = page.readAll().split('\n');
+    for (qsizetype i = 0; i + 1 < lines.size(); ++i)
+        if (lines[i].trimmed().startsWith(start))
+            return (lines[i].trimmed() + ' ' + lines[i + 1].trimmed());
+    return {};
+}
+
+template <typename Value>
+void is_identity(std::mt19937& random, Value (*any)(std::mt19937&)) {
+    for (int i = 0; i < 2000; ++i) {
+        const Frame frame = encode(any(random));
+        Value back;
+        QVERIFY(decode(frame, back));
+        QCOMPARE(hex(encode(back)), hex(frame));
+    }
+}
+
+/// Values over all their bits, so that a field that is cut or swapped cannot come back.
+template <typename Number>
+Number any_of(std::mt19937& random) {
+    return static_cast<Number>(random());
+}
+
+StateFrame any_state(std::mt19937& random) {
+    StateFrame s;
+    s.sequence = any_of<uint16_t>(random);
+    s.time_us = any_of<uint32_t>(random);
+    s.x_um = any_of<int32_t>(random);
+    s.y_um = any_of<int32_t>(random);
+    s.force_x_mn = any_of<int16_t>(random);
+    s.force_y_mn = any_of<int16_t>(random);
+    s.residual_um = any_of<uint16_t>(random);
+    s.status = any_of<uint16_t>(random) & status::all;
+    s.heard = any_of<uint16_t>(random);
+    s.celsius = any_of<int8_t>(random);
+    s.buttons = any_of<uint8_t>(random);
+    return s;
+}
+
+bool same(const StateFrame& a, const StateFrame& b) {
+    return a.sequence == b.sequence && a.time_us == b.time_us && a.x_um == b.x_um && a.y_um == b.y_um &&
+           a.force_x_mn == b.force_x_mn && a.force_y_mn == b.force_y_mn && a.residual_um == b.residual_um &&
+           a.status == b.status && a.heard == b.heard && a.celsius == b.celsius && a.buttons == b.buttons;
+}
+
+bool same(const CapabilitiesFrame& a, const CapabilitiesFrame& b) {
+    return a.sequence == b.sequence && a.kind == b.kind && a.firmware_major == b.firmware_major &&
+           a.firmware_minor == b.firmware_minor && a.corners == b.corners &&
+           a.max_force_mn == b.max_force_mn && a.continuous_force_mn == b.continuous_force_mn &&
+           a.resolution_um == b.resolution_um && a.rate_hz == b.rate_hz && a.delay_us == b.delay_us &&
+           a.watchdog_ms == b.watchdog_ms;
+}
+
+} // namespace
+
+class ForcePadProtocolTest : public QObject {
+    Q_OBJECT
+private slots:
+    void the_crc_is_the_published_one() {
+        QCOMPARE(crc16(reinterpret_cast<const uint8_t*>("123456789"), 9), uint16_t(0x29B1));
+    }
+
+    void frames_are_byte_for_byte_those_of_the_page() {
+        QCOMPARE(hex(encode(ForceFrame{0x1234, 800, -250, true})), golden("01 01 34 12"));
+        QCOMPARE(hex(encode(AskFrame{2, FrameType::outline, 1})), golden("02 01 02 00"));
+        QCOMPARE(hex(encode(CalibrateFrame{3, CalibrateAction::scale, 2, 1050})), golden("03 01 03 00"));
+        StateFrame state;
+        state.sequence = 0xFFFE;
+        state.time_us = 1234567;
+        state.x_um = -12345;
+        state.y_um = 67890;
+        state.force_x_mn = 799;
+        state.force_y_mn = -250;
+        state.residual_um = 21;
+        state.status = status::armed | status::limited;
+        state.heard = 0x1234;
+        state.celsius = -5;
+        state.buttons = 1;
+        QCOMPARE(hex(encode(state)), golden("81 01 fe ff"));
+        CapabilitiesFrame can;
+        can.sequence = 9;
+        can.kind = PadKind::cables;
+        can.firmware_major = 1;
+        can.corners = 4;
+        can.max_force_mn = 1500;
+        can.continuous_force_mn = 1000;
+        can.resolution_um = 8;
+        can.rate_hz = 1000;
+        can.delay_us = 1000;
+        can.watchdog_ms = 30;
+        QCOMPARE(hex(encode(can)), golden("82 01 09 00"));
+        OutlineFrame outline;
+        outline.sequence = 10;
+        outline.page = 1;
+        outline.corners = 1;
+        outline.x_um[0] = -100000;
+        outline.y_um[0] = 75000;
+        QCOMPARE(hex(encode(outline)), golden("83 01 0a 00"));
+        IdentityFrame identity;
+        identity.sequence = 11;
+        std::strcpy(identity.serial, "TPC-0001");
+        QCOMPARE(hex(encode(identity)), golden("84 01 0b 00"));
+        CalibrationFrame calibration;
+        calibration.sequence = 12;
+        calibration.homed = true;
+        calibration.permille[2] = 1050;
+        QCOMPARE(hex(encode(calibration)), golden("85 01 0c 00"));
+    }
+
+    void decode_takes_back_what_encode_wrote() {
+        std::mt19937 random(7);
+        for (int i = 0; i < 2000; ++i) {
+            const StateFrame state = any_state(random);
+            StateFrame back;
+            QVERIFY(decode(encode(state), back));
+            QVERIFY(same(state, back));
+        }
+        is_identity<StateFrame>(random, any_state);
+        is_identity<ForceFrame>(random, [](std::mt19937& r) {
+            return ForceFrame{any_of<uint16_t>(r), any_of<int16_t>(r), any_of<int16_t>(r), r() % 2 == 0};
+        });
+        for (int i = 0; i < 2000; ++i) {
+            const ForceFrame force{any_of<uint16_t>(random), any_of<int16_t>(random), any_of<int16_t>(random),
+                                   true};
+            ForceFrame back;
+            QVERIFY(decode(encode(force), back));
+            QVERIFY(back.sequence == force.sequence && back.x_mn == force.x_mn && back.y_mn == force.y_mn &&
+                    back.motors);
+            CapabilitiesFrame can;
+            can.sequence = any_of<uint16_t>(random);
+            can.kind = random() % 2 == 0 ? PadKind::cables : PadKind::pantograph;
+            can.firmware_major = any_of<uint8_t>(random);
+            can.firmware_minor = any_of<uint8_t>(random);
+            can.corners = any_of<uint8_t>(random);
+            can.max_force_mn = any_of<uint16_t>(random);
+            can.continuous_force_mn = any_of<uint16_t>(random);
+            can.resolution_um = any_of<uint16_t>(random);
+            can.rate_hz = any_of<uint16_t>(random);
+            can.delay_us = any_of<uint16_t>(random);
+            can.watchdog_ms = any_of<uint8_t>(random);
+            CapabilitiesFrame can_back;
+            QVERIFY(decode(encode(can), can_back));
+            QVERIFY(same(can, can_back));
+        }
+    }
+
+    /// The CRC finds every error of up to three bits in 30 bytes; here all of one and of two.
+    void no_flipped_bit_goes_unnoticed() {
+        std::mt19937 random(8);
+        const Frame good = encode(any_state(random));
+        const auto flip = [](Frame frame, unsigned bit) {
+            frame.bytes[bit / 8] = static_cast<uint8_t>(frame.bytes[bit / 8] ^ (1u << (bit % 8)));
+            return frame;
+        };
+        StateFrame value;
+        for (unsigned a = 0; a < 8 * frame_size; ++a) {
+            QVERIFY(!decode(flip(good, a), value));
+            for (unsigned b = a + 1; b < 8 * frame_size; ++b)
+                QVERIFY(!decode(flip(flip(good, a), b), value));
+        }
+    }
+
+    void what_the_page_does_not_allow_is_refused() {
+        const auto with_byte = [](Frame frame, std::size_t at, uint8_t value) {
+            frame.bytes[at] = value;
+            const uint16_t crc = crc16(frame.bytes, frame_size - 2);
+            frame.bytes[frame_size - 2] = static_cast<uint8_t>(crc & 0xFF);
+            frame.bytes[frame_size - 1] = static_cast<uint8_t>(crc >> 8);
+            return frame;
+        };
+        const Frame force = encode(ForceFrame{1, 2, 3, true});
+        ForceFrame value{99, 0, 0, false};
+        QVERIFY(!decode(with_byte(force, 0, 0x02), value)); // type
+        QVERIFY(!decode(with_byte(force, 1, 2), value));    // version
+        QVERIFY(!decode(with_byte(force, 8, 2), value));    // neither on nor off
+        QVERIFY(!decode(with_byte(force, 29, 1), value));   // reserved
+        QCOMPARE(value.sequence, uint16_t(99));
+        QVERIFY(decode(with_byte(force, 8, 0), value));
+        AskFrame ask;
+        QVERIFY(!decode(with_byte(encode(AskFrame{}), 4, 0x01), ask)); // not an answer
+        CalibrateFrame calibrate;
+        QVERIFY(!decode(with_byte(encode(CalibrateFrame{}), 4, 3), calibrate));
+        QVERIFY(!decode(with_byte(encode(CalibrateFrame{}), 5, 4), calibrate));
+        QVERIFY(!decode(encode(CalibrateFrame{1, CalibrateAction::scale, 0, 499}), calibrate));
+        QVERIFY(!decode(encode(CalibrateFrame{1, CalibrateAction::scale, 0, 1501}), calibrate));
+        OutlineFrame outline;
+        QVERIFY(!decode(with_byte(encode(OutlineFrame{}), 5, 4), outline));
+        QVERIFY(!decode(with_byte(encode(OutlineFrame{}), 6, 1), outline)); // a corner beyond its count
+        IdentityFrame identity;
+        QVERIFY(!decode(with_byte(encode(IdentityFrame{}), 5, 'A'), identity)); // after the end
+        QVERIFY(!decode(with_byte(encode(IdentityFrame{}), 4, 0xE9), identity));
+        StateFrame state;
+        QVERIFY(!decode(with_byte(encode(StateFrame{}), 23, 0x80), state)); // a status bit that is not there
+    }
+
+    void sequence_numbers_go_round() {
+        QVERIFY(newer(1, 0));
+        QVERIFY(newer(0, 65535));
+        QVERIFY(!newer(0, 0));
+        QVERIFY(!newer(65535, 0));
+        QVERIFY(newer(32767, 0));
+        QVERIFY(!newer(32768, 0));
+    }
+
+    void the_report_descriptor_tells_of_32_bytes_each_way() {
+        QCOMPARE(
+            QByteArray(reinterpret_cast<const char*>(report_descriptor), sizeof report_descriptor).toHex(' '),
+            golden("06 54 ff 09"));
+    }
+
+    void the_fuzzers_inputs_hold() {
+        const QDir corpus(QStringLiteral(TP_SOURCE_DIR "/tests/device/force_pad/corpus"));
+        const QStringList names = corpus.entryList(QDir::Files);
+        QVERIFY(names.size() >= 5);
+        for (const QString& name : names) {
+            QFile file(corpus.filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QByteArray bytes = file.readAll();
+            const std::string words =
+                tp::test::complaint_about_frames({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+            QVERIFY2(words.empty(), qPrintable(name + ": " + QString::fromStdString(words)));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(ForcePadProtocolTest)
+#include "protocol_test.moc"

@@ -205,8 +205,9 @@ void ForcePad::deliver() noexcept {
 void ForcePad::stop() noexcept {
     if (!open_)
         return;
+    post(0); // before quit: a writer that sees quit has sent this, or still will
     line_->quit.store(true, std::memory_order_release);
-    post(0);
+    post(0); // wakes a writer that has sent the first and not seen quit
     if (thread_.joinable()) {
         for (int i = 0; i < 1000 && !line_->ended.load(std::memory_order_acquire); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -8,9 +8,13 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -259,6 +263,7 @@ private slots:
             QVERIFY(device.write(safe({0.1 * i, 0.0}))); // none of them waits
         link.shut.store(false);
         until([&] { return link.last_x.load() == 900 || link.last_x.load() == 899; });
+        until([&] { return link.forces.load() >= before + 3; });
         QCOMPARE(link.forces.load(), before + 3); // the one in the gate and the latest
         device.halt();
         until([&] { return !link.last_motors.load(); });

@@ -12,7 +12,10 @@
 #include <QTest>
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <fcntl.h>
 #include <linux/hidraw.h>

@@ -5,9 +5,11 @@
 #include "device/force_pad/force_pad.hpp"
 #include "device/force_pad/simulated_link.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace tp::testing {
 

@@ -157,8 +157,11 @@ std::string recording_header(const Capabilities& device) {
             shortest(device.max_force) + "\ncontinuous_force " + shortest(device.continuous_force) +
             "\nresolution " + shortest(device.resolution) + "\nrate " + shortest(device.rate) + "\ndelay " +
             shortest(device.delay) + "\ncalibrated " + (device.calibrated ? "1" : "0") + "\nworkspace ";
-    for (std::size_t i = 0; i < std::min(device.workspace.size(), most_corners); ++i)
-        text += (i == 0 ? "" : " ") + shortest(device.workspace[i].x) + ' ' + shortest(device.workspace[i].y);
+    for (std::size_t i = 0; i < std::min(device.workspace.size(), most_corners); ++i) {
+        if (i > 0)
+            text += ' ';
+        text += shortest(device.workspace[i].x) + ' ' + shortest(device.workspace[i].y);
+    }
     return text + "\n\n";
 }
 

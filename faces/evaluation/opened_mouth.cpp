@@ -59,9 +59,9 @@ double smooth_step(double t) {
 }
 
 /// The rule by which lower lip, jaw and neck move.
-class Opening {
+class OpenedLips {
 public:
-    Opening(Edge upper, Edge lower, double width, double drop)
+    OpenedLips(Edge upper, Edge lower, double width, double drop)
         : upper_(std::move(upper)), lower_(std::move(lower)), width_(width), drop_(drop) {}
 
     double top(double u) const { return upper_.at(u); }
@@ -128,7 +128,7 @@ void blend(cv::Mat& picture, const cv::Mat& mask, cv::Scalar colour, double soft
     });
 }
 
-cv::Mat opened(const cv::Mat& portrait, const MouthFrame& frame, const Opening& mouth, cv::RNG& random) {
+cv::Mat opened(const cv::Mat& portrait, const MouthFrame& frame, const OpenedLips& mouth, cv::RNG& random) {
     const double width = mouth.width();
     const double teeth = random.uniform(0, 2) ? width * random.uniform(0.06, 0.16) : 0.0;
     const bool tongue = random.uniform(0, 2) != 0;
@@ -191,7 +191,7 @@ Degraded with_opened_mouth(const cv::Mat& portrait, const std::vector<Contour>& 
         parts[is_lower[i] ? 1 : 0].push_back(uv[i]);
     for (const Vec2 corner : {Vec2(0.0), Vec2(width, 0.0)})
         parts[1].push_back(corner);
-    const Opening mouth{Edge(parts[0]), Edge(parts[1]), width, openness * width};
+    const OpenedLips mouth{Edge(parts[0]), Edge(parts[1]), width, openness * width};
 
     std::vector<Contour> moved;
     for (const Contour& contour : truth) {

@@ -5,6 +5,7 @@
 // sizes.
 #include "app/album/index/album_queries.hpp"
 #include "app/album/index/album_scan.hpp"
+#include "app/album/metadata/read_record.hpp"
 #include "synthetic_album.hpp"
 
 #include <QCoreApplication>
@@ -81,7 +82,7 @@ void add_scan(Figures& figures, const std::string& name, const fs::path& album, 
               std::size_t count) {
     auto index = AlbumIndex::open(cache);
     ScanTools tools;
-    tools.read_record = read_synthetic;
+    tools.read_record = read_record;
     const auto begin = Clock::now();
     const double cpu_begin = cpu_ms();
     const auto report = scan_album(*index, {album}, tools);

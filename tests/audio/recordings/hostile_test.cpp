@@ -4,6 +4,7 @@
 #include "audio/recordings/wav_layout.hpp"
 #include "byte_mutants.hpp"
 #include "flac_check.hpp"
+#include "owned_bytes.hpp"
 #include "sounds.hpp"
 #include "wav_check.hpp"
 
@@ -24,19 +25,6 @@ constexpr std::size_t mutated_sounds = 10'000;
 
 std::vector<Seed> wavs() { return corpus(TP_SOURCE_DIR "/tests/audio/recordings/wav_corpus"); }
 std::vector<Seed> flacs() { return corpus(TP_SOURCE_DIR "/tests/audio/recordings/flac_corpus"); }
-
-/// Bytes that are their reader's own.
-class OwnedBytes : public ByteSource {
-public:
-    explicit OwnedBytes(std::string bytes) : bytes_(std::move(bytes)) {}
-    std::uint64_t size() const override { return bytes_.size(); }
-    std::size_t read(std::uint64_t at, std::span<char> to) const override {
-        return MemoryBytes(bytes_).read(at, to);
-    }
-
-private:
-    std::string bytes_;
-};
 
 /// A little sound in every format that is read.
 std::vector<Seed> sounds(const fs::path& folder) {

@@ -5,6 +5,7 @@
 #include "audio/video/video_sound.hpp"
 #include "byte_mutants.hpp"
 #include "made_video.hpp"
+#include "owned_bytes.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -23,19 +24,6 @@ namespace {
 
 constexpr std::uint64_t seed = 20260501;
 constexpr int mutated_videos = 1'000;
-
-/// Bytes that are their reader's own.
-class OwnedBytes : public ByteSource {
-public:
-    explicit OwnedBytes(std::string bytes) : bytes_(std::move(bytes)) {}
-    std::uint64_t size() const override { return bytes_.size(); }
-    std::size_t read(std::uint64_t at, std::span<char> to) const override {
-        return MemoryBytes(bytes_).read(at, to);
-    }
-
-private:
-    std::string bytes_;
-};
 
 std::string bytes_of(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -248,4 +236,5 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(VideoSoundTest)
+#include "owned_bytes.hpp"
 #include "video_sound_test.moc"

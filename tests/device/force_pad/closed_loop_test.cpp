@@ -137,6 +137,21 @@ void set(PadBench& bench, const Trouble& trouble, bool on) {
     }
 }
 
+/// A firm hand that the pad has been pulling towards a line for a second.
+struct HeldAboveALine : PadBench {
+    HeldAboveALine() : PadBench(pad::cable_pad(), firm_hand()) {
+        render({line_at({0, 0}, 0.0)});
+        model.place_knob({0.0, 4.0});
+        run(1.0);
+    }
+    static PadPlant firm_hand() {
+        PadPlant hand;
+        hand.hand_stiffness = 0.5;
+        hand.hand_damping = 5.0;
+        return hand;
+    }
+};
+
 } // namespace
 
 class ForcePadClosedLoopTest : public QObject {
@@ -212,13 +227,7 @@ private slots:
     }
 
     void unplugged_in_mid_touch_the_pad_lets_go_and_a_reason_is_said() {
-        PadPlant hand;
-        hand.hand_stiffness = 0.5;
-        hand.hand_damping = 5.0;
-        PadBench bench(pad::cable_pad(), hand);
-        bench.render({line_at({0, 0}, 0.0)});
-        bench.model.place_knob({0.0, 4.0});
-        bench.run(1.0);
+        HeldAboveALine bench;
         QVERIFY(length(bench.model.force()) > 0.3);
         bench.link.troubles.unplugged = true;
         bench.tick();
@@ -232,13 +241,7 @@ private slots:
     }
 
     void a_writer_that_hangs_is_noticed_by_the_pad_and_told_by_the_servo() {
-        PadPlant hand;
-        hand.hand_stiffness = 0.5;
-        hand.hand_damping = 5.0;
-        PadBench bench(pad::cable_pad(), hand);
-        bench.render({line_at({0, 0}, 0.0)});
-        bench.model.place_knob({0.0, 4.0});
-        bench.run(1.0);
+        HeldAboveALine bench;
         bench.writer_stalled = true;
         bench.run(0.040);
         QVERIFY(bench.model.force() == Vec2(0.0));

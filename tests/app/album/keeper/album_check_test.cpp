@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "album_folder.hpp"
-#include "album_parts.hpp"
+#include "album_of_one.hpp"
 #include "app/album/keeper/album_check.hpp"
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/importer.hpp"
@@ -47,18 +46,9 @@ class AlbumCheckTest : public QObject {
         QCOMPARE(kinds(check(album, false)), std::vector<Kind>{});
     }
 
-    struct Album {
-        AlbumFolder folder;
-        fs::path photo = a_photo(folder, "2026/IMG_1.jpg", 1);
-        fs::path sound = a_sound(folder, "sounds/a.wav", 0.5, 300.0);
-        AlbumKeeper keeper{folder.path()};
-        std::string file =
-            keeper.add_recording(photo, sound, {RecordingKind::memo, "Anna", {}, {}, {}, {}})->tag.file;
-    };
-
 private slots:
     void an_album_in_order_has_nothing_found() {
-        Album album;
+        AlbumOfOne album;
         QCOMPARE(album.keeper.name_face(album.photo, {0.5, 0.5, 0.2, 0.2, "Anna"}), std::string());
         album.folder.write("2026/IMG_9.xmp", "another program's, of a film");
         album.folder.write("2026/notes.txt", "x");
@@ -70,7 +60,7 @@ private slots:
     }
 
     void half_written_files_are_deleted() {
-        Album album;
+        AlbumOfOne album;
         album.folder.write("2026/.touchphoto-999999999-0.tmp", "half");
         found_and_mended(album.folder, Kind::half_written);
         album.folder.write("2026/.touchphoto-999999999-1.tmp", album.folder.read("2026/IMG_1.jpg.xmp"));
@@ -79,7 +69,7 @@ private slots:
     }
 
     void a_file_that_is_being_written_is_left_alone() {
-        Album album;
+        AlbumOfOne album;
         auto file = NewFile::beside(album.folder / "2026/x");
         QVERIFY(file.ok());
         QCOMPARE(kinds(check(album.folder, true)), std::vector<Kind>{});
@@ -87,7 +77,7 @@ private slots:
     }
 
     void a_recording_that_a_crash_stopped_is_finished_and_listed() {
-        Album album;
+        AlbumOfOne album;
         {
             auto part = start_recording(tags_folder(album.photo),
                                         {{RecordingKind::story, "Tom", {}, {}, {}, {}}, {}});
@@ -107,14 +97,14 @@ private slots:
     }
 
     void an_unlisted_recording_is_listed_by_its_comments() {
-        Album album;
+        AlbumOfOne album;
         fs::remove(album.folder / "2026/IMG_1.jpg.xmp");
         found_and_mended(album.folder, Kind::unlisted_recording);
         QCOMPARE(read_record(album.photo)->tags.at(0).label.person, std::string("Anna"));
     }
 
     void a_recording_that_is_gone_is_said_and_stays_on_the_list() {
-        Album album;
+        AlbumOfOne album;
         fs::remove(tags_folder(album.photo) / album.file);
         for (const bool mend : {true, false}) {
             const CheckReport report = check(album.folder, mend);
@@ -125,7 +115,7 @@ private slots:
     }
 
     void a_deletion_that_was_cut_off_is_finished() {
-        Album album;
+        AlbumOfOne album;
         QVERIFY(Trash(album.folder.path()).put({tags_folder(album.photo) / album.file}, "memo").ok());
         found_and_mended(album.folder, Kind::missing_recording);
         QVERIFY(read_record(album.photo)->tags.empty());
@@ -133,7 +123,7 @@ private slots:
 
     /// Where nobody named the album, a recording goes to the trash of the photograph's own folder.
     void a_folder_inside_the_album_may_have_a_trash_of_its_own() {
-        Album album;
+        AlbumOfOne album;
         const fs::path inner = a_photo(album.folder, "2027/IMG_7.jpg", 7);
         QCOMPARE(album_around(inner), inner.parent_path());
         AlbumKeeper keeper(album_around(inner));
@@ -149,7 +139,7 @@ private slots:
     }
 
     void what_a_killed_import_had_unpacked_is_nobody_s_photograph() {
-        Album album;
+        AlbumOfOne album;
         a_photo(album.folder, ".touchphoto/import/2026/0/x.jpg", 8);
         album.folder.write(".touchphoto/import/2026/0/y.jpg.tags/1.flac", "half");
         const CheckReport report = check(album.folder, true);
@@ -158,7 +148,7 @@ private slots:
     }
 
     void a_sidecar_that_cannot_be_read_makes_way() {
-        Album album;
+        AlbumOfOne album;
         album.folder.write("2026/IMG_1.jpg.xmp", "<x:xmpmeta this is no XML");
         QCOMPARE(kinds(check(album.folder, false)),
                  (std::vector<Kind>{Kind::unreadable_sidecar, Kind::unlisted_recording}));
@@ -169,7 +159,7 @@ private slots:
     }
 
     void what_a_moved_photograph_left_behind_follows_it() {
-        Album album;
+        AlbumOfOne album;
         fs::create_directory(album.folder / "2027");
         fs::rename(album.photo, album.folder / "2027/renamed.jpg");
         found_and_mended(album.folder, Kind::left_behind);
@@ -178,7 +168,7 @@ private slots:
     }
 
     void what_a_deleted_photograph_left_behind_is_said() {
-        Album album;
+        AlbumOfOne album;
         fs::remove(album.photo);
         const auto before = album.folder.files();
         const CheckReport report = check(album.folder, true);
@@ -188,13 +178,13 @@ private slots:
     }
 
     void a_photograph_that_another_program_changed_is_said() {
-        Album album;
+        AlbumOfOne album;
         album.folder.write("2026/IMG_1.jpg", album.folder.read("2026/IMG_1.jpg") + "edited");
         found_and_mended(album.folder, Kind::changed_photo);
     }
 
     void recordings_that_others_may_hear_are_shut() {
-        Album album;
+        AlbumOfOne album;
         ::chmod((tags_folder(album.photo) / album.file).c_str(), 0644);
         found_and_mended(album.folder, Kind::open_to_others);
         ::chmod(tags_folder(album.photo).c_str(), 0755);
@@ -202,7 +192,7 @@ private slots:
     }
 
     void names_in_order_are_not_found() {
-        Album album; // Anna is whom its recording is about
+        AlbumOfOne album; // Anna is whom its recording is about
         QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
         QCOMPARE(album.keeper.name_face(album.photo, {0.5, 0.5, 0.2, 0.2, "../Ô/Jörg %"}), std::string());
         QCOMPARE(album.keeper.keep_name_recording("../Ô/Jörg %", album.sound), std::string());
@@ -210,7 +200,7 @@ private slots:
     }
 
     void a_name_that_cannot_be_heard_makes_way() {
-        Album album;
+        AlbumOfOne album;
         QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
         const fs::path place = album.keeper.place_of_name("Anna");
         fs::resize_file(place, fs::file_size(place) / 4);
@@ -222,7 +212,7 @@ private slots:
 
     /// A kill between the name's recording and its place.
     void a_name_without_its_place_goes_there() {
-        Album album;
+        AlbumOfOne album;
         QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
         const fs::path place = album.keeper.place_of_name("Anna"),
                        stray = place.parent_path() / "undated-person.flac";
@@ -239,7 +229,7 @@ private slots:
     }
 
     void half_written_names_are_deleted() {
-        Album album;
+        AlbumOfOne album;
         QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
         const fs::path half = album.folder.write(".touchphoto/people/.touchphoto-999999999-1.tmp", "half");
         found_and_mended(album.folder, Kind::half_written);
@@ -247,7 +237,7 @@ private slots:
     }
 
     void a_name_of_nobody_is_said_and_stays() {
-        Album album;
+        AlbumOfOne album;
         QCOMPARE(album.keeper.keep_name_recording("Nobody here", album.sound), std::string());
         for (const bool mend : {false, true}) {
             const CheckReport report = check(album.folder, mend);
@@ -265,7 +255,7 @@ private slots:
     }
 
     void names_that_others_may_hear_are_shut() {
-        Album album;
+        AlbumOfOne album;
         QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());
         fs::permissions(album.keeper.place_of_name("Anna"), fs::perms::all);
         found_and_mended(album.folder, Kind::open_to_others);
@@ -274,7 +264,7 @@ private slots:
     }
 
     void another_machine_s_sidecar_is_merged_and_told() {
-        Album album;
+        AlbumOfOne album;
         const AlbumFolder elsewhere;
         const fs::path there = a_photo(elsewhere, "IMG_1.jpg", 1);
         AlbumKeeper other(elsewhere.path());
@@ -287,7 +277,7 @@ private slots:
     }
 
     void unfinished_imports_and_a_spoilt_trash_are_said() {
-        Album album;
+        AlbumOfOne album;
         album.folder.write(".touchphoto/import/2026.json", R"({"into":"","sources":[]})");
         album.folder.write(".touchphoto/trash/2026/list.json", "{");
         QCOMPARE(kinds(check(album.folder, true)),
@@ -295,7 +285,7 @@ private slots:
     }
 
     void a_recording_that_is_cut_short_is_said() {
-        Album album;
+        AlbumOfOne album;
         const fs::path place = tags_folder(album.photo) / album.file;
         fs::resize_file(place, fs::file_size(place) / 2);
         const CheckReport report = check(album.folder, true);
@@ -305,7 +295,7 @@ private slots:
     }
 
     void a_sound_that_is_none_is_said() {
-        Album album;
+        AlbumOfOne album;
         const auto file = tags_folder(album.photo).lexically_relative(album.folder.path()) / "x.flac";
         album.folder.write(file, "no sound");
         ::chmod((album.folder / file).c_str(), 0600);

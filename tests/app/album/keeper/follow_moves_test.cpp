@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "album_folder.hpp"
-#include "album_parts.hpp"
+#include "album_of_one.hpp"
 #include "app/album/index/album_queries.hpp"
 #include "app/album/index/album_scan.hpp"
 #include "app/album/keeper/album_keeper.hpp"
@@ -18,13 +17,7 @@ namespace fs = std::filesystem;
 class FollowMovesTest : public QObject {
     Q_OBJECT
 
-    struct Album {
-        AlbumFolder folder;
-        fs::path photo = a_photo(folder, "2026/IMG_1.jpg", 1);
-        fs::path sound = a_sound(folder, "sounds/a.wav", 0.5, 300.0);
-        AlbumKeeper keeper{folder.path()};
-        std::string file =
-            keeper.add_recording(photo, sound, {RecordingKind::memo, "Anna", {}, {}, {}, {}})->tag.file;
+    struct Album : AlbumOfOne {
         Result<AlbumIndex> index = AlbumIndex::in_memory();
 
         ScanReport scan() {

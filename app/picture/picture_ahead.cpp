@@ -129,7 +129,7 @@ void PictureAhead::take(std::shared_ptr<const ShownPicture> picture) {
                                          [&](const auto& one) { return one->photo == picture->photo; });
         before != held_.end())
         held_.erase(before);
-    const bool wanted = picture->photo == wanted_ && !answered_;
+    const bool wanted = picture->photo == wanted_;
     held_.push_front(picture);
     make_room();
     if (wanted) {

@@ -31,7 +31,7 @@ tp_may(tp_faces    ${_core} tp_exiv2                USES PkgConfig::exiv2 PkgCon
 tp_may(tp_evaluation tp_base tp_geometry tp_guidance tp_faces  USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
 tp_may(tp_speech   tp_base                          USES Qt6::Core Qt6::TextToSpeech)
 tp_may(tp_recordings tp_base tp_files               USES PkgConfig::sndfile PkgConfig::ebur128)
-tp_may(tp_video    tp_base tp_files tp_recordings   USES PkgConfig::libav)
+tp_may(tp_video    tp_base tp_files tp_recordings)
 tp_may(tp_sound    tp_base tp_files tp_recordings   USES Qt6::Core Qt6::Multimedia PkgConfig::soundtouch)
 tp_may(tp_metadata tp_base tp_files tp_recordings tp_exiv2 USES PkgConfig::exiv2 PkgConfig::pugixml)
 tp_may(tp_index    tp_base tp_files tp_recordings tp_metadata USES Qt6::Core Qt6::Sql)

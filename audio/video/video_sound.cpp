@@ -2,6 +2,7 @@
 #include "audio/video/video_sound.hpp"
 
 #include "audio/recordings/sound_format.hpp"
+#include "audio/video/libav.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,21 +13,12 @@
 #include <utility>
 #include <vector>
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-#include <libavformat/avio.h>
-#include <libavutil/error.h>
-#include <libavutil/frame.h>
-#include <libavutil/log.h>
-#include <libavutil/mathematics.h>
-#include <libavutil/mem.h>
-#include <libavutil/samplefmt.h>
-}
-
 namespace tp {
 
 namespace {
+
+/// Of a VideoSound, which is not made before they are loaded.
+const LibAv& av() { return *load_libav(); }
 
 constexpr int most_channels = 8; // as many as FLAC has
 constexpr int lowest_rate = 1'000;
@@ -49,7 +41,7 @@ bool is_a_camera_s(AVCodecID codec) {
 /// A sample in full scale ±2³¹, of which `depth` says how many bits are kept.
 std::int32_t sample_of(const AVFrame& frame, int channel, int number, SampleDepth depth) {
     const auto format = static_cast<AVSampleFormat>(frame.format);
-    const bool planar = av_sample_fmt_is_planar(format) != 0;
+    const bool planar = av().av_sample_fmt_is_planar(format) != 0;
     const std::uint8_t* bytes = planar ? frame.extended_data[channel] : frame.extended_data[0];
     const std::ptrdiff_t at =
         planar ? number : static_cast<std::ptrdiff_t>(number) * frame.ch_layout.nb_channels + channel;
@@ -58,7 +50,7 @@ std::int32_t sample_of(const AVFrame& frame, int channel, int number, SampleDept
         const double sample = std::isfinite(value) ? std::clamp(value * scale, -scale, scale - 1.0) : 0.0;
         return static_cast<std::int32_t>(std::lrint(sample)) << (32 - static_cast<int>(depth));
     };
-    switch (av_get_packed_sample_fmt(format)) {
+    switch (av().av_get_packed_sample_fmt(format)) {
     case AV_SAMPLE_FMT_U8:
         return (static_cast<std::int32_t>(bytes[at]) - 128) << 24;
     case AV_SAMPLE_FMT_S16:
@@ -75,7 +67,7 @@ std::int32_t sample_of(const AVFrame& frame, int channel, int number, SampleDept
 }
 
 SampleDepth depth_of(int format) {
-    return av_get_packed_sample_fmt(static_cast<AVSampleFormat>(format)) == AV_SAMPLE_FMT_S32
+    return av().av_get_packed_sample_fmt(static_cast<AVSampleFormat>(format)) == AV_SAMPLE_FMT_S32
                ? SampleDepth::bits_24
                : SampleDepth::bits_16;
 }
@@ -102,13 +94,13 @@ struct VideoSound::Impl {
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
     ~Impl() {
-        av_frame_free(&frame);
-        av_packet_free(&packet);
-        avcodec_free_context(&decoder);
-        avformat_close_input(&file);
+        av().av_frame_free(&frame);
+        av().av_packet_free(&packet);
+        av().avcodec_free_context(&decoder);
+        av().avformat_close_input(&file);
         if (io != nullptr)
-            av_freep(&io->buffer);
-        avio_context_free(&io);
+            av().av_freep(&io->buffer);
+        av().avio_context_free(&io);
     }
 
     static int take(void* self, std::uint8_t* to, int count) {
@@ -140,20 +132,20 @@ struct VideoSound::Impl {
 
     std::string open_file() {
         const std::string no_video = "it is damaged, or no video that can be read here.";
-        auto* buffer = static_cast<std::uint8_t*>(av_malloc(read_block));
-        io = avio_alloc_context(buffer, read_block, 0, this, take, nullptr, go_to);
-        file = avformat_alloc_context();
-        packet = av_packet_alloc();
-        frame = av_frame_alloc();
+        auto* buffer = static_cast<std::uint8_t*>(av().av_malloc(read_block));
+        io = av().avio_alloc_context(buffer, read_block, 0, this, take, nullptr, go_to);
+        file = av().avformat_alloc_context();
+        packet = av().av_packet_alloc();
+        frame = av().av_frame_alloc();
         if (buffer == nullptr || io == nullptr || file == nullptr || packet == nullptr || frame == nullptr)
             return "there is not enough memory.";
         file->pb = io;
         file->flags |= AVFMT_FLAG_CUSTOM_IO;
         file->io_open = open_nothing;
         // on a failure it has freed `file`, and not `io`, which is ours
-        if (avformat_open_input(&file, nullptr, av_find_input_format("mov"), nullptr) < 0)
+        if (av().avformat_open_input(&file, nullptr, av().av_find_input_format("mov"), nullptr) < 0)
             return no_video;
-        stream = av_find_best_stream(file, AVMEDIA_TYPE_AUDIO, -1, -1, nullptr, 0);
+        stream = av().av_find_best_stream(file, AVMEDIA_TYPE_AUDIO, -1, -1, nullptr, 0);
         if (stream < 0)
             return file->nb_streams == 0 ? no_video : "it has no sound.";
         for (unsigned i = 0; i < file->nb_streams; ++i)
@@ -164,16 +156,16 @@ struct VideoSound::Impl {
 
     std::string open_decoder() {
         const AVCodecParameters& about = *file->streams[stream]->codecpar;
-        const AVCodec* codec = is_a_camera_s(about.codec_id) ? avcodec_find_decoder(about.codec_id) : nullptr;
+        const AVCodec* codec = is_a_camera_s(about.codec_id) ? av().avcodec_find_decoder(about.codec_id) : nullptr;
         if (codec == nullptr)
             return std::string("its sound is of a kind that cannot be decoded here (") +
-                   avcodec_get_name(about.codec_id) + ").";
-        decoder = avcodec_alloc_context3(codec);
+                   av().avcodec_get_name(about.codec_id) + ").";
+        decoder = av().avcodec_alloc_context3(codec);
         if (decoder == nullptr)
             return "there is not enough memory.";
         decoder->thread_count = 1;
         decoder->pkt_timebase = file->streams[stream]->time_base;
-        if (avcodec_parameters_to_context(decoder, &about) < 0 || avcodec_open2(decoder, codec, nullptr) < 0)
+        if (av().avcodec_parameters_to_context(decoder, &about) < 0 || av().avcodec_open2(decoder, codec, nullptr) < 0)
             return "its sound cannot be decoded.";
         return {};
     }
@@ -197,7 +189,7 @@ struct VideoSound::Impl {
     /// The next decoded samples into `frame`; false at the end.
     bool next_frame() {
         while (true) {
-            const int got = avcodec_receive_frame(decoder, frame);
+            const int got = av().avcodec_receive_frame(decoder, frame);
             if (got == 0 && frame->nb_samples > 0)
                 return true;
             if (got == AVERROR_EOF)
@@ -206,14 +198,14 @@ struct VideoSound::Impl {
                 return false;
             if (got == 0)
                 continue;
-            if (av_read_frame(file, packet) < 0) {
+            if (av().av_read_frame(file, packet) < 0) {
                 drained = true;
-                avcodec_send_packet(decoder, nullptr);
+                av().avcodec_send_packet(decoder, nullptr);
                 continue;
             }
             if (packet->stream_index == stream)
-                avcodec_send_packet(decoder, packet); // a damaged one is left out
-            av_packet_unref(packet);
+                av().avcodec_send_packet(decoder, packet); // a damaged one is left out
+            av().av_packet_unref(packet);
         }
     }
 
@@ -242,8 +234,11 @@ VideoSound::VideoSound(VideoSound&&) noexcept = default;
 VideoSound::~VideoSound() = default;
 
 Result<VideoSound> VideoSound::open(std::unique_ptr<ByteSource> video) {
-    av_log_set_level(AV_LOG_QUIET); // it would print on stderr; what is wrong is said by who asked
-    av_max_alloc(most_memory);
+    if (load_libav() == nullptr)
+        return Error{std::string("reading it needs the library ") + libav_name +
+                     " of FFmpeg (Debian: libavformat59), which is not here."};
+    av().av_log_set_level(AV_LOG_QUIET); // it would print on stderr; what is wrong is said by who asked
+    av().av_max_alloc(most_memory);
     auto impl = std::make_unique<Impl>();
     impl->bytes = std::move(video);
     std::string problem = impl->open_file();
@@ -264,7 +259,7 @@ std::uint64_t VideoSound::frames() const {
     if (stream.duration <= 0)
         return 0;
     const std::int64_t frames =
-        av_rescale_q(stream.duration, stream.time_base, AVRational{1, impl_->format.rate});
+        av().av_rescale_q(stream.duration, stream.time_base, AVRational{1, impl_->format.rate});
     return static_cast<std::uint64_t>(std::clamp<std::int64_t>(frames, 0, most + 1));
 }
 

@@ -72,7 +72,8 @@ std::vector<ZipEntry> entries_in(std::string_view list) {
     while (!list.empty()) {
         const std::string_view line = list.substr(0, list.find('\n'));
         list.remove_prefix(std::min(list.size(), line.size() + 1));
-        const std::string name(line.substr(std::min<std::size_t>(line.size(), 1)));
+        const std::string_view written = line.substr(std::min<std::size_t>(line.size(), 1));
+        const std::string name(written.substr(0, written.find('\0'))); // as it comes into the zip
         if (line.starts_with('d'))
             entries.push_back({name, "", AE_IFDIR});
         else if (line.starts_with('l'))

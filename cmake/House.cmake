@@ -22,7 +22,7 @@ tp_may(tp_guidance tp_base tp_geometry)
 tp_may(tp_svg      tp_base tp_files tp_geometry tp_guidance  USES PkgConfig::pugixml PkgConfig::2geom)
 tp_may(tp_servo    tp_base tp_geometry tp_guidance  USES Threads::Threads)
 tp_may(tp_study    tp_base tp_geometry tp_guidance tp_servo)
-tp_may(tp_device   ${_core} tp_pad_protocol tp_pad_firmware USES PkgConfig::hidapi Threads::Threads)
+tp_may(tp_device   ${_core} tp_pad_protocol tp_pad_firmware USES PkgConfig::hidapi PkgConfig::libusb Threads::Threads)
 tp_may(tp_pad_protocol) # nothing at all: it runs on a microcontroller
 tp_may(tp_pad_firmware tp_pad_protocol)
 tp_may(tp_exiv2                                     USES PkgConfig::exiv2)

@@ -50,6 +50,20 @@ std::string sentence(OpenProblem problem, System system, const std::string& name
                    ". Remove the driver that its maker installed and start this computer again.";
         }
         break;
+    case OpenProblem::wrong_usb_driver:
+        switch (system) {
+        case System::linux_system:
+            return "Another driver of the system holds the " + name +
+                   " and does not let go of it. Unplug the device, unload that driver and plug the device in "
+                   "again.";
+        case System::windows:
+            return "The " + name +
+                   " has the wrong driver. In the Device Manager choose Update driver, then \"WinUsb "
+                   "Device\".";
+        case System::macos:
+            return sentence(OpenProblem::wrong_driver, system, name);
+        }
+        break;
     case OpenProblem::busy:
         return "Another program uses the " + name + ". Close that program and try again.";
     case OpenProblem::gone:

@@ -6,7 +6,14 @@
 namespace tp {
 
 /// Why a device that is plugged in cannot be opened.
-enum class OpenProblem { permission, wrong_driver, busy, gone, other };
+enum class OpenProblem {
+    permission,
+    wrong_driver,     ///< of a HID device
+    wrong_usb_driver, ///< of a device that is used through libusb
+    busy,
+    gone,
+    other,
+};
 
 enum class System { linux_system, windows, macos };
 

@@ -15,9 +15,11 @@ struct ListedDevice {
     std::string name;  ///< "simulated", or "pad:" and the serial number; what device_named takes
     std::string about; ///< as a person is told
     std::string serial_number;
+    std::string interface; ///< "hid" or "bulk", by which it is used now; empty for the simulated device
 };
 
-/// The simulated device first, then what is plugged in. One thread at a time.
+/// The simulated device first, then what is plugged in, each once: a force pad is used over HID, and over its
+/// bulk interface where HID does not show it or does not let it be opened. One thread at a time.
 std::vector<ListedDevice> list_devices();
 
 /// A device by its name, not yet open. An error where there is none of that name now.

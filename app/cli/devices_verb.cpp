@@ -28,14 +28,15 @@ int list(const QStringList& words) {
     VerbLine line("devices",
                   "Lists the force devices that can be used now. See also devices test, home, record\n"
                   "and replay.");
-    line.option("json", "A JSON object a line: name, about, serial_number.");
+    line.option("json", "A JSON object a line: name, about, serial_number, interface.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
     for (const ListedDevice& device : list_devices())
         if (line.has("json")) {
             const QJsonObject object{{"name", QString::fromStdString(device.name)},
                                      {"about", QString::fromStdString(device.about)},
-                                     {"serial_number", QString::fromStdString(device.serial_number)}};
+                                     {"serial_number", QString::fromStdString(device.serial_number)},
+                                     {"interface", QString::fromStdString(device.interface)}};
             std::printf("%s\n", QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
         } else {
             std::printf("%-20s %s\n", device.name.c_str(), device.about.c_str());

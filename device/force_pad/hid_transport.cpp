@@ -78,7 +78,7 @@ OpenProblem why_not([[maybe_unused]] const std::string& path) {
 
 } // namespace
 
-std::vector<FoundPad> find_pads() {
+std::vector<FoundPad> find_hid() {
     std::vector<FoundPad> found;
     hid_device_info* const all = hid_enumerate(pad::usb_vendor, pad::usb_product);
     for (const hid_device_info* one = all; one != nullptr; one = one->next)

@@ -12,6 +12,13 @@ inline constexpr uint16_t usb_product =
 inline constexpr uint16_t usage_page = 0xFF54; ///< vendor page
 inline constexpr uint16_t usage = 0x0001;
 
+// The bulk interface is told by these three and by its endpoints.
+inline constexpr uint8_t bulk_class = 0xFF;
+inline constexpr uint8_t bulk_subclass = 0x54;
+inline constexpr uint8_t bulk_protocol = 0x01;
+inline constexpr uint8_t bulk_out = 0x02; ///< endpoint addresses
+inline constexpr uint8_t bulk_in = 0x81;
+
 /// One input and one output report of 32 bytes, no report ids.
 inline constexpr uint8_t report_descriptor[] = {
     0x06, 0x54, 0xFF, // Usage Page (Vendor 0xFF54)

@@ -23,6 +23,7 @@ private slots:
         QCOMPARE(run.code, 0);
         const QJsonObject first = QJsonDocument::fromJson(run.out.split('\n').first()).object();
         QCOMPARE(first["name"].toString(), QString("simulated"));
+        QVERIFY(first["interface"].isString());
         QVERIFY(lab({"devices"}).out.startsWith("simulated "));
     }
 

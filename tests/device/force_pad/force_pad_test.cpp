@@ -330,6 +330,10 @@ private slots:
                 sentences.insert(sentence(problem, system, "force pad"));
                 ++count;
             }
+        for (const System system : {System::linux_system, System::windows}) {
+            sentences.insert(sentence(OpenProblem::wrong_usb_driver, system, "force pad"));
+            ++count;
+        }
         for (const OpenProblem problem : {OpenProblem::busy, OpenProblem::gone, OpenProblem::other}) {
             sentences.insert(sentence(problem, System::linux_system, "force pad"));
             ++count;
@@ -347,6 +351,8 @@ private slots:
         QCOMPARE(open_problem_of(EACCES), OpenProblem::permission);
         QCOMPARE(open_problem_of(EBUSY), OpenProblem::busy);
         QCOMPARE(open_problem_of(ENODEV), OpenProblem::gone);
+        QCOMPARE(sentence(OpenProblem::wrong_usb_driver, System::macos, "force pad"),
+                 sentence(OpenProblem::wrong_driver, System::macos, "force pad"));
     }
 };
 

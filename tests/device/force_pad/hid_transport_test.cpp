@@ -1,28 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // The force pad through the real hidapi, with a device made by umockdev: its /sys and /dev are those of a HID
 // device, its node is a pseudo-terminal, and behind it a thread runs the model pad.
-#include "core/servo/servo_loop.hpp"
-#include "device/force_pad/force_pad.hpp"
 #include "device/force_pad/hid_transport.hpp"
 #include "device/force_pad/model_pad.hpp"
-#include "device/force_pad/protocol/usb.hpp"
+#include "found_pad_bench.hpp"
+#include "mock_hidraw.hpp"
 
-// GLib's header has a parameter of this name.
-#undef signals
 #include <QTest>
 
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fcntl.h>
-#include <linux/hidraw.h>
 #include <memory>
 #include <poll.h>
 #include <string>
-#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <termios.h>
 #include <thread>
@@ -34,36 +28,6 @@ using namespace tp;
 
 namespace {
 
-constexpr const char* node = "/dev/hidraw0";
-constexpr const char* sys_path =
-    "/sys/devices/pci0000:00/usb1/1-1/1-1:1.0/0003:1209:0001.0001/hidraw/hidraw0";
-
-gboolean answer_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client) {
-    const gulong request = umockdev_ioctl_client_get_request(client);
-    if (_IOC_TYPE(request) != 'H')
-        return FALSE;
-    UMockdevIoctlData* data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0,
-                                                          static_cast<gsize>(_IOC_SIZE(request)), nullptr);
-    if (data == nullptr) {
-        umockdev_ioctl_client_complete(client, -1, EFAULT);
-        return TRUE;
-    }
-    if (request == HIDIOCGRDESCSIZE) {
-        const int size = sizeof pad::report_descriptor;
-        std::memcpy(data->data, &size, sizeof size);
-        umockdev_ioctl_client_complete(client, 0, 0);
-    } else if (request == HIDIOCGRDESC) {
-        auto* descriptor = reinterpret_cast<hidraw_report_descriptor*>(data->data);
-        descriptor->size = sizeof pad::report_descriptor;
-        std::memcpy(descriptor->value, pad::report_descriptor, sizeof pad::report_descriptor);
-        umockdev_ioctl_client_complete(client, 0, 0);
-    } else {
-        umockdev_ioctl_client_complete(client, -1, EINVAL);
-    }
-    umockdev_ioctl_data_unref(data);
-    return TRUE;
-}
-
 /// A test bed with, once plugged in, one HID device.
 class Bed {
 public:
@@ -71,7 +35,7 @@ public:
 
     Bed() : bed_(umockdev_testbed_new()) {
         ioctls_ = UMOCKDEV_IOCTL_BASE(g_object_new(umockdev_ioctl_base_get_type(), nullptr));
-        g_signal_connect(ioctls_, "handle-ioctl", G_CALLBACK(answer_ioctl), nullptr);
+        g_signal_connect(ioctls_, "handle-ioctl", G_CALLBACK(mock::answer_hidraw_ioctl), nullptr);
     }
     ~Bed() {
         quit_.store(true);
@@ -86,31 +50,16 @@ public:
     Bed& operator=(const Bed&) = delete;
 
     bool plug_in(Behaviour behaviour) {
-        std::string descriptor;
-        for (const std::uint8_t byte : pad::report_descriptor) {
-            constexpr const char* digits = "0123456789ABCDEF";
-            descriptor += digits[byte >> 4];
-            descriptor += digits[byte & 0xF];
-        }
         const std::string description =
             "P: /devices/pci0000:00/usb1/1-1\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nA: idVendor=1209\\n\n"
             "A: idProduct=0001\\n\nA: manufacturer=touchphoto\\n\nA: product=force pad\\n\nA: "
             "serial=TPC-0001\\n\n"
-            "A: bcdDevice=0100\\n\n\n"
-            "P: /devices/pci0000:00/usb1/1-1/1-1:1.0\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\n"
-            "A: bInterfaceNumber=00\\n\n\n"
-            "P: /devices/pci0000:00/usb1/1-1/1-1:1.0/0003:1209:0001.0001\nE: SUBSYSTEM=hid\n"
-            "E: HID_ID=0003:00001209:00000001\nE: HID_NAME=force pad\nE: HID_PHYS=usb-0/input0\nE: "
-            "HID_UNIQ=TPC-0001\n"
-            "H: report_descriptor=" +
-            descriptor +
-            "\n\nP: /devices/pci0000:00/usb1/1-1/1-1:1.0/0003:1209:0001.0001/hidraw/hidraw0\nN: hidraw0\n"
-            "E: SUBSYSTEM=hidraw\nE: DEVNAME=/dev/hidraw0\nE: MAJOR=246\nE: MINOR=0\n"
-            "L: device=../../../0003:1209:0001.0001\n\n";
+            "A: bcdDevice=0100\\n\n\n" +
+            mock::hidraw_description();
         if (umockdev_testbed_add_from_string(bed_, description.c_str(), nullptr) == FALSE ||
-            umockdev_testbed_attach_ioctl(bed_, node, ioctls_, nullptr) == FALSE)
+            umockdev_testbed_attach_ioctl(bed_, mock::hidraw_node, ioctls_, nullptr) == FALSE)
             return false;
-        file_ = umockdev_testbed_get_dev_fd(bed_, node);
+        file_ = umockdev_testbed_get_dev_fd(bed_, mock::hidraw_node);
         if (file_ < 0)
             return false;
         termios raw{};
@@ -141,7 +90,7 @@ private:
         std::vector<std::uint8_t> waiting;
         while (!quit_.load()) {
             if (unplug_.load()) {
-                umockdev_testbed_uevent(bed_, sys_path, "remove");
+                umockdev_testbed_uevent(bed_, mock::hidraw_sys_path, "remove");
                 ::close(file_);
                 file_ = -1;
                 return;
@@ -190,40 +139,8 @@ private:
     std::atomic<long> answered_{0};
 };
 
-/// A servo on the only pad that is found, in simulated time: one tick for each report that went there and
-/// back.
-struct Bench {
-    Bed& bed;
-    VirtualClock clock;
-    std::unique_ptr<ForcePad> device;
-    std::unique_ptr<ServoLoop> loop;
-    std::string error;
-
-    explicit Bench(Bed& made) : bed(made) {
-        const std::vector<FoundPad> found = find_pads();
-        if (found.size() != 1) {
-            error = "found " + std::to_string(found.size());
-            return;
-        }
-        device = std::make_unique<ForcePad>([pad = found.front()] { return open_hid(pad); });
-        Result<Capabilities> can = device->open();
-        if (!can.ok()) {
-            error = can.error();
-            return;
-        }
-        loop = std::make_unique<ServoLoop>(*device, can.value(), clock, ServoSettings{});
-        auto scene = make_haptic_scene(
-            Scene{200.0, 150.0, {contour_through("line", {{-80.0, 0.0}, {80.0, 0.0}}, false)}});
-        loop->render(std::move(scene).value());
-        loop->engage();
-    }
-    void tick(bool answered) {
-        const long before = bed.answered();
-        clock.sleep_until(clock.now() + 0.001);
-        loop->tick();
-        while (answered && bed.answered() == before) // CTest ends a test that waits for ever
-            std::this_thread::yield();
-    }
+struct Bench : FoundPadBench {
+    explicit Bench(const Bed& bed) : FoundPadBench(find_hid(), open_hid, [&bed] { return bed.answered(); }) {}
 };
 
 } // namespace
@@ -238,9 +155,9 @@ private slots:
 
     void a_thousand_reports_go_there_and_back() {
         Bed bed;
-        QVERIFY(find_pads().empty());
+        QVERIFY(find_hid().empty());
         QVERIFY(bed.plug_in(Bed::Behaviour::pad)); // late arrival: it was not there a moment ago
-        const std::vector<FoundPad> found = find_pads();
+        const std::vector<FoundPad> found = find_hid();
         QCOMPARE(found.size(), std::size_t(1));
         QCOMPARE(found.front().serial_number, std::string("TPC-0001"));
         QCOMPARE(found.front().product, std::string("force pad"));
@@ -311,14 +228,14 @@ private slots:
     void without_permission_a_person_is_told_what_to_do() {
         Bed bed;
         QVERIFY(bed.plug_in(Bed::Behaviour::pad));
-        const std::vector<FoundPad> found = find_pads();
+        const std::vector<FoundPad> found = find_hid();
         QCOMPARE(found.size(), std::size_t(1));
-        QCOMPARE(::chmod((bed.root() + node).c_str(), 0), 0);
+        QCOMPARE(::chmod((bed.root() + mock::hidraw_node).c_str(), 0), 0);
         const bool root = ::geteuid() == 0; // whom no permission keeps out
         if (root) {
             // umockdev's own way to the test bed stays open to all.
             QCOMPARE(::chmod(bed.root().c_str(), 0755), 0);
-            QCOMPARE(::chmod((bed.root() + "/ioctl" + node).c_str(), 0777), 0);
+            QCOMPARE(::chmod((bed.root() + "/ioctl" + mock::hidraw_node).c_str(), 0777), 0);
             QCOMPARE(::seteuid(65534), 0);
         }
         const Result<std::unique_ptr<ReportTransport>> opened = open_hid(found.front());

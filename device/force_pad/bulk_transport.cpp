@@ -84,8 +84,8 @@ public:
             libusb_interrupt_event_handler(context_.get());
             thread_.join();
         }
-        libusb_release_interface(handle_.get(),
-                                 interface_); // and gives it back to the driver it was taken from
+        // And gives it back to the driver it was taken from.
+        libusb_release_interface(handle_.get(), interface_);
     }
     BulkTransport(const BulkTransport&) = delete;
     BulkTransport& operator=(const BulkTransport&) = delete;
@@ -418,8 +418,8 @@ Result<std::unique_ptr<ReportTransport>> open_bulk(const FoundPad& pad) {
     if (const int error = libusb_open(wanted->device.get(), &opened); error != 0)
         return refused(error);
     UsbHandle handle(opened);
-    libusb_set_auto_detach_kernel_driver(opened,
-                                         1); // where the system knows no such thing there is none to detach
+    // Where the system knows no such thing there is no driver to detach.
+    libusb_set_auto_detach_kernel_driver(opened, 1);
     if (const int error = libusb_claim_interface(opened, wanted->interface); error != 0)
         return refused(error);
     const int interface = wanted->interface;

@@ -108,6 +108,7 @@ private slots:
         PictureAhead ahead(screen, 10 * one_picture, reader.read());
         Answers answers(ahead);
         ahead.show("a");
+        QTRY_COMPARE(reader.begun(), (Names{"a"}));
         ahead.show("b", {"a"});
         QTRY_COMPARE(answers.names, (Names{"b"}));
         reader.let_go("a");

@@ -9,6 +9,8 @@
 #include <QTest>
 
 #include <csignal>
+#include <set>
+#include <string>
 #include <vector>
 
 using namespace tp;
@@ -129,6 +131,57 @@ private slots:
         QCOMPARE(album({"import", text(other.path()), bundle}).code, 0);
         QCOMPARE(QByteArray::fromStdString(other.read("Mai/IMG_1.JPG.xmp")),
                  QByteArray::fromStdString(family.folder.read("Mai/IMG_1.JPG.xmp")));
+    }
+
+    void no_verb_changes_the_bytes_of_a_photograph() {
+        const Family family;
+        const AlbumFolder other;
+        const auto photographs_in = [](const AlbumFolder& folder) {
+            std::set<std::string> photographs;
+            for (const auto& [name, bytes] : folder.files())
+                if (bytes.starts_with("\xFF\xD8"))
+                    photographs.insert(bytes);
+            return photographs;
+        };
+        const auto originals = photographs_in(family.card);
+        QCOMPARE(originals.size(), std::size_t{2});
+        const QString folder = family.album(), photo = family.photo(), memo = text(family.card / "memo.wav");
+        const QString bundle = text(family.card / "family.touchphoto"), face = "0.5,0.5,0.2,0.3";
+        QStringList files; // of the recordings, as the steps find them
+        const auto does = [&](const QStringList& words) {
+            const Run run = album(words);
+            QVERIFY2(run.code == 0, qPrintable(words.join(' ') + ": " + run.err));
+            QVERIFY2(photographs_in(family.folder) == originals, qPrintable(words.join(' ')));
+            files.clear();
+            for (const QJsonObject& tag : lines_of(album({"tag", "list", photo, "--json"})))
+                files << tag["file"].toString();
+        };
+        does({"import", folder, text(family.card / "DCIM"), "--into", "Mai"});
+        does({"tag", "add", photo, "--kind", "memo", "--from", memo});
+        does({"tag", "add", photo, "--kind", "story", "--from", memo});
+        QCOMPARE(files.size(), 2);
+        does({"tag", "label", photo, files[0], "--kind", "place"});
+        does({"tag", "order", photo, files[1], files[0]});
+        does({"tag", "trim", photo, files[0], "--begin", "0.1", "--end", "0.3"});
+        does({"tag", "delete", photo, files[0]});
+        does({"person", "name", photo, "Anna", "--face", face});
+        does({"scan", folder});
+        does({"person", "record", folder, "Anna", "--from", memo});
+        does({"person", "rename", folder, "Anna", "Tom"});
+        does({"list", folder});
+        does({"search", folder, "Tom"});
+        does({"show", photo});
+        does({"export", folder, "--to", bundle});
+        does({"trash", "restore", folder,
+              lines_of(album({"trash", "list", folder, "--json"})).at(0)["id"].toString()});
+        does({"trash", "empty", folder, "--yes"});
+        family.folder.write(".touchphoto-999999999-1.tmp", "half");
+        does({"check", folder, "--mend"});
+        does({"rebuild", folder});
+        fs::rename(family.folder / "Mai/IMG_1.JPG", family.folder / "garden.JPG");
+        does({"scan", folder});
+        does({"import", text(other.path()), bundle});
+        QVERIFY(photographs_in(other) == originals);
     }
 
     void a_check_says_and_mends() {

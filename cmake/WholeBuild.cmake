@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# Building everything at once, as the scripts in packaging do, in half the time. A room is compiled a dozen files at a
+# Building everything at once, as the scripts in packaging do, in less time. A room is compiled a dozen files at a
 # time, so that the headers of Qt and OpenCV are read once for them all; a test, which is a program of its own, takes
 # Qt's headers precompiled (<QTest> alone costs a compiler three seconds). What a file forgot to include then comes from
-# its neighbours, which tests/house/check_own_includes.py finds; a name that is in no header is told apart from those of
-# the whole room. After a change of one file the preset `dev`, which builds file by file, is the quicker one.
+# its neighbours, which tests/house/check_own_includes.py finds; and a name in an anonymous namespace must be the only one
+# of its kind in the room. After a change of one file the preset `dev`, which builds file by file, is the quicker one.
 option(TOUCHPHOTO_WHOLE_BUILD "Build quickly as a whole rather than after each change" OFF)
 
 # tp_build_as_one(room)

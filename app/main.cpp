@@ -67,8 +67,9 @@ int main(int argc, char** argv) {
     tp::NotificationAnnouncer announcer;
     tp::ExploreSettings settings;
     settings.extras = *extras;
-    settings.voice_on = voice_wish == "on" && !options.isSet(picture_option);
-    tp::ExploreSession session(voice, announcer, settings);
+    const bool speaks = voice_wish == "on" && !options.isSet(picture_option);
+    tp::Narrator narrator(voice, announcer, speaks ? tp::Narrator::By::voice : tp::Narrator::By::screen_reader);
+    tp::ExploreSession session(narrator, settings);
     tp::ExploreWindow window(session, announcer);
     if (window.status() == QQuickView::Error)
         return 1; // Qt has said why

@@ -20,10 +20,9 @@ constexpr double grab_mm = 5.0; ///< a hand that moves farther during a tour wan
 const QString force_is_off = "The force is off. Press Enter to switch it on.";
 } // namespace
 
-ExploreSession::ExploreSession(Voice& voice, Announcer& announcer, ExploreSettings settings)
+ExploreSession::ExploreSession(Narrator& narrator, ExploreSettings settings)
     : settings_(settings), frame_{settings.surface.width_mm, settings.surface.height_mm},
-      narrator_(voice, announcer, settings.voice_on),
-      servo_(settings.surface, settings.servo, settings.plant), max_force_(settings.servo.limits.max_force) {
+      narrator_(narrator), servo_(settings.surface, settings.servo, settings.plant), max_force_(settings.servo.limits.max_force) {
     pointer_ = finger_ = frame_.from_surface(Vec2(0.0));
     connect(&loader_, &PhotoLoader::loaded, this, &ExploreSession::show);
     connect(&narrator_, &Narrator::changed, this, &ExploreSession::voiceChanged);

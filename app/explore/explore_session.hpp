@@ -4,7 +4,7 @@
 #include "app/explore/fault_watch.hpp"
 #include "app/explore/feature_tracker.hpp"
 #include "app/explore/finger_servo.hpp"
-#include "app/explore/narrator.hpp"
+#include "app/narration/narrator.hpp"
 #include "app/explore/photo_loader.hpp"
 #include "app/explore/sheet_frame.hpp"
 #include "app/scene/extra_features.hpp"
@@ -27,7 +27,6 @@ struct ExploreSettings {
     ExtraFeatures extras;
     ServoSettings servo = settings_for_a_drawn_finger();
     SimulatedPlant plant;
-    bool voice_on = true; ///< whether the program speaks itself
 };
 
 /// A photograph being felt: everything that the explore page decides. The page only binds and draws.
@@ -73,8 +72,8 @@ public:
     };
     Q_ENUM(State)
 
-    /// Both must outlive the session.
-    ExploreSession(Voice& voice, Announcer& announcer, ExploreSettings settings = {});
+    /// The narrator must outlive the session.
+    explicit ExploreSession(Narrator& narrator, ExploreSettings settings = {});
 
     State state() const { return state_; }
     QString photoName() const { return photo_ ? photo_->name : QString(); }
@@ -167,7 +166,7 @@ private:
 
     ExploreSettings settings_;
     SheetFrame frame_;
-    Narrator narrator_;
+    Narrator& narrator_;
     FingerServo servo_;
     FeatureTracker tracker_;
     FaultWatch faults_;

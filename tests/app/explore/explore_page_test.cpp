@@ -29,7 +29,8 @@ void remember_warnings(QtMsgType type, const QMessageLogContext&, const QString&
 struct Page {
     RecordingVoice voice;
     NotificationAnnouncer announcer;
-    ExploreSession session{voice, announcer, patient_settings()};
+    Narrator narrator{voice, announcer};
+    ExploreSession session{narrator, patient_settings()};
     ExploreWindow window{session, announcer};
 
     Page() {
@@ -100,7 +101,8 @@ private slots:
     void an_empty_page_loads_too() {
         RecordingVoice voice;
         NotificationAnnouncer announcer;
-        ExploreSession session(voice, announcer, patient_settings());
+        Narrator narrator(voice, announcer);
+        ExploreSession session(narrator, patient_settings());
         ExploreWindow window(session, announcer);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));

@@ -12,7 +12,8 @@ namespace {
 struct Bench {
     RecordingVoice voice;
     RecordingAnnouncer announcer;
-    ExploreSession session{voice, announcer, patient_settings()};
+    Narrator narrator{voice, announcer};
+    ExploreSession session{narrator, patient_settings()};
 
     explicit Bench(int faces = 1) { session.show(drawn_photo(faces)); }
 };
@@ -38,7 +39,8 @@ private slots:
         RecordingAnnouncer announcer;
         ExploreSettings settings = patient_settings();
         settings.extras.nose = true;
-        ExploreSession session(voice, announcer, settings);
+        Narrator narrator(voice, announcer);
+        ExploreSession session(narrator, settings);
         auto photo = std::make_shared<LoadedPhoto>(*drawn_photo());
         photo->extraction.faces[0].extras = {
             contour_through(feature::nose, {{95, 80}, {100, 84}, {105, 80}}, false),
@@ -64,7 +66,8 @@ private slots:
 
         RecordingVoice voice;
         RecordingAnnouncer announcer;
-        ExploreSession first(voice, announcer, patient_settings());
+        Narrator narrator(voice, announcer);
+        ExploreSession first(narrator, patient_settings());
         first.open_file(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg");
         first.stopOrStart();
         PhotoLoader later; // has the same to do and began after it
@@ -224,7 +227,8 @@ private slots:
     void before_any_photograph_nothing_goes_wrong() {
         RecordingVoice voice;
         RecordingAnnouncer announcer;
-        ExploreSession session(voice, announcer, patient_settings());
+        Narrator narrator(voice, announcer);
+        ExploreSession session(narrator, patient_settings());
         session.moveTo(10.0, 10.0);
         session.touchDown(10.0, 10.0);
         session.nudge(1.0, 1.0);
@@ -242,7 +246,8 @@ private slots:
         RecordingAnnouncer announcer;
         ExploreSettings settings = patient_settings();
         settings.servo.limits.stall = 1e-9; // every tick is too late
-        ExploreSession session(voice, announcer, settings);
+        Narrator narrator(voice, announcer);
+        ExploreSession session(narrator, settings);
         session.show(drawn_photo());
         QTRY_VERIFY(session.faultSentence().contains("switched off"));
         QVERIFY(!session.engaged());

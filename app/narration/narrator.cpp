@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/narration/narrator.hpp"
+
+#include <utility>
+
+namespace tp {
+
+Narrator::Narrator(Voice& voice, Announcer& announcer, By by)
+    : voice_(voice), announcer_(announcer), by_(by) {
+    connect(&voice_, &Voice::state_changed, this, &Narrator::voice_changed);
+}
+
+void Narrator::tell(const QString& sentence, Priority priority) {
+    if (sentence.isEmpty())
+        return;
+    sentence_ = sentence;
+    if (by_ == By::voice && voice_.state() != Voice::State::missing) {
+        voice_.say(sentence, priority);
+        if (voice_.state() != Voice::State::ready)
+            unheard_ = sentence;
+    } else if (by_ != By::nobody) {
+        announcer_.announce(sentence);
+    }
+    emit told();
+}
+
+void Narrator::repeat() { tell(QString(sentence_), Priority::touch); }
+
+void Narrator::set_by(By by) {
+    if (by == by_)
+        return;
+    by_ = by;
+    if (by != By::voice)
+        voice_.stop();
+    emit changed();
+}
+
+void Narrator::set_voice_on(bool on) {
+    if (on == voice_on())
+        return;
+    set_by(on ? By::voice : By::screen_reader);
+    tell(on ? tr("Voice on.") : tr("Voice off."), Priority::touch);
+}
+
+QString Narrator::voice_problem() const {
+    return voice_on() && voice_.state() == Voice::State::missing
+               ? tr("No speech engine was found on this computer, so nothing is spoken here. A screen reader is told "
+                    "instead.")
+               : QString();
+}
+
+void Narrator::voice_changed() {
+    if (voice_.state() == Voice::State::missing && !unheard_.isEmpty())
+        announcer_.announce(std::exchange(unheard_, {}));
+    if (voice_.state() == Voice::State::ready)
+        unheard_.clear();
+    emit changed();
+}
+
+} // namespace tp

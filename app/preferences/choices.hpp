@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+namespace tp {
+
+/// What a person has chosen. The defaults are those of somebody who has not been asked yet.
+struct Choices {
+    enum class Voice { program, screen_reader, off };
+    enum class Rate { very_slow, slow, normal, fast, very_fast };
+    enum class User { end_user, caregiver };
+    enum class Theme { dark, light, yellow_on_black };
+    /// What guides a finger where no force does.
+    enum class Guide { none, sonar, clock_voice, both };
+
+    bool asked = false; ///< the questions of the first start have been answered
+    Voice voice = Voice::program;
+    Rate rate = Rate::normal;
+    User user = User::end_user;
+    QString language; ///< "en", "de", "ko"; empty: the system's
+    Theme theme = Theme::dark;
+    double text_scale = 1.0; ///< 1–2
+    bool motion = true;      ///< pictures may move and fade
+    bool earcons = true;
+    Guide guide = Guide::both;
+    double max_force_n = 1.0;    ///< newtons, 0.1–1.5
+    double playback_speed = 1.0; ///< of recordings, 0.5–2
+    bool brows = false, nose = false, irises = false; ///< felt beside eyes, lips and outline
+    QStringList folders;                              ///< of the album, absolute
+    QString last_photo;                               ///< where one was, absolute; empty: nowhere
+    QString device;                                   ///< serial number of the one used last; empty: none
+
+    bool operator==(const Choices&) const = default;
+};
+
+/// -1 … 1, as a Voice wants it.
+double speech_rate(Choices::Rate rate);
+
+/// As JSON, for people to read and mend.
+QByteArray json_of(const Choices& choices);
+/// What the text holds; what it does not hold, or holds outside of its bounds, is as in `otherwise`. `spoilt` becomes
+/// true where the text is not JSON at all.
+Choices choices_from(const QByteArray& json, const Choices& otherwise, bool* spoilt = nullptr);
+
+} // namespace tp

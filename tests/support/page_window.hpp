@@ -6,11 +6,13 @@
 #include <QObject>
 #include <QQuickItem>
 #include <QQuickView>
+#include <QSize>
 #include <QString>
 #include <QStringList>
 #include <QTest>
 #include <QUrl>
 #include <QVariant>
+#include <QtGlobal>
 
 /// A page in a window of its own, for tests: what a screen reader finds in it, and every warning of Qt.
 class PageWindow : public QQuickView {

@@ -3,6 +3,8 @@
 #include "page_window.hpp"
 #include "settings_bench.hpp"
 
+#include <QSize>
+
 using namespace tp;
 
 class SettingsPageTest : public QObject {

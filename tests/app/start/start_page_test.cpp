@@ -3,6 +3,7 @@
 #include "page_window.hpp"
 #include "start_bench.hpp"
 
+#include <QPoint>
 #include <QPointingDevice>
 #include <QSignalSpy>
 

@@ -228,6 +228,8 @@ class Page(unittest.TestCase):
         os.mkdir(os.path.join(folder, "sound-server"), 0o700)
         server = sound_server.Server(os.path.join(folder, "sound-server"))
         self.addCleanup(server.end)
+        speech = sound_server.Speech()  # before the program, which would start one as a child
+        self.addCleanup(speech.end)
         self.enterContext(desk.Desk())
         trace = os.path.join(folder, "trace")
         program = subprocess.Popen(network_trace.traced([PROGRAM, "--voice", "on", PHOTO], trace))
@@ -251,7 +253,7 @@ def outer():
         print(f"SKIP: {reason}")
         return 77
     os.environ.pop("SESSION_MANAGER", None)
-    return desk.at_a_desk(__file__, "ffmpeg", "pulseaudio", "pactl", seconds=580)
+    return desk.at_a_desk(__file__, "ffmpeg", "pulseaudio", "pactl", "speech-dispatcher", seconds=580)
 
 
 if __name__ == "__main__":

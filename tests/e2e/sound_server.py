@@ -87,3 +87,18 @@ class Ear:
         self.process.terminate()
         self.process.wait()
         return read_wav(self.path)[0]
+
+
+class Speech:
+    """A speech-dispatcher of our own, as a session has one: it speaks through the sound server of XDG_RUNTIME_DIR."""
+
+    def __init__(self):
+        socket = os.path.join(os.environ["XDG_RUNTIME_DIR"], "speech-dispatcher", "speechd.sock")
+        os.makedirs(os.path.dirname(socket), mode=0o700, exist_ok=True)
+        self.process = subprocess.Popen(["speech-dispatcher", "--run-single", "--timeout", "0", "--socket-path", socket],
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        wait_until(lambda: os.path.exists(socket))
+
+    def end(self):
+        self.process.terminate()
+        self.process.wait()

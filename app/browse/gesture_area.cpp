@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/browse/gesture_area.hpp"
 
+#include <QEvent>
 #include <QEventPoint>
 
 #include <vector>

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/explore/demonstration.hpp"
 #include "app/explore/explore_window.hpp"
+#include "app/preferences/preferences.hpp"
+#include "app/scene/extra_features.hpp"
+#include "audio/guide/sonified_guide.hpp"
+#include "audio/guide/vibration.hpp"
+#include "audio/sound/earcon_player.hpp"
+#include "audio/sound/system_loudspeaker.hpp"
 #include "audio/speech/spoken_voice.hpp"
 
 #include <QCommandLineParser>
@@ -9,6 +15,7 @@
 #include <QTemporaryDir>
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace {
 
@@ -65,11 +72,22 @@ int main(int argc, char** argv) {
 
     tp::SpokenVoice voice;
     tp::NotificationAnnouncer announcer;
-    tp::ExploreSettings settings;
-    settings.extras = *extras;
+    tp::SystemLoudspeaker earcon_output, guide_output;
+    tp::NoVibration vibration;
+    tp::EarconPlayer earcons(earcon_output);
+    tp::SonifiedGuide guide(guide_output, vibration);
+    tp::Preferences preferences;
+    preferences.change([&](tp::Choices& choices) {
+        choices.brows = extras->brows;
+        choices.nose = extras->nose;
+        choices.irises = extras->irises;
+    });
+    earcons.set_on(!options.isSet(picture_option));
+    if (options.isSet(picture_option))
+        preferences.change([](tp::Choices& choices) { choices.guide = tp::Choices::Guide::none; });
     const bool speaks = voice_wish == "on" && !options.isSet(picture_option);
     tp::Narrator narrator(voice, announcer, speaks ? tp::Narrator::By::voice : tp::Narrator::By::screen_reader);
-    tp::ExploreSession session(narrator, settings);
+    tp::ExploreSession session(narrator, earcons, guide, preferences);
     tp::ExploreWindow window(session, announcer);
     if (window.status() == QQuickView::Error)
         return 1; // Qt has said why
@@ -77,11 +95,17 @@ int main(int argc, char** argv) {
         window.fit_to_screen();
     window.show();
 
-    const QTemporaryDir folder;
+    QTemporaryDir folder;
     if (const QString photo = photo_to_open(options.positionalArguments(), folder); !photo.isEmpty())
         session.open_file(photo);
     std::optional<tp::Demonstration> demonstration;
     if (options.isSet(picture_option))
         take_picture(demonstration.emplace(session), window, options.value(picture_option));
-    return QGuiApplication::exec();
+    // A program that has sounded must not take the sound server's connection down behind main().
+    const int code = QGuiApplication::exec();
+    narrator.stop();
+    guide.silence();
+    folder.remove();
+    std::fflush(nullptr);
+    std::_Exit(code);
 }

@@ -9,7 +9,8 @@ FocusScope {
     id: page
 
     required property ExploreSession session
-    required property var announcer
+    property var announcer: null // where the page is a window of its own
+    readonly property string help: panel.help
     readonly property bool wide: width > 1.15 * height
 
     focus: true
@@ -78,6 +79,7 @@ FocusScope {
             }
         }
         SidePanel {
+            id: panel
             session: page.session
             Layout.fillHeight: true
             Layout.fillWidth: !page.wide

@@ -10,6 +10,7 @@ TpScroll {
 
     required property ExploreSession session
     readonly property bool ready: session.state === ExploreSession.Ready
+    readonly property alias help: keys.text
     signal openAsked
 
     component Pair: RowLayout {
@@ -147,5 +148,8 @@ TpScroll {
         hint: qsTr("Key: O")
         onClicked: panel.openAsked()
     }
-    KeyHelp { width: parent.width }
+    KeyHelp {
+        id: keys
+        width: parent.width
+    }
 }

@@ -8,6 +8,7 @@
 #include "app/explore/zoom_steps.hpp"
 #include "core/guidance/exact_law.hpp"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -38,6 +39,7 @@ ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &ExploreSession::poll);
     clock_.start();
+    QCoreApplication::instance()->installEventFilter(this);
 }
 
 ExploreSession::~ExploreSession() { guide_.silence(); }
@@ -96,6 +98,19 @@ QString ExploreSession::title() const {
 
 // --- the page ---
 
+/// The texts are asked for anew in another language.
+bool ExploreSession::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
+        if (state_ == State::Ready)
+            list_faces();
+        emit sceneChanged();
+        emit featureChanged();
+        emit modeChanged();
+        emit choicesChanged();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
 QString ExploreSession::where_one_is() const {
     switch (state_) {
     case State::Empty:
@@ -111,8 +126,11 @@ QString ExploreSession::where_one_is() const {
 }
 
 void ExploreSession::enter() {
+    const bool was_here = here_;
     here_ = true;
     hushed_ = false;
+    if (was_here && state_ == State::Looking)
+        return; // just told
     if (state_ == State::Ready && force_wanted_) {
         servo_.engage();
         emit modeChanged();
@@ -174,7 +192,8 @@ void ExploreSession::become(State state) {
 
 ExtraFeatures ExploreSession::extras() const {
     const Choices& choices = preferences_.choices();
-    return {choices.brows, choices.nose, choices.irises};
+    const ExtraFeatures& more = settings_.extras;
+    return {choices.brows || more.brows, choices.nose || more.nose, choices.irises || more.irises};
 }
 
 void ExploreSession::show(std::shared_ptr<const LoadedPhoto> photo) {
@@ -215,7 +234,8 @@ void ExploreSession::build(bool fresh) {
     const Rect corners{built->photo_to_surface(Vec2(-0.5)),
                        built->photo_to_surface(Vec2(extraction.width - 0.5, extraction.height - 0.5))};
     photo_rect_ = frame_.from_surface(corners);
-    list_faces(*built);
+    photo_to_surface_ = built->photo_to_surface;
+    list_faces();
     servo_.place(fresh ? Vec2(0.0) : servo_.pointer());
     if (fresh && here_)
         servo_.engage();
@@ -228,17 +248,19 @@ void ExploreSession::build(bool fresh) {
     timer_.start();
 }
 
-void ExploreSession::list_faces(const BuiltScene& built) {
+void ExploreSession::list_faces() {
+    faces_.clear();
+    face_rects_.clear();
     const std::vector<Face>& faces = photo_->extraction.faces;
     const QRectF sheet(0.0, 0.0, frame_.width_mm, frame_.height_mm);
     const auto on_sheet = [&](const Rect& box) { return frame_.from_surface(box).intersected(sheet); };
     for (std::size_t i = 0; i < faces.size(); ++i) {
-        const Vec2 a = built.photo_to_surface(faces[i].box.min);
-        const Vec2 b = built.photo_to_surface(faces[i].box.max);
+        const Vec2 a = photo_to_surface_(faces[i].box.min);
+        const Vec2 b = photo_to_surface_(faces[i].box.max);
         const Rect box{glm::min(a, b), glm::max(a, b)};
         Rect whole = box;
         for (const Contour& contour : faces[i].contours)
-            whole = around(whole, bounds_of(flatten(mapped(contour, built.photo_to_surface)).points));
+            whole = around(whole, bounds_of(flatten(mapped(contour, photo_to_surface_)).points));
         face_rects_.push_back(whole);
         QVariantList features;
         for (std::size_t k = 0; k < features_.size(); ++k)

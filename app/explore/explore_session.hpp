@@ -20,6 +20,7 @@
 #include "core/guidance/guidance_law.hpp"
 
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QImage>
 #include <QPointF>
 #include <QRectF>
@@ -38,6 +39,7 @@ namespace tp {
 
 struct ExploreSettings {
     SurfaceSize surface;
+    ExtraFeatures extras; ///< felt beside those that the person has chosen
     ServoSettings servo = settings_for_a_drawn_finger();
     SimulatedPlant plant;
     bool force_is_felt = false;     ///< the device moves a real finger; else the force is only drawn
@@ -81,7 +83,7 @@ class ExploreSession final : public QObject {
     Q_PROPERTY(double maxForce READ maxForce WRITE setMaxForce NOTIFY choicesChanged)
     /// What guides where no force does: index into guideNames.
     Q_PROPERTY(int guide READ guide WRITE setGuide NOTIFY choicesChanged)
-    Q_PROPERTY(QStringList guideNames READ guideNames CONSTANT)
+    Q_PROPERTY(QStringList guideNames READ guideNames NOTIFY choicesChanged)
     Q_PROPERTY(QString sentence READ sentence NOTIFY sentenceChanged)
     Q_PROPERTY(bool voiceOn READ voiceOn WRITE setVoiceOn NOTIFY voiceChanged)
     Q_PROPERTY(QString voiceProblem READ voiceProblem NOTIFY voiceChanged)
@@ -213,7 +215,8 @@ private:
     // the photograph and what of it is felt
     void become(State state);
     void build(bool fresh);
-    void list_faces(const BuiltScene& built);
+    void list_faces();
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void zoom_to(const Subject& subject);
     QString zoom_sentence() const;
     QString where_one_is() const;
@@ -272,6 +275,7 @@ private:
     std::vector<SceneFeature> features_;     ///< one for each line that is felt
     std::vector<Rect> face_rects_;           ///< where each face lies, surface frame
     std::unique_ptr<const GuidanceLaw> law_; ///< the exact one, for distance and direction; null: nothing is felt
+    Affine photo_to_surface_;
     QRectF photo_rect_;
     QVariantList faces_;
     int last_feature_ = -1; ///< the one that was stepped to or felt last

@@ -22,7 +22,7 @@ Narrator::By by(Choices::Voice voice) {
 
 Program::Program(ProgramParts parts)
     : parts_(std::move(parts)), preferences_(parts_.preferences), narrator_(parts_.voice, announcer_),
-      earcons_(parts_.earcon_output), shell_(narrator_), start_(narrator_, preferences_, parts_.find_devices) {
+      earcons_(parts_.earcon_output), guide_(parts_.guide_output, vibration_), shell_(narrator_), start_(narrator_, preferences_, parts_.find_devices) {
     follow_choices();
     connect(&preferences_, &Preferences::changed, this, &Program::follow_choices);
     connect(&preferences_, &Preferences::not_kept, this,
@@ -60,7 +60,7 @@ void Program::follow_choices() {
 void Program::add_pages() {
     const auto open = [this](const QString& page) { shell_.open(page); };
     shell_.add({"start", [] { return tr("TouchPhoto"); }, [this] { start_.enter(); }, [this] { start_.leave(); }});
-    shell_.add({"explore", [] { return tr("Feel a face"); }, [] {}, [] {}});
+    shell_.add({"explore", [] { return tr("Feel a face"); }, [this] { explore().enter(); }, [this] { explore().leave(); }});
     shell_.add({"settings", [] { return tr("Settings"); }, [this] { settings().enter(); }, [this] { settings().leave(); }});
     connect(&start_, &StartSession::pageAsked, this, open);
 }
@@ -92,8 +92,10 @@ OpenAlbum& Program::album() {
 }
 
 ExploreSession& Program::explore() {
-    if (!explore_)
-        explore_ = std::make_unique<ExploreSession>(narrator_, parts_.explore);
+    if (!explore_) {
+        explore_ = std::make_unique<ExploreSession>(narrator_, earcons_, guide_, preferences_, parts_.explore);
+        connect(explore_.get(), &ExploreSession::backAsked, &shell_, &Shell::back);
+    }
     return *explore_;
 }
 

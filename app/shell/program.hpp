@@ -10,6 +10,8 @@
 #include "app/shell/languages.hpp"
 #include "app/shell/shell.hpp"
 #include "app/start/start_session.hpp"
+#include "audio/guide/sonified_guide.hpp"
+#include "audio/guide/vibration.hpp"
 #include "audio/sound/earcon_player.hpp"
 
 #include <QObject>
@@ -26,6 +28,7 @@ namespace tp {
 struct ProgramParts {
     Voice& voice;
     SoundOutput& earcon_output;
+    SoundOutput& guide_output; ///< of the sonified guide, beside the earcons
     std::filesystem::path preferences; ///< file
     std::filesystem::path cache;       ///< folder
     ExploreSettings explore;
@@ -78,6 +81,8 @@ private:
     NotificationAnnouncer announcer_;
     Narrator narrator_;
     EarconPlayer earcons_;
+    NoVibration vibration_;
+    SonifiedGuide guide_;
     Shell shell_;
     bool discard_index_ = false; ///< when nobody has it open any more
     std::unique_ptr<OpenAlbum> album_;

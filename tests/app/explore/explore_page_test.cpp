@@ -30,7 +30,8 @@ struct Page {
     RecordingVoice voice;
     NotificationAnnouncer announcer;
     Narrator narrator{voice, announcer};
-    ExploreSession session{narrator, patient_settings()};
+    ExploreSounds sounds;
+    ExploreSession session{narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings()};
     ExploreWindow window{session, announcer};
 
     Page() {
@@ -102,7 +103,8 @@ private slots:
         RecordingVoice voice;
         NotificationAnnouncer announcer;
         Narrator narrator(voice, announcer);
-        ExploreSession session(narrator, patient_settings());
+        ExploreSounds sounds;
+        ExploreSession session(narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings());
         ExploreWindow window(session, announcer);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
@@ -220,7 +222,7 @@ private slots:
         Page page;
         QVERIFY(page.exposed());
         QTest::keyClick(&page.window, Qt::Key_W);
-        QVERIFY(page.voice.said().back().startsWith("The nearest line is the "));
+        QVERIFY(page.voice.said().back().startsWith("The face. "));
         QTest::keyClick(&page.window, Qt::Key_V);
         QVERIFY(!page.session.voiceOn());
         QTest::keyClick(&page.window, Qt::Key_V);

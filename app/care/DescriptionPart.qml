@@ -49,6 +49,7 @@ Column {
     }
     TpButton {
         objectName: "saveDescription"
+        width: Math.min(implicitWidth, parent.width)
         text: part.descriptions.unsaved ? qsTr("Save the description") : qsTr("The description is saved")
         hint: qsTr("It is saved too when a field is left.")
         onClicked: part.descriptions.save()

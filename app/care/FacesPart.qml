@@ -95,6 +95,7 @@ FocusScope {
                     onChosen: (name) => part.faces.name(name)
                 }
                 TpButton {
+                    width: Math.min(implicitWidth, parent.width)
                     text: qsTr("Close")
                     hint: qsTr("Leaves the face as it is.")
                     onClicked: part.faces.choose(-1)

@@ -149,7 +149,7 @@ FocusScope {
                 width: parent.width - x
                 height: Math.max(implicitHeight, thumbnail.height)
                 focus: true
-                activeFocusOnTab: item.ListView.isCurrentItem
+                activeFocusOnTab: item.ListView.isCurrentItem || activeFocus
                 text: item.name
                 detail: item.detail
                 position: item.index + 1

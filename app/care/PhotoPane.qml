@@ -26,6 +26,7 @@ FocusScope {
             id: back
             objectName: "back"
             focus: true
+            width: Math.min(implicitWidth, parent.width)
             text: qsTr("Back to the photographs")
             onClicked: pane.session.closePhoto()
         }

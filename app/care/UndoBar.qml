@@ -10,7 +10,7 @@ Flow {
     required property CareSession session
 
     spacing: Theme.gap
-    visible: undo.visible || redo.visible
+    visible: session.undoText !== "" || session.redoText !== ""
 
     TpButton {
         id: undo

@@ -35,7 +35,7 @@ T.Button {
     }
     background: Rectangle {
         radius: Theme.radius
-        color: control.primary ? (control.down ? "#e0b450" : Theme.accent)
+        color: control.primary ? (control.down ? Theme.accentPressed : Theme.accent)
                                : (control.down ? Theme.pressed : Theme.raised)
         border.width: control.primary ? 0 : 1
         border.color: Theme.edge

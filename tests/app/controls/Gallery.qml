@@ -11,6 +11,10 @@ Column {
     property int presses: 0
     property bool wanted: false
     property real picked: 0.5
+    property string words: "Anna"
+    property string story: "In the garden"
+    property int keystrokes: 0
+    property int choice: 1
 
     TpHeading { text: "A heading" }
     TpText { text: "Some text" }
@@ -42,5 +46,53 @@ Column {
         stepSize: 0.1
         setting: gallery.picked
         onChosen: (value) => gallery.picked = value
+    }
+    TpListRow {
+        objectName: "row"
+        width: parent.width
+        text: "Anna"
+        detail: "12 photographs"
+        position: 2
+        count: 9
+        onClicked: gallery.presses += 1
+    }
+    TpTextField {
+        objectName: "field"
+        width: parent.width
+        label: "A field"
+        setting: gallery.words
+        onEntered: (text) => gallery.words = text
+        onTyped: gallery.keystrokes += 1
+    }
+    TpTextArea {
+        objectName: "area"
+        width: parent.width
+        label: "An area"
+        setting: gallery.story
+        onEntered: (text) => gallery.story = text
+    }
+    TpChoice {
+        objectName: "choice"
+        width: parent.width
+        label: "A choice"
+        options: ["one", "two", "three"]
+        current: gallery.choice
+        onPicked: (index) => gallery.choice = index
+    }
+    TpProgress {
+        objectName: "progress"
+        width: parent.width
+        label: "Import"
+        valueText: "3 of 12"
+        value: 0.25
+    }
+    TpScroll {
+        objectName: "scroll"
+        width: parent.width
+        height: 100
+        TpButton { objectName: "first"; text: "First" }
+        TpButton { objectName: "second"; text: "Second" }
+        Item { width: 1; height: 300 }
+        TpButton { objectName: "last"; text: "Last" }
     }
 }

@@ -5,8 +5,10 @@
 #include <QColor>
 #include <QQuickItem>
 #include <QQuickView>
+#include <QScopeGuard>
 #include <QTest>
 #include <QUrl>
+#include <QVariant>
 
 #include <algorithm>
 #include <cmath>
@@ -145,19 +147,117 @@ private slots:
         QVERIFY(std::abs(picked() - 0.8) < 1e-9);
     }
 
+    void every_text_keeps_seven_to_one_data() {
+        QTest::addColumn<int>("scheme");
+        QTest::newRow("dark") << 0;
+        QTest::newRow("light") << 1;
+        QTest::newRow("yellow on black") << 2;
+    }
     void every_text_keeps_seven_to_one() {
-        const QObject* theme = view_->rootObject()->property("theme").value<QObject*>();
+        QFETCH(int, scheme);
+        QObject* theme = view_->rootObject()->property("theme").value<QObject*>();
         QVERIFY(theme != nullptr);
+        theme->setProperty("scheme", scheme);
+        const auto dark_again = qScopeGuard([&] { theme->setProperty("scheme", 0); });
         const auto colour = [&](const char* name) { return theme->property(name).value<QColor>(); };
         for (const char* ground : {"ground", "panel", "raised"})
-            for (const char* text : {"text", "quiet", "accent", "finger"})
+            for (const char* text : {"text", "quiet", "accent", "finger", "line"})
                 QVERIFY2(contrast(colour(text), colour(ground)) >= 7.0,
                          qPrintable(QString("%1 on %2: %3")
                                         .arg(text, ground)
                                         .arg(contrast(colour(text), colour(ground)))));
-        QVERIFY(contrast(colour("accentText"), colour("accent")) >= 7.0);
-        QVERIFY(contrast(colour("edge"), colour("ground")) >=
-                3.0); // what shows where a control is (WCAG 1.4.11)
+        for (const char* accent : {"accent", "accentPressed"})
+            QVERIFY(contrast(colour("accentText"), colour(accent)) >= 7.0);
+        QVERIFY(contrast(colour("text"), colour("pressed")) >= 7.0);
+        for (const char* ground : {"ground", "panel", "raised"}) // what shows where a control is (WCAG 1.4.11)
+            QVERIFY(contrast(colour("edge"), colour(ground)) >= 3.0);
+    }
+
+    void a_list_row_tells_its_place_and_is_pressed_by_mouse_key_and_screen_reader() {
+        QAccessibleInterface* row = accessible(*view_, "row");
+        QCOMPARE(row->role(), QAccessible::ListItem);
+        QCOMPARE(row->text(QAccessible::Name), QString("Anna, 12 photographs, 2 of 9"));
+        QVERIFY(item(*view_, "row")->height() >= 64.0);
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, item(*view_, "row")->mapToScene({20, 20}).toPoint());
+        item(*view_, "row")->forceActiveFocus();
+        QTest::keyClick(view_.get(), Qt::Key_Return);
+        QTest::keyClick(view_.get(), Qt::Key_Space);
+        act(row, QAccessibleActionInterface::pressAction());
+        QCOMPARE(presses(), 4);
+    }
+
+    void a_field_tells_its_label_and_gives_what_was_typed_with_return_or_when_left() {
+        QQuickItem* field = item(*view_, "field");
+        field->forceActiveFocus();
+        QQuickItem* input = view_->activeFocusItem();
+        QVERIFY(input != nullptr && input->height() >= 64.0);
+        QAccessibleInterface* words = QAccessible::queryAccessibleInterface(input);
+        QCOMPARE(words->role(), QAccessible::EditableText);
+        QCOMPARE(words->text(QAccessible::Name), QString("A field"));
+        QTest::keyClick(view_.get(), Qt::Key_End);
+        QTest::keyClick(view_.get(), Qt::Key_B);
+        QCOMPARE(property("words").toString(), QString("Anna"));
+        QCOMPARE(property("keystrokes").toInt(), 1);
+        QTest::keyClick(view_.get(), Qt::Key_Return);
+        QCOMPARE(property("words").toString(), QString("Annab"));
+        QTest::keyClick(view_.get(), Qt::Key_C);
+        item(*view_, "button")->forceActiveFocus();
+        QCOMPARE(property("words").toString(), QString("Annabc"));
+        view_->rootObject()->setProperty("words", "Tom");
+        QCOMPARE(field->property("text").toString(), QString("Tom"));
+    }
+
+    void tab_leaves_an_area_and_what_was_typed_is_given() {
+        item(*view_, "area")->forceActiveFocus();
+        QQuickItem* input = view_->activeFocusItem();
+        QTest::keyClick(view_.get(), Qt::Key_End);
+        QTest::keyClick(view_.get(), Qt::Key_Return);
+        QTest::keyClick(view_.get(), Qt::Key_X);
+        QTest::keyClick(view_.get(), Qt::Key_Tab);
+        QVERIFY(view_->activeFocusItem() != input);
+        QCOMPARE(property("story").toString(), QString("In the garden\nx"));
+        QTest::keyClick(view_.get(), Qt::Key_Backtab);
+        QVERIFY(view_->activeFocusItem() == input);
+        QTest::keyClick(view_.get(), Qt::Key_Backtab);
+        QVERIFY(view_->activeFocusItem() != input);
+    }
+
+    void a_choice_has_each_of_its_options_in_reach() {
+        QList<QAccessibleInterface*> options;
+        for (QQuickItem* flow : item(*view_, "choice")->childItems())
+            for (QQuickItem* one : flow->childItems())
+                if (QAccessibleInterface* option = QAccessible::queryAccessibleInterface(one);
+                    option != nullptr && option->role() == QAccessible::RadioButton)
+                    options << option;
+        QCOMPARE(options.size(), 3);
+        QCOMPARE(options[1]->text(QAccessible::Name), QString("A choice: two"));
+        QVERIFY(options[1]->state().checked && !options[0]->state().checked);
+        act(options[2], QAccessibleActionInterface::pressAction());
+        QCOMPARE(property("choice").toInt(), 2);
+        QVERIFY(options[2]->state().checked && !options[1]->state().checked);
+        auto* first = qobject_cast<QQuickItem*>(options[0]->object());
+        QVERIFY(first->height() >= 64.0 && first->width() >= 64.0);
+        first->forceActiveFocus();
+        QTest::keyClick(view_.get(), Qt::Key_Return);
+        QCOMPARE(property("choice").toInt(), 0);
+        QTest::keyClick(view_.get(), Qt::Key_Tab);
+        QTest::keyClick(view_.get(), Qt::Key_Space);
+        QCOMPARE(property("choice").toInt(), 1);
+    }
+
+    void progress_tells_how_far_it_is() {
+        QAccessibleInterface* progress = accessible(*view_, "progress");
+        QCOMPARE(progress->role(), QAccessible::ProgressBar);
+        QCOMPARE(progress->text(QAccessible::Name), QString("Import: 3 of 12"));
+    }
+
+    void what_the_keyboard_comes_to_is_scrolled_into_view() {
+        QQuickItem* scroll = item(*view_, "scroll");
+        for (const char* far : {"last", "first", "second"}) {
+            item(*view_, far)->forceActiveFocus();
+            const double top = item(*view_, far)->mapToItem(scroll, {0, 0}).y();
+            QVERIFY2(top >= 0.0 && top + item(*view_, far)->height() <= scroll->height(), far);
+        }
     }
 
     void tab_goes_from_control_to_control() {
@@ -170,6 +270,7 @@ private slots:
 
 private:
     int presses() const { return view_->rootObject()->property("presses").toInt(); }
+    QVariant property(const char* name) const { return view_->rootObject()->property(name); }
     bool wanted() const { return view_->rootObject()->property("wanted").toBool(); }
     double picked() const { return view_->rootObject()->property("picked").toDouble(); }
 

@@ -45,6 +45,7 @@ tp_may(tp_narration tp_base tp_speech tp_controls   USES Qt6::Core)
 tp_may(tp_preferences tp_base tp_files              USES Qt6::Core)
 set(_below_page ${_below_app} tp_metadata tp_index tp_keeper tp_scene tp_picture tp_controls tp_narration tp_preferences)
 tp_may(tp_explore  ${_below_page}                   USES Qt6::Quick)
+tp_may(tp_mend     ${_below_page} tp_report         USES Qt6::Quick)
 tp_may(tp_cli      ${_below_app} tp_evaluation tp_metadata tp_index tp_keeper tp_scene tp_picture tp_report tp_bench         USES Qt6::Core Qt6::Gui Qt6::Network)
 
 # tp_check_arrows(room DEPENDS rooms... USES libraries...): stops the configuration on a forbidden arrow.

@@ -32,6 +32,11 @@ QString MendHistory::undo(MendWork& work) {
     return step.what;
 }
 
+void MendHistory::take_back(MendWork& work) {
+    undo(work);
+    undone_.clear();
+}
+
 QString MendHistory::redo(MendWork& work) {
     run_.clear();
     if (undone_.empty())

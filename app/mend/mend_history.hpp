@@ -29,6 +29,8 @@ public:
     /// Puts `work` one step back or forth; the step's words, empty where there is none.
     QString undo(MendWork& work);
     QString redo(MendWork& work);
+    /// Puts `work` back to before the newest step, as if that had never been done.
+    void take_back(MendWork& work);
     bool can_undo() const { return !steps_.empty(); }
     bool can_redo() const { return !undone_.empty(); }
 

@@ -35,11 +35,14 @@ MendFace mend_face(const Face* found, const Face& shown) {
     add_names(shown.contours);
     add_names(shown.extras);
     for (const std::string& name : names) {
-        MendFeature own{name, mendable_or_none(named(shown.contours, name)), std::nullopt, false};
+        MendFeature own;
+        own.name = name;
+        own.line = mendable_or_none(named(shown.contours, name));
         if (found)
             own.found = mendable_or_none(named(found->contours, name));
+        own.found_felt = own.found.has_value();
         own.mended = std::find(shown.mended.begin(), shown.mended.end(), name) != shown.mended.end();
-        if (!own.found && !own.line && found) // brows, nose, irises: where they are, should they be wanted
+        if (!own.found && found) // brows, nose, irises: where they are, should they be wanted
             own.found = mendable_or_none(named(found->extras, name));
         face.features.push_back(std::move(own));
     }
@@ -152,6 +155,15 @@ std::vector<Face> faces_of(const MendWork& work) {
 }
 
 MendContour template_for(const MendFace& face, const std::string& name) {
+    const bool inner = name == feature::inner_lip;
+    if (inner || name == feature::outer_lip)
+        if (const MendFeature* lips = feature_named(face, inner ? feature::outer_lip : feature::inner_lip);
+            lips && lips->line) { // one round the other
+            const Rect box = bounds_of(*lips->line);
+            const double half_width = (inner ? 0.36 : 0.68) * box.width();
+            const double half_height = inner ? 0.12 * box.height() : 0.17 * box.width() + 0.5 * box.height();
+            return {name, almond(box.centre(), half_width, half_height, half_height), true};
+        }
     const MendFeature* other = feature_named(face, counterpart(name));
     if (!other || !other->line)
         return at(face, name, name != feature::outline, usual_places(name));
@@ -167,7 +179,7 @@ MendFace usual_face(Vec2 centre, double height) {
     const Vec2 half(0.4 * height, 0.5 * height);
     MendFace face{{centre - half, centre + half}, {}};
     for (const char* name : usual_features)
-        face.features.push_back({name, template_for(face, name), std::nullopt, true});
+        face.features.push_back({name, template_for(face, name), std::nullopt, false, true});
     return face;
 }
 

@@ -15,7 +15,8 @@ namespace tp {
 struct MendFeature {
     std::string name;                 ///< as in `feature`
     std::optional<MendContour> line;  ///< px; none: the face has it not
-    std::optional<MendContour> found; ///< as the program found it; none: it did not, or only as an extra
+    std::optional<MendContour> found; ///< as the program found it; none: it did not
+    bool found_felt = false;          ///< whether that is felt without anybody's doing, or was one of the extras
     bool mended = false;              ///< a person placed it, or took it away
 };
 

@@ -82,7 +82,7 @@ TpScroll {
                     { sign: "↑", name: qsTr("Move up"), x: 0, y: -1 }, { sign: "↓", name: qsTr("Move down"), x: 0, y: 1 }]
             delegate: TpButton {
                 required property var modelData
-                width: (panel.width - 18) / 4
+                width: Math.floor((panel.width - 18) / 4)
                 text: modelData.sign
                 Accessible.name: modelData.name
                 hint: qsTr("By one pixel of the photograph. Arrow keys: with Shift by ten, with Control by a fifth")

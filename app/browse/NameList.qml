@@ -45,6 +45,7 @@ FocusScope {
     TpButton {
         id: backButton
         anchors.right: parent.right
+        width: Math.max(140, implicitWidth)
         text: qsTr("Back")
         hint: qsTr("Key: Backspace")
         onClicked: list.session.back()

@@ -261,6 +261,21 @@ private slots:
         QVERIFY(page.item("pane")->hasActiveFocus());
     }
 
+    void a_list_by_buttons_that_stay_where_they_are() {
+        Page page;
+        QVERIFY(page.ready());
+        QVERIFY(act(page.window, "Years"));
+        QCOMPARE(page.said(), QString("2026, 2 photograph(s)"));
+        QVERIFY(act(page.window, "Down"));
+        QCOMPARE(page.said(), QString("2025, 2 photograph(s)"));
+        QVERIFY(act(page.window, "Down"));
+        QVERIFY(act(page.window, "Down"));
+        QCOMPARE(page.said(), QString("2024, 1 photograph(s)"));
+        QVERIFY(act(page.window, "Up"));
+        QVERIFY(act(page.window, "Choose"));
+        QCOMPARE(page.session->title(), QString("2025"));
+    }
+
     void a_search_by_keys_alone() {
         Page page;
         QVERIFY(page.ready());
@@ -342,6 +357,16 @@ private slots:
         QCOMPARE(page.session->position(), 5);
     }
 
+    void a_double_click_plays() {
+        Page page;
+        QVERIFY(page.ready());
+        QTest::mouseDClick(&page.window, Qt::LeftButton, {}, page.middle());
+        QVERIFY(page.session->playing());
+        page.loudspeaker.play(0.1);
+        QTest::mouseMove(&page.window, page.middle() + QPoint(9, 9));
+        QVERIFY(page.session->playing());
+    }
+
     void a_screen_reader_does_all_of_it() {
         Page page;
         QVERIFY(page.ready());
@@ -382,7 +407,7 @@ private slots:
         QSignalSpy explore(page.session.get(), &BrowseSession::exploreAsked),
             care(page.session.get(), &BrowseSession::careAsked);
         QVERIFY(act(page.window, "Feel the face"));
-        QVERIFY(act(page.window, "Look after it"));
+        QVERIFY(act(page.window, "Look after this photograph"));
         QCOMPARE(explore.count() + care.count(), 2);
     }
 

@@ -9,7 +9,7 @@ FocusScope {
     id: page
 
     required property ExploreSession session
-    required property var announcer
+    property var announcer: null // where the page is a window of its own
     readonly property bool wide: width > 1.15 * height
 
     focus: true

@@ -18,6 +18,7 @@ public:
     void say(const QString& text, Priority priority) override;
     void stop() override { queue_.stop(); }
     void set_rate(double rate) override { speech_.set_rate(rate); }
+    void set_language(const QString& language) override { speech_.set_language(language); }
     void set_recording_plays(bool plays) override { queue_.set_recording_plays(plays); }
 
 private:

@@ -47,19 +47,12 @@ tp_may(tp_preferences tp_base tp_files              USES Qt6::Core)
 tp_may(tp_open_album tp_base tp_files tp_recordings tp_metadata tp_index tp_keeper tp_preferences USES Qt6::Core)
 set(_below_page ${_below_app} tp_guide tp_metadata tp_index tp_keeper tp_open_album tp_scene tp_picture tp_controls tp_narration tp_preferences)
 tp_may(tp_explore  ${_below_page}                   USES Qt6::Quick)
-<<<<<<< HEAD
 tp_may(tp_settings ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_start    ${_below_page} tp_settings       USES Qt6::Quick)
 tp_may(tp_browse   ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_care     ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_mend     ${_below_page} tp_report         USES Qt6::Quick)
 tp_may(tp_shell    ${_below_page} tp_browse tp_care tp_explore tp_mend tp_settings tp_start USES Qt6::Quick)
-=======
-tp_may(tp_care     ${_below_page}                   USES Qt6::Quick)
-tp_may(tp_settings ${_below_page}                   USES Qt6::Quick)
-tp_may(tp_start    ${_below_page} tp_settings       USES Qt6::Quick)
-tp_may(tp_shell    ${_below_page} tp_explore tp_settings tp_start USES Qt6::Quick)
->>>>>>> pages2
 tp_may(tp_cli      ${_below_app} tp_evaluation tp_metadata tp_index tp_keeper tp_scene tp_picture tp_report tp_bench         USES Qt6::Core Qt6::Gui Qt6::Network)
 
 # tp_check_arrows(room DEPENDS rooms... USES libraries...): stops the configuration on a forbidden arrow.

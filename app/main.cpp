@@ -85,11 +85,10 @@ int main(int argc, char** argv) {
     tp::ProgramParts parts{voice, earcon_loudspeaker, guide_loudspeaker, tp::Preferences::usual_file(), tp::OpenAlbum::usual_cache(),
                            {}, force_devices};
     parts.explore.extras = *extras;
-    tp::Program program(std::move(parts));
     const bool picture = options.isSet(picture_option);
     if (options.isSet(voice_option) || picture)
-        program.narrator().set_by(voice_wish == "on" && !picture ? tp::Narrator::By::voice
-                                                                 : tp::Narrator::By::screen_reader);
+        parts.by = voice_wish == "on" && !picture ? tp::Narrator::By::voice : tp::Narrator::By::screen_reader;
+    tp::Program program(std::move(parts));
 
     const QTemporaryDir folder;
     const QString page = options.value(page_option);

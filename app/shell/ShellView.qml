@@ -126,6 +126,7 @@ FocusScope {
             TpStatus {
                 id: said
                 objectName: "said"
+                label: qsTr("Said last")
                 anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: 2 * Theme.gap }
                 maximumLineCount: 3
                 elide: Text.ElideRight

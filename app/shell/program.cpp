@@ -28,6 +28,7 @@ Program::Program(ProgramParts parts)
     connect(&preferences_, &Preferences::not_kept, this,
             [this](const QString& sentence) { narrator_.tell(sentence, Priority::message); });
     connect(&shell_, &Shell::voice_toggled, this, [this](bool on) {
+        parts_.by.reset(); // the person has a wish of their own now
         preferences_.change([on](Choices& choices) {
             choices.voice = on ? Choices::Voice::program : Choices::Voice::screen_reader;
         });
@@ -45,7 +46,7 @@ void Program::follow_choices() {
     const Choices& choices = preferences_.choices();
     const QString before = languages_.current();
     languages_.use(choices.language);
-    narrator_.set_by(by(choices.voice));
+    narrator_.set_by(parts_.by.value_or(by(choices.voice)));
     parts_.voice.set_rate(speech_rate(choices.rate));
     earcons_.set_on(choices.earcons);
     if (before != languages_.current()) {

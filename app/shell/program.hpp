@@ -20,6 +20,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace tp {
 
@@ -32,6 +33,7 @@ struct ProgramParts {
     std::filesystem::path cache;       ///< folder
     ExploreSettings explore;
     StartSession::FindDevices find_devices;
+    std::optional<Narrator::By> by = {}; ///< who speaks, whatever was chosen
 };
 
 /// All pages and what they share. A page's session is made when the page is opened first.
@@ -52,7 +54,6 @@ public:
     Shell& shell() { return shell_; }
     NotificationAnnouncer& announcer() { return announcer_; }
     Preferences& preferences() { return preferences_; }
-    Narrator& narrator() { return narrator_; }
     StartSession& start() { return start_; }
     OpenAlbum& album();
     ExploreSession& explore();

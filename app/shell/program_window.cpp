@@ -25,9 +25,9 @@ ProgramWindow::ProgramWindow(Program& program) {
     resize(1280, 800);
     setColor(QColor(0x0e, 0x12, 0x17));
     Shell& shell = program.shell();
-    const auto entitle = [this, &shell, &program] {
+    const auto entitle = [this, &shell] {
         const QString title = shell.home() ? QString() : shell.title() + " – ";
-        setTitle(title + program.tr("TouchPhoto"));
+        setTitle(title + Program::tr("TouchPhoto"));
     };
     connect(&shell, &Shell::pageChanged, this, entitle);
     connect(&program, &Program::language_changed, this, [this] { engine()->retranslate(); });

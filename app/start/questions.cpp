@@ -10,7 +10,9 @@ namespace tp {
 
 namespace {
 
-QString translated(const char* text) { return QCoreApplication::translate("tp::Questions", text); }
+class Words {
+    Q_DECLARE_TR_FUNCTIONS(tp::Questions)
+};
 
 constexpr std::array voice_answers{Choices::Voice::program, Choices::Voice::off, Choices::Voice::screen_reader};
 
@@ -18,16 +20,16 @@ constexpr std::array voice_answers{Choices::Voice::program, Choices::Voice::off,
 
 QString words_of(Question question, const QuestionFacts& facts) {
     switch (question) {
-    case Question::voice: return translated("Shall TouchPhoto speak to you?");
-    case Question::rate: return translated("How fast shall it speak?");
-    case Question::user: return translated("Who uses this tablet most?");
+    case Question::voice: return Words::tr("Shall TouchPhoto speak to you?");
+    case Question::rate: return Words::tr("How fast shall it speak?");
+    case Question::user: return Words::tr("Who uses this tablet most?");
     case Question::device:
         if (facts.looking_for_device)
-            return translated("Looking for a force device.");
+            return Words::tr("Looking for a force device.");
         return facts.device.isEmpty()
-                   ? translated("No force device was found. A finger on the screen is guided by sound instead.")
-                   : translated("A force device was found: %1.").arg(facts.device);
-    case Question::photos: return translated("Where are your photographs?");
+                   ? Words::tr("No force device was found. A finger on the screen is guided by sound instead.")
+                   : Words::tr("A force device was found: %1.").arg(facts.device);
+    case Question::photos: return Words::tr("Where are your photographs?");
     }
     return {};
 }
@@ -35,34 +37,34 @@ QString words_of(Question question, const QuestionFacts& facts) {
 QStringList answers_of(Question question, const QuestionFacts& facts) {
     switch (question) {
     case Question::voice:
-        return {translated("Yes"), translated("No, the words on the screen are enough"),
-                translated("My screen reader shall speak")};
+        return {Words::tr("Yes"), Words::tr("No, the words on the screen are enough"),
+                Words::tr("My screen reader shall speak")};
     case Question::rate:
-        return {translated("Very slowly"), translated("Slowly"), translated("At the usual speed"),
-                translated("Fast"), translated("Very fast")};
+        return {Words::tr("Very slowly"), Words::tr("Slowly"), Words::tr("At the usual speed"),
+                Words::tr("Fast"), Words::tr("Very fast")};
     case Question::user:
-        return {translated("Somebody who listens and feels"), translated("Somebody who looks after the album")};
+        return {Words::tr("Somebody who listens and feels"), Words::tr("Somebody who looks after the album")};
     case Question::device:
-        return {facts.device.isEmpty() ? translated("Go on without a device") : translated("Use it"),
-                translated("Look again")};
+        return {facts.device.isEmpty() ? Words::tr("Go on without a device") : Words::tr("Use it"),
+                Words::tr("Look again")};
     case Question::photos: {
         QStringList answers;
         if (!facts.pictures.isEmpty())
-            answers << translated("In the folder %1").arg(facts.pictures);
-        return answers << translated("In another folder") << translated("I will say so later");
+            answers << Words::tr("In the folder %1").arg(facts.pictures);
+        return answers << Words::tr("In another folder") << Words::tr("I will say so later");
     }
     }
     return {};
 }
 
 QString spoken(Question question, const QuestionFacts& facts) {
-    QString text = translated("Question %1 of %2. %3")
+    QString text = Words::tr("Question %1 of %2. %3")
                        .arg(static_cast<int>(question) + 1)
                        .arg(question_count)
                        .arg(words_of(question, facts));
     const QStringList answers = answers_of(question, facts);
     for (int i = 0; i < answers.size(); ++i)
-        text += ' ' + translated("%1: %2.").arg(i + 1).arg(answers[i]);
+        text += ' ' + Words::tr("%1: %2.").arg(i + 1).arg(answers[i]);
     return text;
 }
 

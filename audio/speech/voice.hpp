@@ -26,6 +26,8 @@ public:
     using QObject::QObject;
 
     virtual State state() const = 0;
+    /// Something is being spoken, or waits to be.
+    virtual bool busy() const = 0;
     virtual void say(const QString& text, Priority priority) = 0;
     /// Silence now. Only what is left of faults is still spoken.
     virtual void stop() = 0;
@@ -38,6 +40,8 @@ public:
 
 signals:
     void state_changed();
+    /// Everything has been spoken or dropped.
+    void fell_silent();
 };
 
 } // namespace tp

@@ -268,7 +268,8 @@ void ExploreSession::list_faces() {
                 features << QVariantMap{{"index", static_cast<int>(k)},
                                         {"name", label_of(static_cast<int>(k))},
                                         {"rect", on_sheet(bounds_of(servo_.felt().lines[k].points))}};
-        faces_ << QVariantMap{{"name", name_of_face(i)},
+        const bool nameless = faces.size() == 1 && person_of(i).isEmpty();
+        faces_ << QVariantMap{{"name", nameless ? tr("face") : name_of_face(i)},
                               {"rect", on_sheet(box)},
                               {"chosen", subject_.face == i},
                               {"features", features}};

@@ -27,9 +27,10 @@ double wave(double phase, double reed) {
     return (std::sin(phase) + reed * std::sin(3.0 * phase)) / (1.0 + 0.15 * reed);
 }
 
-/// Loudness of the ears for a side, of equal power.
-double left_of(double side) { return std::cos(0.25 * pi * (side + 1.0)); }
-double right_of(double side) { return std::sin(0.25 * pi * (side + 1.0)); }
+/// Loudness of the ears for a side, of equal power. Never all on one: a person may hear with the other.
+constexpr double widest = 0.7;
+double left_of(double side) { return std::cos(0.25 * pi * (widest * side + 1.0)); }
+double right_of(double side) { return std::sin(0.25 * pi * (widest * side + 1.0)); }
 
 } // namespace
 

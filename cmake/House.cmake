@@ -118,9 +118,13 @@ function(tp_qml_module room)
   set_source_files_properties(${arg_SINGLETONS} PROPERTIES QT_QML_SINGLETON_TYPE TRUE)
   string(REPLACE "." "/" path ${arg_URI})
   set(QT_QML_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/qml)
+  set(compiled)
+  if(TOUCHPHOTO_SANITIZE)
+    set(compiled NO_CACHEGEN) # QML that is compiled ahead starts sooner and is no code of ours for a sanitizer
+  endif()
   qt_add_qml_module(${room} URI ${arg_URI} VERSION 1.0 NO_PLUGIN
     RESOURCE_PREFIX /qt-project.org/imports OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/qml/${path}
-    IMPORT_PATH ${PROJECT_BINARY_DIR}/qml DEPENDENCIES QtQuick
+    IMPORT_PATH ${PROJECT_BINARY_DIR}/qml DEPENDENCIES QtQuick ${compiled}
     QML_FILES ${arg_FILES} ${arg_SINGLETONS})
   target_include_directories(${room} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}) # for the generated registration
   get_target_property(sources ${room} SOURCES)

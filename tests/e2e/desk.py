@@ -80,6 +80,10 @@ class Page:
             if child is not None:
                 yield from self.below(child)
 
+    def window(self):
+        """The first one; hit tests begin there."""
+        return next(node for node in self.everything() if node.getRole() == self.atspi.ROLE_FRAME)
+
     def shown(self):
         """What is to be seen; pages that are not open stay in the tree."""
         for node in self.everything():
@@ -146,7 +150,7 @@ class Listener:
 
     def note(self, event):
         try:
-            name = event.source.get_name()
+            name = event.source.get_name()  # as it is now: of two sentences at once the last one is heard
         except Exception:  # it went away
             return
         if name.startswith(SAID):

@@ -65,20 +65,78 @@ class Person:
     def browses_and_hears_a_recording(self):
         ear = sound_server.Ear(self.folder, "ear")
         self.page.keys("1")
-        self.hears("1 of 5")
-        self.page.keys("Return")
-        self.await_silence_after(FIRST_HZ)
+        self.hears("Anna; 1 recording.")
+        self.page.keys("Down")
+        self.hears("Anna")
+        self.page.keys("Up", "Return")
+        self.page.await_name("Play recordings")  # again: the recording has ended
+        time.sleep(4)
         self.page.keys("Right")
-        self.hears("2 of 5")
+        self.hears("ben_smiling.jpg; 1 recording.")
         heard = ear.heard()
         first, second = seconds_of(heard, FIRST_HZ), seconds_of(heard, SECOND_HZ)
         print(f"of the first photograph's recording {first:.2f} s were heard, of the second's {second:.2f} s")
         assert first >= 1.5, first
         assert second == 0, second
+        self.page.keys("Left")
+        self.hears("Anna; 1 recording.")
 
-    def await_silence_after(self, _):
-        time.sleep(4)
+    def feels_a_face(self):
+        self.page.keys("e")
+        self.hears("Anna. One face. Eyes, mouth and outline can be felt.")
+        for feature in ("left eye", "right eye"):
+            self.page.keys("Tab")
+            self.hears(feature)
+        self.page.keys("w")
+        self.hears("Anna. On the right eye, at its ")
+        lips = self.page.await_name("lips…", self.page.atspi.ROLE_PUSH_BUTTON)
+        place = lips.queryComponent().getExtents(self.page.atspi.DESKTOP_COORDS)
+        window = self.page.window()
+        found = window.queryComponent().getAccessibleAtPoint(place.x + place.width // 2, place.y + 3,
+                                                             self.page.atspi.DESKTOP_COORDS)
+        found = self.deepest(found, place.x + place.width // 2, place.y + 3)
+        assert found.name == lips.name, f"{found.getRoleName()} \"{found.name}\" lies where the lips are"
+        self.page.act(found)
+        self.hears("lips")
+        print("found by its place: lips")
+        for key, sentence in (("z", "Zoomed to the eyes"), ("z", "Zoomed to the mouth"),
+                              ("shift+z", "Zoomed to the eyes"), ("shift+z", "Zoomed out to the whole face")):
+            self.page.keys(key)
+            self.hears(sentence)
+        self.page.keys("space")
+        self.hears("Tour round the ", "Tour finished.")
+        self.page.keys("Escape", "Escape")
+        self.hears("Stopped.", "TouchPhoto, start page.")
 
+    def deepest(self, node, x, y):
+        while True:
+            below = node.queryComponent().getAccessibleAtPoint(x, y, self.page.atspi.DESKTOP_COORDS)
+            if below is None or below == node:
+                return node
+            node = below
+
+    def searches_a_name(self):
+        self.page.keys("1")
+        self.hears("Your photographs, 1 of 5: Anna; 1 recording.")
+        self.page.keys("s")
+        self.hears("Search. Type a name")
+        self.page.type("clar")
+        self.page.await_name("clara_sad.jpg…")
+        self.page.keys("Return")
+        self.hears("Found: clar, ")
+        self.page.keys("Escape")
+
+    def changes_the_speed_of_speech(self):
+        self.page.press("Home")
+        self.hears("TouchPhoto, start page.")
+        self.page.press("4: Settings…", self.page.atspi.ROLE_LIST_ITEM)
+        self.hears("Settings. Go through them by Tab")
+        self.page.press("Speed of speech: Slow")
+        self.hears("Slow. This is how fast I speak.")
+        self.page.keys("ctrl+z")
+        self.hears("Taken back: the speed of speech.")
+        self.page.keys("Escape")
+        self.hears("TouchPhoto, start page.")
 
 def inner(program, lab, photos):
     with tempfile.TemporaryDirectory() as folder, desk.Desk():
@@ -86,6 +144,7 @@ def inner(program, lab, photos):
         album = Album(lab, photos, folder)
         album.run("tag", "add", "--from", tone(os.path.join(folder, "1.wav"), FIRST_HZ, 2.0), "--kind", "memo", album.photos[0])
         album.run("tag", "add", "--from", tone(os.path.join(folder, "2.wav"), SECOND_HZ, 2.0), "--kind", "story", album.photos[1])
+        album.run("person", "name", "--face", "0.5,0.4,0.4,0.5", album.photos[0], "Anna")
         environment = dict(os.environ, XDG_CONFIG_HOME=folder + "/config", XDG_CACHE_HOME=folder + "/cache", HOME=folder)
         listener = desk.Listener()
         running = subprocess.Popen([program], env=environment)
@@ -93,6 +152,9 @@ def inner(program, lab, photos):
             person = Person(folder, desk.Page(), listener)
             person.answers_the_five_questions()
             person.browses_and_hears_a_recording()
+            person.feels_a_face()
+            person.searches_a_name()
+            person.changes_the_speed_of_speech()
             assert running.poll() is None, "the program has ended"
             print("PASS")
             return 0

@@ -3,6 +3,7 @@
 #include "browse_bench.hpp"
 
 #include <QAccessible>
+#include <QGuiApplication>
 #include <QPointingDevice>
 #include <QQmlComponent>
 #include <QQuickItem>
@@ -274,6 +275,29 @@ private slots:
         QVERIFY(act(page.window, "Up"));
         QVERIFY(act(page.window, "Choose"));
         QCOMPARE(page.session->title(), QString("2025"));
+    }
+
+    void the_keyboard_stays_on_its_row_when_the_list_grows() {
+        Page page;
+        QVERIFY(page.ready());
+        page.key(Qt::Key_P);
+        page.key(Qt::Key_Down);
+        QCOMPARE(page.said(), QString("Ben, 1 photograph(s)"));
+        page.drawn.name(page.five.sea, "Zoe", 0.5);
+        page.drawn.album->touched(page.five.sea);
+        QTRY_COMPARE(page.session->rows().size(), 4);
+        QTRY_VERIFY(page.window.activeFocusItem() != nullptr &&
+                    page.window.activeFocusItem()->property("text").toString() == "Ben");
+        page.key(Qt::Key_Return);
+        QCOMPARE(page.session->title(), QString("Ben"));
+    }
+
+    void right_to_left_the_buttons_are_on_the_left() {
+        Page page;
+        QVERIFY(page.ready());
+        QGuiApplication::setLayoutDirection(Qt::RightToLeft);
+        const auto left_to_right = qScopeGuard([] { QGuiApplication::setLayoutDirection(Qt::LeftToRight); });
+        QTRY_VERIFY(page.item("panel")->mapToScene({0, 0}).x() < page.item("pane")->mapToScene({0, 0}).x());
     }
 
     void a_search_by_keys_alone() {

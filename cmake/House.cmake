@@ -33,6 +33,7 @@ tp_may(tp_speech   tp_base                          USES Qt6::Core Qt6::TextToSp
 tp_may(tp_recordings tp_base tp_files               USES PkgConfig::sndfile PkgConfig::ebur128)
 tp_may(tp_video    tp_base tp_files tp_recordings)
 tp_may(tp_sound    tp_base tp_files tp_recordings   USES Qt6::Core Qt6::Multimedia PkgConfig::soundtouch)
+tp_may(tp_guide    tp_base tp_sound                 USES Qt6::Core)
 tp_may(tp_metadata tp_base tp_files tp_recordings tp_exiv2 USES PkgConfig::exiv2 PkgConfig::pugixml)
 tp_may(tp_index    tp_base tp_files tp_recordings tp_metadata USES Qt6::Core Qt6::Sql)
 tp_may(tp_keeper   tp_base tp_files tp_recordings tp_video tp_metadata tp_index USES Qt6::Core PkgConfig::archive)
@@ -44,9 +45,14 @@ tp_may(tp_controls ${_below_app}                    USES Qt6::Quick Qt6::QuickCo
 tp_may(tp_narration tp_base tp_speech tp_controls   USES Qt6::Core)
 tp_may(tp_preferences tp_base tp_files              USES Qt6::Core)
 tp_may(tp_open_album tp_base tp_files tp_recordings tp_metadata tp_index tp_keeper tp_preferences USES Qt6::Core)
-set(_below_page ${_below_app} tp_metadata tp_index tp_keeper tp_open_album tp_scene tp_picture tp_controls tp_narration tp_preferences)
+set(_below_page ${_below_app} tp_guide tp_metadata tp_index tp_keeper tp_open_album tp_scene tp_picture tp_controls tp_narration tp_preferences)
 tp_may(tp_explore  ${_below_page}                   USES Qt6::Quick)
+tp_may(tp_settings ${_below_page}                   USES Qt6::Quick)
+tp_may(tp_start    ${_below_page} tp_settings       USES Qt6::Quick)
 tp_may(tp_browse   ${_below_page}                   USES Qt6::Quick)
+tp_may(tp_care     ${_below_page}                   USES Qt6::Quick)
+tp_may(tp_mend     ${_below_page} tp_report         USES Qt6::Quick)
+tp_may(tp_shell    ${_below_page} tp_browse tp_care tp_explore tp_mend tp_settings tp_start USES Qt6::Quick)
 tp_may(tp_cli      ${_below_app} tp_evaluation tp_metadata tp_index tp_keeper tp_scene tp_picture tp_report tp_bench         USES Qt6::Core Qt6::Gui Qt6::Network)
 
 # tp_check_arrows(room DEPENDS rooms... USES libraries...): stops the configuration on a forbidden arrow.

@@ -37,7 +37,7 @@ struct Face {
         contours;        ///< the five of `feature`, lines and quadratic Béziers; the outline is open
     std::string problem; ///< why its contours may be wrong, in a sentence; empty: no reason known
     std::vector<ContourQuality> quality = {}; ///< one for each of `contours`
-    std::vector<std::string> mended = {};     ///< names of those contours that a person placed
+    std::vector<std::string> mended = {};     ///< names of those contours that a person placed or took away
     /// Brows, nose and irises, as far as the model knows them and they can be seen: only for those who ask for
     /// them, for more features hinder a finger (Lim, Yoo, Choi 2019).
     std::vector<Contour> extras = {};

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 namespace tp {
@@ -51,9 +53,29 @@ std::optional<std::size_t> face_at(const std::vector<Face>& faces, const std::ve
     return best;
 }
 
+constexpr std::string_view removed_suffix = " removed";
+
+bool is_removal(const Contour& contour) { return contour.name.ends_with(removed_suffix); }
+
+void take_away(Face& face, const std::string& name) {
+    face.mended.push_back(name);
+    const auto own = std::find_if(face.contours.begin(), face.contours.end(),
+                                  [&](const Contour& c) { return c.name == name; });
+    if (own == face.contours.end())
+        return;
+    const auto index = own - face.contours.begin();
+    if (index < static_cast<std::ptrdiff_t>(face.quality.size()))
+        face.quality.erase(face.quality.begin() + index);
+    face.contours.erase(own);
+}
+
 void mend(Face& face, std::vector<Contour> contours) {
     const std::size_t found = face.contours.size();
     for (Contour& contour : contours) {
+        if (is_removal(contour)) {
+            take_away(face, contour.name.substr(0, contour.name.size() - removed_suffix.size()));
+            continue;
+        }
         const auto own = std::find_if(face.contours.begin(), face.contours.end(),
                                       [&](const Contour& c) { return c.name == contour.name; });
         face.mended.push_back(contour.name);
@@ -71,6 +93,8 @@ void mend(Face& face, std::vector<Contour> contours) {
 std::filesystem::path correction_file(const std::filesystem::path& photo) {
     return photo.string() + ".contours.svg";
 }
+
+std::string removed_name(const std::string& name) { return name + std::string(removed_suffix); }
 
 ContourSheet sheet_of(const Extraction& extraction) {
     ContourSheet sheet{static_cast<double>(extraction.width),
@@ -108,6 +132,8 @@ Result<Extraction> corrected(Extraction extraction, const ContourSheet& sheet) {
             mend(extraction.faces[*face], std::move(contours));
             continue;
         }
+        if (std::all_of(contours.begin(), contours.end(), is_removal))
+            continue;
         Face added;
         added.box = box;
         added.score = 1.0;

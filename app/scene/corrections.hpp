@@ -5,6 +5,7 @@
 #include "faces/face.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace tp {
 
@@ -12,11 +13,15 @@ namespace tp {
 /// IMG_1.jpg, in pixels of the upright picture.
 std::filesystem::path correction_file(const std::filesystem::path& photo);
 
+/// The name of the dot that stands in a sheet where a person took away the contour of that name.
+std::string removed_name(const std::string& name);
+
 /// All faces of an extraction as a sheet in its pixels; with several faces the contours are named "face 1
 /// left_eye" and so on. What `corrected` reads.
 ContourSheet sheet_of(const Extraction& extraction);
 
-/// The extraction with the contours that a person mended in place of its own (Face::mended names them).
+/// The extraction with the contours that a person mended in place of its own, and without those that a person
+/// took away (`removed_name`); Face::mended names both.
 ///
 /// The sheet's faces are matched by place, not by number, so that corrections survive when another model
 /// finds the faces in another order; a face that only the sheet has is added. A sheet of the same shape but

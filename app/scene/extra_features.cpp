@@ -42,7 +42,9 @@ Extraction with_extras(Extraction extraction, const ExtraFeatures& chosen) {
         for (const Contour& extra : face.extras) {
             const bool there = std::any_of(face.contours.begin(), face.contours.end(),
                                            [&](const Contour& c) { return c.name == extra.name; });
-            if (is_chosen(extra.name, chosen) && !there)
+            const bool taken_away =
+                std::find(face.mended.begin(), face.mended.end(), extra.name) != face.mended.end();
+            if (is_chosen(extra.name, chosen) && !there && !taken_away)
                 face.contours.push_back(extra);
         }
     return extraction;

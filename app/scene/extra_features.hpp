@@ -18,7 +18,7 @@ struct ExtraFeatures {
 Result<ExtraFeatures> extra_features_named(std::string_view words);
 
 /// The extraction with the chosen ones of each face's extras among its contours, behind those it has. A
-/// contour that is there already, placed by a person, stays as it is.
+/// contour that is there already, placed by a person, stays as it is; one that a person took away stays away.
 Extraction with_extras(Extraction extraction, const ExtraFeatures& chosen);
 
 } // namespace tp

@@ -27,7 +27,10 @@ public:
     bool busy() const override { return busy_; }
     void say(const QString& text, Priority priority) override;
     void stop() override { ++stops_; }
-    void set_rate(double) override {}
+    void set_rate(double rate) override { rate_ = rate; }
+    void set_language(const QString& language) override { language_ = language; }
+    double rate() const { return rate_; }
+    const QString& language() const { return language_; }
     void set_recording_plays(bool plays) override { recording_plays_ = plays; }
 
 private:
@@ -35,6 +38,8 @@ private:
     QStringList said_;
     Priority last_priority_ = Priority::touch;
     int stops_ = 0;
+    double rate_ = 0.0;
+    QString language_;
     bool busy_ = false;
     bool recording_plays_ = false;
 };

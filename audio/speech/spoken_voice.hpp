@@ -19,6 +19,7 @@ public:
     bool busy() const override { return !queue_.idle(); }
     void stop() override;
     void set_rate(double rate) override { speech_.set_rate(rate); }
+    void set_language(const QString& language) override { speech_.set_language(language); }
     void set_recording_plays(bool plays) override { queue_.set_recording_plays(plays); }
 
 private:

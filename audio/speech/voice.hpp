@@ -33,6 +33,8 @@ public:
     virtual void stop() = 0;
     /// -1 slowest … 0 the engine's own … 1 fastest.
     virtual void set_rate(double rate) = 0;
+    /// The voice of a language (BCP 47, such as "ko"), where the engine has one.
+    virtual void set_language(const QString& language) = 0;
     /// While a recording plays nothing but a fault is spoken; the rest waits for its end.
     virtual void set_recording_plays(bool plays) = 0;
 

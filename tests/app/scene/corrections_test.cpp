@@ -81,6 +81,22 @@ private slots:
         QVERIFY(std::abs(start_of_contour(mended->faces[1], "left_eye").x - (50 + 0.6 * 300 + 3)) < 1e-9);
     }
 
+    void what_a_person_took_away_is_gone() {
+        Extraction found = photo({face_at(100, 100, 400)});
+        found.faces.front().quality = {{1.0, {}}, {2.0, {}}};
+        const Contour dot = contour_through(removed_name("left_eye"), {{360, 240}}, false);
+        const auto read = sheet_from_svg(sheet_to_svg(sheet_with({dot})), ContourSheet::Unit::pixel);
+        QVERIFY(read.ok());
+        const auto mended = corrected(found, *read);
+        const Face& face = mended->faces.front();
+        QCOMPARE(face.contours.size(), std::size_t(1));
+        QCOMPARE(face.contours.front().name, std::string("outer_lip"));
+        QCOMPARE(face.quality.size(), std::size_t(1));
+        QCOMPARE(face.quality.front().expected_error_percent, 2.0);
+        QCOMPARE(face.mended, std::vector<std::string>{"left_eye"});
+        QVERIFY(corrected(photo({}), *read)->faces.empty()); // nothing is left of a face that is not there
+    }
+
     void a_face_that_only_a_person_saw_is_added() {
         const auto mended = corrected(photo({}), sheet_with({box_contour("outline", {200, 100}, 300)}));
         QCOMPARE(mended->faces.size(), std::size_t(1));

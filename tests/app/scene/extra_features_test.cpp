@@ -53,6 +53,13 @@ private slots:
             QCOMPARE(names(face), names(photo().faces[0]) + added);
     }
 
+    void what_a_person_took_away_stays_away() {
+        Extraction mended = photo();
+        mended.faces[0].mended = {feature::nose};
+        QCOMPARE(names(with_extras(mended, {.nose = true}).faces[0]), names(photo().faces[0]));
+        QVERIFY(names(with_extras(mended, {.nose = true}).faces[1]).contains("nose"));
+    }
+
     void what_a_person_placed_stays() {
         Extraction mended = photo();
         mended.faces[0].contours.push_back(contour_through(feature::nose, {{5, 5}, {6, 6}}, false));

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/mend/felt_change.hpp"
+
+#include "app/picture/field_picture.hpp"
+#include "app/scene/scene_builder.hpp"
+#include "core/guidance/haptic_scene.hpp"
+
+#include <cmath>
+#include <memory>
+
+namespace tp {
+
+namespace {
+
+constexpr double pixels_per_mm = 3.0;
+
+Result<BuiltScene> fitted(const std::vector<Face>& faces, const SurfaceSize& surface) {
+    Extraction extraction;
+    extraction.faces = faces;
+    return build_scene(extraction, surface);
+}
+
+} // namespace
+
+FeltChange felt_change(const std::vector<Face>& before, const std::vector<Face>& now) {
+    FeltChange change;
+    const SurfaceSize surface;
+    Result<BuiltScene> built = fitted(before, surface);
+    if (!built)
+        built = fitted(now, surface);
+    if (!built)
+        return change;
+    const Scene scene = scene_of(now, surface, built->photo_to_surface);
+    const auto haptic = make_haptic_scene(scene);
+    const auto back = built->photo_to_surface.inverse();
+    if (!haptic || !back)
+        return change;
+    const Rect area = scene.surface();
+    const QImage picture = draw_force_field(**haptic, area, pixels_per_mm);
+    change.field = picture.copy(0, 0, picture.width(), // without its legend
+                                static_cast<int>(std::lround(area.height() * pixels_per_mm)));
+    const Vec2 top_left = (*back)({area.min.x, area.max.y}), bottom_right = (*back)({area.max.x, area.min.y});
+    change.place = QRectF(QPointF(top_left.x, top_left.y), QPointF(bottom_right.x, bottom_right.y));
+    if (const auto was = make_haptic_scene(scene_of(before, surface, built->photo_to_surface)))
+        change.difference = difference_between(*(*was)->law, *(*haptic)->law, area);
+    return change;
+}
+
+std::vector<Face> found_faces(const MendWork& work) {
+    MendWork found = work;
+    for (MendFace& face : found.faces)
+        for (MendFeature& own : face.features)
+            own.line = own.found_felt ? own.found : std::nullopt;
+    return faces_of(found);
+}
+
+} // namespace tp

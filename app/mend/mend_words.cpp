@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/mend/mend_words.hpp"
+
+#include "app/scene/feature_words.hpp"
+#include "faces/face.hpp"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+
+namespace tp {
+
+namespace {
+
+struct MendWords {
+    Q_DECLARE_TR_FUNCTIONS(MendWords)
+};
+
+QString plain_words(const std::string& name) {
+    if (name == feature::left_eye)
+        return MendWords::tr("left eye");
+    if (name == feature::right_eye)
+        return MendWords::tr("right eye");
+    if (name == feature::outer_lip)
+        return MendWords::tr("lips");
+    if (name == feature::inner_lip)
+        return MendWords::tr("mouth opening");
+    if (name == feature::outline)
+        return MendWords::tr("face outline");
+    if (name == feature::left_brow)
+        return MendWords::tr("left brow");
+    if (name == feature::right_brow)
+        return MendWords::tr("right brow");
+    if (name == feature::nose)
+        return MendWords::tr("nose");
+    if (name == feature::left_iris)
+        return MendWords::tr("left iris");
+    if (name == feature::right_iris)
+        return MendWords::tr("right iris");
+    return QString::fromStdString(spoken_feature(name)); // what a person named in a drawing program
+}
+
+QString number(double value) {
+    const double tenths = std::round(10.0 * value) / 10.0;
+    return QLocale().toString(tenths, 'f', tenths == std::floor(tenths) ? 0 : 1);
+}
+
+} // namespace
+
+QString feature_words(const std::string& name, int face) {
+    const QString plain = plain_words(name);
+    return face < 0 ? plain : MendWords::tr("%1 of face %2").arg(plain).arg(face + 1);
+}
+
+QString node_words(const MendContour& contour, std::size_t node) {
+    const int number = static_cast<int>(node) + 1;
+    const int count = static_cast<int>(contour.nodes.size());
+    switch (contour.nodes[node].kind) {
+    case MendNode::Kind::corner:
+        return MendWords::tr("Corner %1 of %2").arg(number).arg(count);
+    case MendNode::Kind::smooth:
+        return MendWords::tr("Point %1 of %2").arg(number).arg(count);
+    case MendNode::Kind::control:
+        break;
+    }
+    return MendWords::tr("Bend %1 of %2", "a control point beside the line").arg(number).arg(count);
+}
+
+QString place_words(Vec2 place) {
+    return MendWords::tr("%1 across, %2 down").arg(number(place.x), number(place.y));
+}
+
+QString change_words(const std::optional<FieldDifference>& difference) {
+    if (!difference)
+        return {};
+    if (difference->max_n < 1e-6)
+        return MendWords::tr("It feels as the program found it.");
+    if (difference->felt_share <= 0.0)
+        return MendWords::tr("A finger will not notice the difference to what the program found.");
+    const QLocale locale;
+    return MendWords::tr("A finger notices the difference to what the program found on %1 % of the surface; there the "
+                         "force differs by up to %2 N.")
+        .arg(locale.toString(100.0 * difference->felt_share, 'f', 1), locale.toString(difference->max_n, 'f', 2));
+}
+
+} // namespace tp

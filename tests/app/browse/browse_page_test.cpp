@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/browse/browse_module.hpp"
 #include "browse_bench.hpp"
+#include "page_window.hpp"
 
 #include <QAccessible>
+#include <QColor>
+#include <QCoreApplication>
+#include <QEvent>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QPointingDevice>
 #include <QQmlComponent>
 #include <QQuickItem>
 #include <QQuickView>
 #include <QRectF>
 #include <QScopeGuard>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTest>
 #include <QUrl>
 #include <QVariant>
 #include <QtGlobal>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
 
 using namespace tp;
 using namespace tp::testing;
@@ -489,6 +499,23 @@ private slots:
             }
             QVERIFY(operable >= (view == View::Photos ? 14 : view == View::Names ? 4 : 2));
         }
+    }
+
+    void tab_goes_in_the_order_of_reading() {
+        Page page;
+        QVERIFY(page.ready());
+        const auto once_round = [&] {
+            QStringList order = PageWindow::tab_order(page.window);
+            const QString first = PageWindow::reading_order(page.window).value(0);
+            std::rotate(order.begin(), order.begin() + order.indexOf(first), order.end());
+            return order;
+        };
+        QCOMPARE(once_round(), PageWindow::reading_order(page.window));
+        page.session->openTopic(BrowseSession::Topic::People);
+        QCOMPARE(once_round(), PageWindow::reading_order(page.window));
+        page.session->openSearch();
+        page.session->type("an");
+        QCOMPARE(once_round(), PageWindow::reading_order(page.window));
     }
 
     void what_the_keyboard_comes_to_is_in_view_and_nothing_traps_it() {

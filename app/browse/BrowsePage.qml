@@ -13,6 +13,8 @@ FocusScope {
     readonly property bool ready: session.state === BrowseSession.Ready
 
     focus: true
+    LayoutMirroring.enabled: Qt.application.layoutDirection === Qt.RightToLeft
+    LayoutMirroring.childrenInherit: true
 
     function focusOnWhatIsShown() {
         if (listing)
@@ -68,7 +70,7 @@ FocusScope {
     Item {
         id: left
         visible: !page.listing && page.ready
-        x: 2 * Theme.gap
+        anchors { left: parent.left; leftMargin: 2 * Theme.gap }
         y: 2 * Theme.gap
         width: page.wide ? page.width - panel.width - 6 * Theme.gap : page.width - 4 * Theme.gap
         height: page.wide ? page.height - 4 * Theme.gap : 0.56 * page.height
@@ -106,7 +108,7 @@ FocusScope {
         margin: 6 // so that focus rings are whole
         width: !page.ready ? Math.min(page.width - 4 * Theme.gap, 640 * Theme.textScale)
                : page.wide ? Math.min(380 * Theme.textScale, 0.45 * page.width) : page.width - 4 * Theme.gap
-        x: !page.ready ? 0.5 * (page.width - width) : page.wide ? page.width - width - 2 * Theme.gap : 2 * Theme.gap
+        anchors { right: parent.right; rightMargin: page.ready ? 2 * Theme.gap : 0.5 * (page.width - width) }
         y: page.wide || !page.ready ? 2 * Theme.gap : left.y + left.height + Theme.gap
         height: page.height - y - 2 * Theme.gap
 
@@ -127,7 +129,7 @@ FocusScope {
         session: page.session
         visible: page.listing
         width: Math.min(page.width - 4 * Theme.gap, 760 * Theme.textScale)
-        x: 0.5 * (page.width - width)
+        anchors.horizontalCenter: parent.horizontalCenter
         y: 2 * Theme.gap
         height: page.height - 4 * Theme.gap
     }

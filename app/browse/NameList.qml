@@ -11,9 +11,11 @@ FocusScope {
     readonly property bool searching: session.view === BrowseSession.Search
     readonly property int count: session.rows.length
     property int current: -1 // the row that the keyboard was on last
+    property int lost: -1    // the row that the keyboard was on when the list was made anew
 
     // Where the keyboard begins: the field of a search, or the row that was chosen last.
     function focusFirst() {
+        lost = -1
         if (searching && session.chosenRow < 0)
             field.forceActiveFocus(Qt.OtherFocusReason)
         else
@@ -30,15 +32,25 @@ FocusScope {
             backButton.forceActiveFocus(Qt.OtherFocusReason)
         }
     }
+    function comeBack() {
+        if (lost >= 0)
+            stepTo(Math.min(lost, count - 1))
+    }
     function step(by) { stepTo(Math.max(searching ? -1 : 0, Math.min(current + by, rows.count - 1))) }
 
     Connections {
         target: list.session
-        function onRowsChanged() { list.current = list.session.chosenRow }
+        function onRowsChanged() {
+            list.lost = list.activeFocus && !field.activeFocus ? list.current : -1
+            list.current = list.session.chosenRow
+            if (list.lost >= 0)
+                Qt.callLater(list.comeBack)
+        }
     }
 
     TpHeading {
         id: heading
+        anchors.left: parent.left
         width: parent.width - backButton.width - Theme.gap
         height: backButton.height
         verticalAlignment: Text.AlignVCenter

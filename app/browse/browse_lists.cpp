@@ -90,7 +90,8 @@ void BrowseSession::enter_level() {
                        Priority::touch);
         return;
     }
-    list_rows();
+    fill_rows();
+    emit rowsChanged();
     tell_list();         // to its end; then
     emit levelChanged(); // the row that the keyboard comes to
 }
@@ -114,7 +115,16 @@ void BrowseSession::add_row(const QString& text, const QString& detail, Choice c
     choices_.push_back(std::move(choice));
 }
 
+/// Says so only where they are others: a list that is made anew takes the keyboard off its row.
 void BrowseSession::list_rows() {
+    const QVariantList rows_before = rows_;
+    const QString found_before = found_;
+    fill_rows();
+    if (rows_ != rows_before || found_ != found_before)
+        emit rowsChanged();
+}
+
+void BrowseSession::fill_rows() {
     rows_.clear();
     choices_.clear();
     found_.clear();
@@ -122,7 +132,6 @@ void BrowseSession::list_rows() {
         list_names(most_rows_);
     else if (view() == View::Search)
         list_matches();
-    emit rowsChanged();
 }
 
 void BrowseSession::list_names(std::size_t most) {
@@ -193,7 +202,8 @@ void BrowseSession::type(const QString& words) {
         return;
     level().typed = words;
     level().chosen_row = -1;
-    list_rows();
+    fill_rows();
+    emit rowsChanged();
 }
 
 void BrowseSession::tellFound() {
@@ -222,13 +232,15 @@ void BrowseSession::reach(int row) {
     const QVariantMap one = rows_.at(row).toMap();
     const QString detail = one.value(QStringLiteral("detail")).toString();
     const QString text = one.value(QStringLiteral("text")).toString();
-    narrator_.tell(detail.isEmpty() ? text : tr("%1, %2", "a row and what belongs to it").arg(text, detail),
-                   Priority::touch);
+    const QString words =
+        detail.isEmpty() ? text : tr("%1, %2", "a row and what belongs to it").arg(text, detail);
+    if (words != narrator_.sentence()) // the keyboard came back to it
+        narrator_.tell(words, Priority::touch);
 }
 
 void BrowseSession::choose(int row) {
     if (row < 0 || row >= static_cast<int>(choices_.size()))
-        return;
+        return refuse(tr("Go to a row first."));
     const Choice choice = choices_[static_cast<std::size_t>(row)];
     level().chosen_row = row;
     earcons_.play(Earcon::next);

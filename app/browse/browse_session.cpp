@@ -237,9 +237,9 @@ QString BrowseSession::placeText() const {
 // --- the page ---
 
 void BrowseSession::enter() {
-    active_ = true;
     if (!trail().here())
         look_at_album();
+    active_ = true;
     if (state_ != State::Ready) {
         narrator_.tell(emptyText(), Priority::message);
     } else if (view() != View::Photos) {

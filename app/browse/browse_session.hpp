@@ -39,7 +39,6 @@ class BrowseSession final : public QObject {
 
     Q_PROPERTY(View view READ view NOTIFY levelChanged)
     Q_PROPERTY(QString title READ title NOTIFY levelChanged)
-    Q_PROPERTY(bool canGoBack READ canGoBack NOTIFY levelChanged)
     /// Rows of a list, {text, detail} each.
     Q_PROPERTY(QVariantList rows READ rows NOTIFY rowsChanged)
     /// The row that was chosen last, for coming back; −1: none.
@@ -55,8 +54,6 @@ class BrowseSession final : public QObject {
     Q_PROPERTY(double scanValue READ scanValue NOTIFY scanChanged)
 
     Q_PROPERTY(QString photo READ photo NOTIFY photoChanged)
-    Q_PROPERTY(int position READ position NOTIFY photoChanged)
-    Q_PROPERTY(int count READ count NOTIFY photoChanged)
     Q_PROPERTY(QString placeText READ placeText NOTIFY photoChanged)
     Q_PROPERTY(QString summary READ summary NOTIFY photoChanged)
     /// What up and down have gone to; the summary at first.
@@ -64,12 +61,10 @@ class BrowseSession final : public QObject {
     Q_PROPERTY(QImage picture READ picture NOTIFY pictureChanged)
     Q_PROPERTY(QString pictureProblem READ pictureProblem NOTIFY pictureChanged)
 
-    Q_PROPERTY(bool hasRecordings READ hasRecordings NOTIFY photoChanged)
     Q_PROPERTY(bool playing READ playing NOTIFY playbackChanged)
     /// Of the recording that is heard or paused: what it is and where; empty: none is.
     Q_PROPERTY(QString heard READ heard NOTIFY progressChanged)
     Q_PROPERTY(double heardValue READ heardValue NOTIFY progressChanged)
-    Q_PROPERTY(double speed READ speed NOTIFY speedChanged)
     Q_PROPERTY(QString speedText READ speedText NOTIFY speedChanged)
     /// What went wrong with this photograph's recordings; empty: nothing.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged)
@@ -94,7 +89,6 @@ public:
 
     View view() const { return level().view; }
     QString title() const { return level().title; }
-    bool canGoBack() const { return levels_.size() > 1; }
     const QVariantList& rows() const { return rows_; }
     int chosenRow() const { return level().chosen_row; }
     QString typed() const { return level().typed; }
@@ -116,7 +110,6 @@ public:
     bool playing() const { return playback_.playing(); }
     QString heard() const;
     double heardValue() const;
-    double speed() const { return preferences_.choices().playback_speed; }
     QString speedText() const;
     const QString& notice() const { return notice_; }
 
@@ -223,6 +216,8 @@ private:
     void open_photos(const QString& title, PhotoTrail trail, const std::optional<PhotoEntry>& at);
     void enter_level();
     void list_rows();
+    void fill_rows();
+    double speed() const { return preferences_.choices().playback_speed; }
     void list_names(std::size_t most);
     void list_matches();
     void add_row(const QString& text, const QString& detail, Choice choice);

@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/browse/browse_module.hpp"
 #include "browse_bench.hpp"
+#include "page_window.hpp"
 
 #include <QAccessible>
+#include <QColor>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QKeyEvent>
 #include <QPointingDevice>
 #include <QQmlComponent>
 #include <QQuickItem>
 #include <QQuickView>
 #include <QRectF>
 #include <QScopeGuard>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTest>
 #include <QUrl>
 #include <QVariant>
 #include <QtGlobal>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
 
 using namespace tp;
 using namespace tp::testing;
@@ -276,6 +287,29 @@ private slots:
         QCOMPARE(page.session->title(), QString("2025"));
     }
 
+    void the_keyboard_stays_on_its_row_when_the_list_grows() {
+        Page page;
+        QVERIFY(page.ready());
+        page.key(Qt::Key_P);
+        page.key(Qt::Key_Down);
+        QCOMPARE(page.said(), QString("Ben, 1 photograph(s)"));
+        page.drawn.name(page.five.sea, "Zoe", 0.5);
+        page.drawn.album->touched(page.five.sea);
+        QTRY_COMPARE(page.session->rows().size(), 4);
+        QTRY_VERIFY(page.window.activeFocusItem() != nullptr &&
+                    page.window.activeFocusItem()->property("text").toString() == "Ben");
+        page.key(Qt::Key_Return);
+        QCOMPARE(page.session->title(), QString("Ben"));
+    }
+
+    void right_to_left_the_buttons_are_on_the_left() {
+        Page page;
+        QVERIFY(page.ready());
+        QGuiApplication::setLayoutDirection(Qt::RightToLeft);
+        const auto left_to_right = qScopeGuard([] { QGuiApplication::setLayoutDirection(Qt::LeftToRight); });
+        QTRY_VERIFY(page.item("panel")->mapToScene({0, 0}).x() < page.item("pane")->mapToScene({0, 0}).x());
+    }
+
     void a_search_by_keys_alone() {
         Page page;
         QVERIFY(page.ready());
@@ -465,6 +499,23 @@ private slots:
             }
             QVERIFY(operable >= (view == View::Photos ? 14 : view == View::Names ? 4 : 2));
         }
+    }
+
+    void tab_goes_in_the_order_of_reading() {
+        Page page;
+        QVERIFY(page.ready());
+        const auto once_round = [&] {
+            QStringList order = PageWindow::tab_order(page.window);
+            const QString first = PageWindow::reading_order(page.window).value(0);
+            std::rotate(order.begin(), order.begin() + order.indexOf(first), order.end());
+            return order;
+        };
+        QCOMPARE(once_round(), PageWindow::reading_order(page.window));
+        page.session->openTopic(BrowseSession::Topic::People);
+        QCOMPARE(once_round(), PageWindow::reading_order(page.window));
+        page.session->openSearch();
+        page.session->type("an");
+        QCOMPARE(once_round(), PageWindow::reading_order(page.window));
     }
 
     void what_the_keyboard_comes_to_is_in_view_and_nothing_traps_it() {

@@ -291,11 +291,32 @@ private slots:
         QCOMPARE(bench.session->chosenRow(), 0);
         bench.session->back();
         QCOMPARE(bench.session->title(), QString("All photographs"));
-        QVERIFY(!bench.session->canGoBack());
         QCOMPARE(bench.session->photo(), QString::fromStdString(bench.five.garden.string()));
         bench.earcon();
         bench.session->back();
         QCOMPARE(bench.earcon(), Earcon::list_end);
+    }
+
+    void a_row_that_is_none_is_not_chosen() {
+        AtGarden bench;
+        bench.session->openTopic(Topic::People);
+        bench.session->choose(-1);
+        QCOMPARE(bench.said(), QString("Go to a row first."));
+        QCOMPARE(bench.earcon(), Earcon::error);
+        bench.session->choose(99);
+        QCOMPARE(bench.session->view(), View::Names);
+    }
+
+    void a_list_that_stays_as_it_is_is_not_made_anew() {
+        AtGarden bench;
+        bench.session->openTopic(Topic::People);
+        QSignalSpy rows(bench.session.get(), &BrowseSession::rowsChanged);
+        bench.drawn.photo("another.jpg", "2026-07-01T10:15:00");
+        QTRY_COMPARE(bench.session->count(), 6);
+        QCOMPARE(rows.count(), 0);
+        bench.drawn.name(bench.five.sea, "Eva", 0.5);
+        bench.drawn.album->touched(bench.five.sea);
+        QTRY_COMPARE(bench.row_texts(), QStringList({"Anna", "Ben", "Eva", "Tom"}));
     }
 
     void years_from_the_newest_and_places() {

@@ -74,18 +74,21 @@ FocusScope {
     }
     DialogLoader {
         id: photosDialog
+        objectName: "photosDialog"
         session: page.session
         file: "PhotosDialog.qml"
         onChosen: (files) => page.session.importing.import(files)
     }
     DialogLoader {
         id: sourceDialog
+        objectName: "sourceDialog"
         session: page.session
         file: "FoldersDialog.qml"
         onChosen: (files) => page.session.importing.import(files)
     }
     DialogLoader {
         id: folderDialog
+        objectName: "folderDialog"
         session: page.session
         file: "FoldersDialog.qml"
         onChosen: (files) => page.session.importing.chooseFolder(files[0])
@@ -93,6 +96,7 @@ FocusScope {
     }
     DialogLoader {
         id: soundsDialog
+        objectName: "soundsDialog"
         session: page.session
         file: "SoundsDialog.qml"
         onChosen: (files) => page.session.recordings.addFiles(files, page.session.take.kind)

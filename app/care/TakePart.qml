@@ -99,16 +99,15 @@ FocusScope {
                 spacing: 8
                 TpStatus {
                     width: parent.width
-                    label: part.take.stateText
-                    text: part.take.time
-                    font.pixelSize: Theme.bigSize
+                    text: qsTr("%1 %2").arg(part.take.stateText).arg(part.take.time)
+                    font.pixelSize: Theme.headingSize
                     font.bold: true
                     color: part.take.paused ? Theme.quiet : Theme.accent
                 }
                 TpProgress {
                     width: parent.width
-                    label: part.take.stateText
-                    valueText: qsTr("loudness: %1").arg(part.take.levelText)
+                    label: qsTr("Loudness")
+                    valueText: part.take.levelText
                     value: part.take.level
                 }
             }

@@ -67,6 +67,7 @@ void CareSession::enter() {
 void CareSession::leave() {
     stop();
     descriptions_.save();
+    finder_.judge({}); // whoever comes back asks again
     teller_.silence();
 }
 

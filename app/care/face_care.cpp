@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/care/face_care.hpp"
 
+#include <QRect>
 #include <QVariantMap>
 
 #include <algorithm>

@@ -3,8 +3,10 @@
 
 #include "app/care/care_words.hpp"
 
+#include <QHash>
 #include <QImage>
 #include <QLocale>
+#include <QModelIndex>
 
 #include <algorithm>
 #include <deque>

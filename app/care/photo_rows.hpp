@@ -6,6 +6,8 @@
 #include "app/care/thumbnails.hpp"
 
 #include <QAbstractListModel>
+#include <QHash>
+#include <QModelIndex>
 #include <QtQml/qqmlregistration.h>
 
 #include <filesystem>

@@ -3,6 +3,8 @@
 
 #include <QImage>
 #include <QPainter>
+#include <QRectF>
+#include <QSizeF>
 
 #include <algorithm>
 

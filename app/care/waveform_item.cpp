@@ -2,6 +2,7 @@
 #include "app/care/waveform_item.hpp"
 
 #include <QPainter>
+#include <QRectF>
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QList>
+#include <QPainter>
 #include <QQuickPaintedItem>
 #include <QtQml/qqmlregistration.h>
 

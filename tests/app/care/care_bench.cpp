@@ -8,7 +8,11 @@
 #include <QImage>
 #include <QPainter>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <span>
+#include <utility>
 
 using namespace tp;
 using namespace std::chrono_literals;
@@ -89,4 +93,12 @@ void CareBench::hear(double seconds) {
     QMetaObject::invokeMethod(
         made, [made, seconds] { made->hear(tp::testing::tone(440.0, seconds, sound_rate)); }, Qt::BlockingQueuedConnection);
     CARE_TRY_COMPARE(recorder.state(), RecorderState::recording);
+}
+
+bool CareBench::sounded(Earcon earcon) {
+    earcon_loudspeaker.play(1.0);
+    const std::vector<float> heard = std::exchange(earcon_loudspeaker.heard, {});
+    const std::span<const float> sound = samples_of(earcon);
+    return std::search(heard.begin(), heard.end(), sound.begin(), sound.end(),
+                       [](float a, float b) { return std::abs(a - b) < 1e-4F; }) != heard.end();
 }

@@ -40,6 +40,8 @@ struct CareBench {
     void hear(double seconds);
     /// All steps asked for are done.
     bool rests();
+    /// Of the sounds that were begun since the last call, whether this one is among them; all of them are forgotten.
+    bool sounded(tp::Earcon earcon);
     QString last_said() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
 
     tp::AlbumFolder folder;

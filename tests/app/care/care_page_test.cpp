@@ -4,7 +4,11 @@
 #include "care_bench.hpp"
 
 #include <QAccessible>
+#include <QCoreApplication>
+#include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QEvent>
+#include <QKeyEvent>
 #include <QMimeData>
 #include <QPointingDevice>
 #include <QQmlComponent>
@@ -44,7 +48,7 @@ struct Page {
         CARE_TRY_VERIFY(window.isExposed() && window.isActive());
         window.rootObject()->forceActiveFocus();
     }
-    CareSession& session() { return *bench.session; }
+    CareSession& session() const { return *bench.session; }
     QQuickItem* item(const char* name) const { return window.rootObject()->findChild<QQuickItem*>(name); }
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) { QTest::keyClick(&window, key, modifiers); }
     QString focused() const {
@@ -305,7 +309,7 @@ private slots:
         QVERIFY(press(named(page, "What to record: Place")));
         QVERIFY(press(named(page, "Record")));
         page.bench.hear(2.0);
-        CARE_TRY_VERIFY(beginning(page, "Recording: 0:0") != nullptr);
+        CARE_TRY_VERIFY(beginning(page, "Recording 0:0") != nullptr);
         QVERIFY(press(named(page, "Pause")));
         CARE_TRY_VERIFY(named(page, "Go on") != nullptr);
         QVERIFY(press(named(page, "Finish the recording")));
@@ -503,6 +507,29 @@ private slots:
         QCoreApplication::sendEvent(&page.window, &drop);
         CARE_TRY_VERIFY(named(page, "1 photograph(s) imported.") != nullptr);
         CARE_TRY_VERIFY(beginning(page, "new.png") != nullptr);
+    }
+
+    void each_dialog_opens_and_closes() {
+        Page page({"a.png"});
+        page.session().openRow(0);
+        QVERIFY(page.bench.rests());
+        const std::pair<const char*, const char*> dialogs[] = {{"Import photographs…", "photosDialog"},
+                                                               {"Import a folder…", "sourceDialog"},
+                                                               {"Add a sound file…", "soundsDialog"}};
+        for (const auto& [button, name] : dialogs) {
+            QVERIFY2(press(named(page, button)), button);
+            auto* const dialog = page.item(name)->property("item").value<QObject*>();
+            QVERIFY2(dialog != nullptr, name);
+            CARE_TRY_VERIFY(dialog->property("visible").toBool());
+            QMetaObject::invokeMethod(dialog, "reject");
+            CARE_TRY_VERIFY(!dialog->property("visible").toBool());
+        }
+        emit page.session().importing()->folderWanted();
+        auto* const dialog = page.item("folderDialog")->property("item").value<QObject*>();
+        QVERIFY(dialog != nullptr);
+        QCOMPARE(dialog->property("title").toString(), QString("Folder for the album"));
+        QMetaObject::invokeMethod(dialog, "reject");
+        CARE_TRY_VERIFY(!dialog->property("visible").toBool());
     }
 
     void mending_and_printing_are_asked_for() {

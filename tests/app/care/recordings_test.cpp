@@ -65,9 +65,11 @@ private slots:
         QCOMPARE(bench.list().chosen(), 0);
         QCOMPARE(bench.order(), (Files{bench.story, bench.memo}));
         QCOMPARE(bench.last_said(), QString("Story is number 1 of 2 now."));
+        QVERIFY(bench.sounded(Earcon::saved));
         bench.list().move(-1);
         QVERIFY(bench.rests());
         QCOMPARE(bench.last_said(), QString("It is the first one."));
+        QVERIFY(bench.sounded(Earcon::error));
         bench.session->undo();
         QVERIFY(bench.rests());
         QCOMPARE(texts(bench.list()), QStringList({"Memo", "Story"}));
@@ -78,6 +80,7 @@ private slots:
         bench.list().remove();
         QVERIFY(bench.rests());
         QCOMPARE(bench.last_said(), QString("Deleted: Memo. Undo brings it back."));
+        QVERIFY(bench.sounded(Earcon::deleted));
         QCOMPARE(texts(bench.list()), QStringList{"Story"});
         QCOMPARE(bench.list().chosen(), 0);
         QVERIFY(!fs::exists(tags_folder(bench.photo("a.jpg")) / bench.memo));
@@ -85,6 +88,7 @@ private slots:
         bench.session->undo();
         QVERIFY(bench.rests());
         QCOMPARE(bench.last_said(), QString("Undone: the memo was deleted."));
+        QVERIFY(bench.sounded(Earcon::undone));
         QVERIFY(fs::exists(tags_folder(bench.photo("a.jpg")) / bench.memo));
         QCOMPARE(texts(bench.list()), QStringList({"Memo", "Story"}));
         QCOMPARE(bench.session->redoText(), QString("the memo was deleted"));
@@ -155,13 +159,21 @@ private slots:
         QVERIFY(take.running());
         bench.hear(2.0);
         CARE_TRY_COMPARE(take.stateText(), QString("Recording"));
+        QVERIFY(bench.sounded(Earcon::recording_started));
         CARE_TRY_COMPARE(take.time(), QString("0:02"));
         QVERIFY(take.level() > 0.8);
         QCOMPARE(take.levelText(), QString("good"));
+        bool stop_sounded = false;
+        connect(&take, &Take::changed, &take, [&] {
+            if (!take.running())
+                stop_sounded = stop_sounded || bench.sounded(Earcon::recording_stopped);
+        });
         take.finish();
         CARE_TRY_VERIFY(!take.running());
+        QVERIFY(stop_sounded);
         QVERIFY(bench.rests());
         QCOMPARE(bench.last_said(), QString("Recorded: 2 seconds. It is saved."));
+        QVERIFY(bench.sounded(Earcon::saved));
         const PhotoRecord record = bench.record();
         QCOMPARE(record.tags.size(), std::size_t{1});
         QVERIFY(record.tags[0].label.kind == RecordingKind::story);

@@ -3,7 +3,9 @@
 
 #include "app/album/metadata/write_sidecar.hpp"
 
+#include <QAbstractItemModel>
 #include <QMimeData>
+#include <QSet>
 #include <QSignalSpy>
 
 using namespace tp;

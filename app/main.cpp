@@ -80,7 +80,8 @@ int main(int argc, char** argv) {
     if (options.isSet(size_option) && !size)
         return refuse("--size is a width and a height in pixels, such as 1280x800.");
 
-    tp::SystemLoudspeaker earcon_loudspeaker, guide_loudspeaker;
+    tp::SystemLoudspeaker earcon_loudspeaker(tp::Buffering::brief);
+    tp::SystemLoudspeaker guide_loudspeaker(tp::Buffering::brief);
     tp::SpokenVoice voice;
     tp::ProgramParts parts{voice, earcon_loudspeaker, guide_loudspeaker, tp::Preferences::usual_file(), tp::OpenAlbum::usual_cache(),
                            {}, force_devices};

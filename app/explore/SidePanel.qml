@@ -15,6 +15,8 @@ TpScroll {
     readonly property alias slot: slot  // … and lies here, never so high that there is no room left to scroll by
     signal openAsked
 
+    margin: Theme.ring + 3 // so that the focus ring is not cut
+
     component Pair: RowLayout {
         width: parent.width
         spacing: Theme.gap

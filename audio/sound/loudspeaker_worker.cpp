@@ -32,7 +32,7 @@ QAudioFormat played_format(const QAudioDevice& device) {
 
 } // namespace
 
-LoudspeakerWorker::LoudspeakerWorker() : look_(this) {
+LoudspeakerWorker::LoudspeakerWorker(int buffer_ms) : buffer_ms_(buffer_ms), look_(this) {
     look_.setInterval(look_ms);
     connect(&look_, &QTimer::timeout, this, &LoudspeakerWorker::look);
 }
@@ -55,6 +55,8 @@ void LoudspeakerWorker::start(quint64 run, std::shared_ptr<SoundSource> source) 
     }
     device_ = std::make_unique<SourceDevice>(std::move(source), format);
     sink_ = std::make_unique<QAudioSink>(loudspeaker, format);
+    if (buffer_ms_ > 0)
+        sink_->setBufferSize(format.bytesForDuration(1000LL * buffer_ms_));
     sink_->start(device_.get());
     if (sink_->state() == QAudio::StoppedState)
         lose();
@@ -98,6 +100,7 @@ void LoudspeakerWorker::look_at_sound() {
         device_->source().heard(heard);
         emit progress(run_);
     } else if (!device_->ended() && ++looks_alike_ >= looks_until_stalled) {
+        buffer_ms_ = 0; // too small for this system, perhaps
         lose();
         return;
     }

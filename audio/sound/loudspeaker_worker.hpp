@@ -16,7 +16,8 @@ namespace tp {
 class LoudspeakerWorker final : public QObject {
     Q_OBJECT
 public:
-    LoudspeakerWorker();
+    /// `buffer_ms`: the buffer to ask the system for; 0: its own choice.
+    explicit LoudspeakerWorker(int buffer_ms);
     ~LoudspeakerWorker() override;
 
     void start(quint64 run, std::shared_ptr<SoundSource> source);
@@ -35,6 +36,7 @@ private:
     void look_at_devices();
     void lose();
 
+    int buffer_ms_;
     quint64 run_ = 0;
     std::unique_ptr<SourceDevice> device_;
     std::unique_ptr<QAudioSink> sink_; ///< null: nothing plays

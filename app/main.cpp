@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/explore/demonstration.hpp"
 #include "app/shell/program_window.hpp"
+#include "audio/sound/recorder.hpp"
 #include "audio/sound/system_loudspeaker.hpp"
 #include "audio/speech/spoken_voice.hpp"
 #include "device/registry.hpp"
@@ -64,7 +65,7 @@ int main(int argc, char** argv) {
     options.addPositionalArgument("photo", "A photograph to feel at once; without one the start page opens.", "[photo]");
     const QCommandLineOption voice_option("voice", "Whether the program speaks: on, off, or as it was chosen (default).",
                                           "on|off");
-    const QCommandLineOption page_option("page", "The page to begin with: start, explore, settings.", "name");
+    const QCommandLineOption page_option("page", "The page to begin with: start, browse, explore, care, settings.", "name");
     const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.", "file");
     const QCommandLineOption size_option("size", "The window's size in pixels, such as 1280x800.", "WxH");
     const QCommandLineOption with_option("with", "Adds features to eyes, lips and outline: brows, nose, irises.", "list");
@@ -80,11 +81,9 @@ int main(int argc, char** argv) {
     if (options.isSet(size_option) && !size)
         return refuse("--size is a width and a height in pixels, such as 1280x800.");
 
-    tp::SystemLoudspeaker earcon_loudspeaker(tp::Buffering::brief);
-    tp::SystemLoudspeaker guide_loudspeaker(tp::Buffering::brief);
     tp::SpokenVoice voice;
-    tp::ProgramParts parts{voice, earcon_loudspeaker, guide_loudspeaker, tp::Preferences::usual_file(), tp::OpenAlbum::usual_cache(),
-                           {}, force_devices};
+    tp::ProgramParts parts{voice, [] { return std::make_unique<tp::SystemLoudspeaker>(); }, tp::system_microphone,
+                           tp::Preferences::usual_file(), tp::OpenAlbum::usual_cache(), {}, force_devices};
     parts.explore.extras = *extras;
     const bool picture = options.isSet(picture_option);
     if (options.isSet(voice_option) || picture)

@@ -49,10 +49,10 @@ set(_below_page ${_below_app} tp_guide tp_metadata tp_index tp_keeper tp_open_al
 tp_may(tp_explore  ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_settings ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_start    ${_below_page} tp_settings       USES Qt6::Quick)
-tp_may(tp_shell    ${_below_page} tp_explore tp_settings tp_start USES Qt6::Quick)
 tp_may(tp_browse   ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_care     ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_mend     ${_below_page} tp_report         USES Qt6::Quick)
+tp_may(tp_shell    ${_below_page} tp_browse tp_care tp_explore tp_mend tp_settings tp_start USES Qt6::Quick)
 tp_may(tp_cli      ${_below_app} tp_evaluation tp_metadata tp_index tp_keeper tp_scene tp_picture tp_report tp_bench         USES Qt6::Core Qt6::Gui Qt6::Network)
 
 # tp_check_arrows(room DEPENDS rooms... USES libraries...): stops the configuration on a forbidden arrow.
@@ -118,9 +118,13 @@ function(tp_qml_module room)
   set_source_files_properties(${arg_SINGLETONS} PROPERTIES QT_QML_SINGLETON_TYPE TRUE)
   string(REPLACE "." "/" path ${arg_URI})
   set(QT_QML_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/qml)
+  set(compiled)
+  if(TOUCHPHOTO_SANITIZE)
+    set(compiled NO_CACHEGEN) # QML that is compiled ahead starts sooner and is no code of ours for a sanitizer
+  endif()
   qt_add_qml_module(${room} URI ${arg_URI} VERSION 1.0 NO_PLUGIN
     RESOURCE_PREFIX /qt-project.org/imports OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/qml/${path}
-    IMPORT_PATH ${PROJECT_BINARY_DIR}/qml DEPENDENCIES QtQuick
+    IMPORT_PATH ${PROJECT_BINARY_DIR}/qml DEPENDENCIES QtQuick ${compiled}
     QML_FILES ${arg_FILES} ${arg_SINGLETONS})
   target_include_directories(${room} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}) # for the generated registration
   get_target_property(sources ${room} SOURCES)

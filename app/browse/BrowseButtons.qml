@@ -3,7 +3,7 @@ import QtQuick
 import TouchPhoto.Controls
 import TouchPhoto.Browse
 
-// Everything that a key or a gesture does, as buttons.
+// Everything that a key or a gesture does, as buttons. None comes, goes or is greyed out, so that each keeps its place.
 Column {
     id: buttons
 
@@ -30,7 +30,6 @@ Column {
         width: parent.width
         visible: buttons.ready
         primary: true
-        enabled: buttons.session.hasRecordings
         text: buttons.session.playing ? qsTr("Pause") : qsTr("Play recordings")
         hint: qsTr("On the detail of a recording: that one alone. Key: Return")
         onClicked: buttons.session.play()
@@ -72,18 +71,23 @@ Column {
         hint: qsTr("Key: E")
         onClicked: buttons.session.askExplore()
     }
-    TpButton {
-        width: parent.width
-        visible: buttons.session.canGoBack
-        text: qsTr("Back")
-        hint: qsTr("To the list before. Key: Backspace")
-        onClicked: buttons.session.back()
-    }
     Flow {
         width: parent.width
         spacing: parent.spacing
         visible: buttons.ready
 
+        TpButton {
+            width: buttons.half
+            text: qsTr("Back")
+            hint: qsTr("To the list before. Key: Backspace")
+            onClicked: buttons.session.back()
+        }
+        TpButton {
+            width: buttons.half
+            text: qsTr("All photographs")
+            hint: qsTr("Key: A")
+            onClicked: buttons.session.allPhotos()
+        }
         TpButton {
             width: buttons.half
             text: qsTr("Search")
@@ -122,19 +126,6 @@ Column {
         }
         TpButton {
             width: buttons.half
-            visible: buttons.session.canGoBack
-            text: qsTr("All photographs")
-            hint: qsTr("Key: A")
-            onClicked: buttons.session.allPhotos()
-        }
-        TpButton {
-            width: buttons.half
-            text: qsTr("Where am I?")
-            hint: qsTr("Key: W")
-            onClicked: buttons.session.whereAmI()
-        }
-        TpButton {
-            width: buttons.half
             text: qsTr("Slower")
             hint: qsTr("%1. Key: minus").arg(buttons.session.speedText)
             onClicked: buttons.session.slower()
@@ -147,9 +138,9 @@ Column {
         }
         TpButton {
             width: buttons.half
-            text: qsTr("Look after it")
-            hint: qsTr("Names, recordings and descriptions of this photograph. Key: C")
-            onClicked: buttons.session.askCare()
+            text: qsTr("Where am I?")
+            hint: qsTr("Key: W")
+            onClicked: buttons.session.whereAmI()
         }
         TpButton {
             width: buttons.half
@@ -157,5 +148,12 @@ Column {
             hint: qsTr("Tells every key of this page. Key: H")
             onClicked: buttons.session.tellKeys()
         }
+    }
+    TpButton {
+        width: parent.width
+        visible: buttons.ready
+        text: qsTr("Look after this photograph")
+        hint: qsTr("Its names, recordings and descriptions. Key: C")
+        onClicked: buttons.session.askCare()
     }
 }

@@ -64,22 +64,40 @@ FocusScope {
         color: Theme.ground
     }
 
-    PhotoPane {
-        id: pane
-        objectName: "pane"
-        session: page.session
+    // The photograph and its words share a place of fixed size, so that the buttons stay where a hand expects them.
+    Item {
+        id: left
         visible: !page.listing && page.ready
-        focus: true
         x: 2 * Theme.gap
         y: 2 * Theme.gap
         width: page.wide ? page.width - panel.width - 6 * Theme.gap : page.width - 4 * Theme.gap
-        height: page.wide ? page.height - 4 * Theme.gap - (keys.visible ? keys.height + Theme.gap : 0)
-                          : Math.min(0.8 * width, 0.44 * page.height)
-    }
-    BrowseKeys {
-        id: keys
-        visible: page.wide && pane.visible && implicitHeight < 0.2 * page.height
-        anchors { left: pane.left; right: pane.right; bottom: parent.bottom; bottomMargin: 2 * Theme.gap }
+        height: page.wide ? page.height - 4 * Theme.gap : 0.56 * page.height
+
+        PhotoPane {
+            id: pane
+            objectName: "pane"
+            session: page.session
+            focus: true
+            width: parent.width
+            height: scroll.y - Theme.gap
+        }
+        TpScroll {
+            id: scroll
+            width: parent.width
+            height: Math.min(words.implicitHeight, 0.55 * parent.height)
+            y: parent.height - height - (keys.visible ? keys.height + Theme.gap : 0)
+
+            WordsPane {
+                id: words
+                width: parent.width
+                session: page.session
+            }
+        }
+        BrowseKeys {
+            id: keys
+            visible: page.wide && implicitHeight < 0.12 * page.height
+            anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        }
     }
     TpScroll {
         id: panel
@@ -87,13 +105,14 @@ FocusScope {
         visible: !page.listing
         margin: 6 // so that focus rings are whole
         width: !page.ready ? Math.min(page.width - 4 * Theme.gap, 640 * Theme.textScale)
-               : page.wide ? Math.min(380 * Theme.textScale, 0.5 * page.width) : page.width - 4 * Theme.gap
+               : page.wide ? Math.min(380 * Theme.textScale, 0.45 * page.width) : page.width - 4 * Theme.gap
         x: !page.ready ? 0.5 * (page.width - width) : page.wide ? page.width - width - 2 * Theme.gap : 2 * Theme.gap
-        y: page.wide || !page.ready ? 2 * Theme.gap : pane.y + pane.height + Theme.gap
+        y: page.wide || !page.ready ? 2 * Theme.gap : left.y + left.height + Theme.gap
         height: page.height - y - 2 * Theme.gap
 
         WordsPane {
             width: parent.width
+            visible: !page.ready
             session: page.session
         }
         BrowseButtons {

@@ -10,6 +10,7 @@ FocusScope {
     required property BrowseSession session
     readonly property bool searching: session.view === BrowseSession.Search
     readonly property int count: session.rows.length
+    property int current: -1 // the row that the keyboard was on last
 
     // Where the keyboard begins: the field of a search, or the row that was chosen last.
     function focusFirst() {
@@ -20,19 +21,20 @@ FocusScope {
     }
     function stepTo(index) {
         const row = rows.itemAt(index)
-        if (row)
+        if (row) {
             row.forceActiveFocus(Qt.OtherFocusReason)
-        else if (searching)
+        } else if (searching) {
+            current = -1
             field.forceActiveFocus(Qt.OtherFocusReason)
-        else
+        } else {
             backButton.forceActiveFocus(Qt.OtherFocusReason)
+        }
     }
-    function step(by) {
-        let now = -1
-        for (let i = 0; i < rows.count; ++i)
-            if (rows.itemAt(i).activeFocus)
-                now = i
-        stepTo(Math.min(now + by, rows.count - 1))
+    function step(by) { stepTo(Math.max(searching ? -1 : 0, Math.min(current + by, rows.count - 1))) }
+
+    Connections {
+        target: list.session
+        function onRowsChanged() { list.current = list.session.chosenRow }
     }
 
     TpHeading {
@@ -45,6 +47,7 @@ FocusScope {
     TpButton {
         id: backButton
         anchors.right: parent.right
+        width: Math.max(140, implicitWidth)
         text: qsTr("Back")
         hint: qsTr("Key: Backspace")
         onClicked: list.session.back()
@@ -73,7 +76,7 @@ FocusScope {
         color: Theme.quiet
     }
     TpScroll {
-        anchors { top: found.bottom; topMargin: Theme.gap; bottom: parent.bottom }
+        anchors { top: found.bottom; topMargin: Theme.gap; bottom: bar.top; bottomMargin: Theme.gap }
         width: parent.width
         margin: 6
 
@@ -90,8 +93,44 @@ FocusScope {
                 count: list.count
                 selected: index === list.session.chosenRow
                 onClicked: list.session.choose(index)
-                onActiveFocusChanged: if (activeFocus) list.session.reach(index)
+                onActiveFocusChanged: {
+                    if (!activeFocus)
+                        return
+                    list.current = index
+                    list.session.reach(index)
+                }
             }
+        }
+    }
+
+    // For a finger that does not see: where it goes from row to row and chooses, these stay.
+    Row {
+        id: bar
+        anchors.bottom: parent.bottom
+        width: parent.width
+        height: list.count > 0 ? implicitHeight : 0
+        visible: list.count > 0
+        spacing: Theme.gap
+        readonly property real third: (width - 2 * spacing) / 3
+
+        TpButton {
+            width: bar.third
+            text: qsTr("Up")
+            hint: qsTr("To the row before. Key: up arrow")
+            onClicked: list.stepTo(Math.max(0, list.current - 1))
+        }
+        TpButton {
+            width: bar.third
+            text: qsTr("Down")
+            hint: qsTr("To the next row. Key: down arrow")
+            onClicked: list.stepTo(Math.min(list.current + 1, list.count - 1))
+        }
+        TpButton {
+            width: bar.third
+            primary: true
+            text: qsTr("Choose")
+            hint: qsTr("The row that was told last. Key: Return")
+            onClicked: list.session.choose(list.current)
         }
     }
 }

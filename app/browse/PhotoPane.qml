@@ -38,6 +38,7 @@ FocusScope {
         horizontalAlignment: Text.AlignHCenter
     }
     GestureArea {
+        objectName: "gestures"
         anchors.fill: parent
         onTapped: { pane.forceActiveFocus(Qt.MouseFocusReason); pane.session.tap() }
         onDoubleTapped: pane.session.play()

@@ -9,18 +9,25 @@ Column {
 
     required property BrowseSession session
     readonly property bool ready: session.state === BrowseSession.Ready
-    spacing: Theme.gap
+    spacing: 0.5 * Theme.gap
 
-    TpHeading {
+    Item {
         width: parent.width
-        text: words.session.title
-    }
-    TpStatus {
-        width: parent.width
-        visible: words.ready
-        label: qsTr("Photograph")
-        text: words.session.placeText
-        color: Theme.quiet
+        height: Math.max(heading.implicitHeight, place.implicitHeight)
+        TpHeading {
+            id: heading
+            width: parent.width - (place.visible ? place.width + Theme.gap : 0)
+            text: words.session.title
+            textFormat: Text.PlainText
+        }
+        TpStatus {
+            id: place
+            anchors { right: parent.right; baseline: heading.baseline }
+            visible: words.ready
+            label: qsTr("Photograph")
+            text: words.session.placeText
+            color: Theme.quiet
+        }
     }
     TpStatus {
         width: parent.width

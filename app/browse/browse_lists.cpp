@@ -91,8 +91,8 @@ void BrowseSession::enter_level() {
         return;
     }
     list_rows();
-    emit levelChanged();
-    tell_list();
+    tell_list();         // to its end; then
+    emit levelChanged(); // the row that the keyboard comes to
 }
 
 void BrowseSession::back() {
@@ -202,18 +202,18 @@ void BrowseSession::tellFound() {
 }
 
 void BrowseSession::tell_list() {
+    narrator_.stop(); // an older list is of no interest
+    narrator_.tell(list_words(), Priority::message);
+}
+
+QString BrowseSession::list_words() const {
     if (view() == View::Search)
-        narrator_.tell(
-            found_.isEmpty()
-                ? tr("Search. Type a name, a place or a word; the arrow keys go through what is found.")
-                : tr("Search for %1: %2.").arg(typed(), found_),
-            Priority::touch);
-    else
-        narrator_.tell(rows_.isEmpty()
-                           ? tr("%1: there are none yet.", "a list").arg(title())
-                           : tr("%1: %2. Choose one with the arrow keys and Return.", "a list, how many")
-                                 .arg(title(), found_),
-                       Priority::touch);
+        return found_.isEmpty()
+                   ? tr("Search. Type a name, a place or a word; the arrow keys go through what is found.")
+                   : tr("Search for %1: %2.").arg(typed(), found_);
+    if (rows_.isEmpty())
+        return tr("%1: there are none yet.", "a list").arg(title());
+    return tr("%1: %2. Choose one with the arrow keys and Return.", "a list, how many").arg(title(), found_);
 }
 
 void BrowseSession::reach(int row) {

@@ -227,6 +227,7 @@ private:
     void list_matches();
     void add_row(const QString& text, const QString& detail, Choice choice);
     void tell_list();
+    QString list_words() const;
     void refuse(const QString& sentence);
     QString topic_words(const TopicEntry& topic) const;
     QString title_of(const std::string& kind) const;

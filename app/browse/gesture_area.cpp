@@ -33,6 +33,8 @@ void GestureArea::touchEvent(QTouchEvent* event) {
 }
 
 void GestureArea::touchUngrabEvent() {
+    if (fingers_.empty())
+        return; // it also comes when the last finger was lifted
     fingers_.clear();
     gestures_.cancel();
 }

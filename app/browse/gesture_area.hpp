@@ -43,7 +43,7 @@ protected:
 private:
     void look(qint64 now_ms);
 
-    TouchGestures gestures_;
+    StrokeGestures gestures_;
     std::map<int, QPointF> fingers_; ///< that are down
 };
 

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_track = 4096; ///< places; a finger that rests for an hour is none
 } // namespace
 
-std::optional<Gesture> TouchGestures::fingers(const std::vector<QPointF>& places, std::int64_t now_ms) {
+std::optional<Gesture> StrokeGestures::fingers(const std::vector<QPointF>& places, std::int64_t now_ms) {
     now_ms_ = now_ms;
     if (places.empty()) {
         const std::optional<Gesture> gesture = most_ > 0 ? complete() : std::nullopt;
@@ -37,12 +37,12 @@ std::optional<Gesture> TouchGestures::fingers(const std::vector<QPointF>& places
     return std::nullopt;
 }
 
-void TouchGestures::cancel() {
+void StrokeGestures::cancel() {
     most_ = 0;
     last_tap_.reset();
 }
 
-std::optional<Gesture> TouchGestures::complete() {
+std::optional<Gesture> StrokeGestures::complete() {
     if (!wandered_) {
         if (most_ == 1)
             return taps(Gesture::tap, Gesture::double_tap);
@@ -66,7 +66,7 @@ std::optional<Gesture> TouchGestures::complete() {
 }
 
 /// `once`, or `twice` where it follows one like it.
-std::optional<Gesture> TouchGestures::taps(Gesture once, Gesture twice) {
+std::optional<Gesture> StrokeGestures::taps(Gesture once, Gesture twice) {
     const QPointF at = from_.front();
     if (last_tap_ && last_tap_->once == once && began_ms_ - last_tap_->ended_ms <= sizes_.again_ms &&
         QLineF(last_tap_->at, at).length() <= sizes_.near_px) {
@@ -78,7 +78,7 @@ std::optional<Gesture> TouchGestures::taps(Gesture once, Gesture twice) {
 }
 
 /// How often the first finger went on across by a stroke's length, turning round each time.
-int TouchGestures::strokes_across() const {
+int StrokeGestures::strokes_across() const {
     int strokes = 0;
     double way = 0.0; // of the stroke that is being drawn: its sign and length so far
     double turn = track_.front().x();

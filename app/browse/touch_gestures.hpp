@@ -25,7 +25,7 @@ enum class Gesture {
 
 /// Tells gestures from the places of fingers. What a finger draws counts, not how fast: only the two taps of
 /// a double tap must follow one another in time, and each has a key.
-class TouchGestures {
+class StrokeGestures {
 public:
     struct Sizes {
         double still_px = 24.0;      ///< a tap may wander so far
@@ -33,8 +33,8 @@ public:
         double near_px = 80.0;       ///< the second tap is so near to the first
         std::int64_t again_ms = 700; ///< and begins so soon after it
     };
-    TouchGestures() = default;
-    explicit TouchGestures(Sizes sizes) : sizes_(sizes) {}
+    StrokeGestures() = default;
+    explicit StrokeGestures(Sizes sizes) : sizes_(sizes) {}
 
     /// The fingers that are down now, in the order of their ids; empty: all are up, and a gesture may be
     /// complete. `now_ms` on any clock that does not go back.

@@ -10,6 +10,7 @@ FocusScope {
 
     required property CareSession session
     readonly property bool wide: width > 1.15 * height && width > 900 * Theme.textScale
+    readonly property string help: qsTr("Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.")
     readonly property bool photoShown: session.photoOpen
 
     focus: true
@@ -42,10 +43,8 @@ FocusScope {
     }
     PhotoListPane {
         id: listPane
-        x: 2 * Theme.gap
-        y: 2 * Theme.gap
+        anchors { left: parent.left; top: parent.top; bottom: parent.bottom; margins: 2 * Theme.gap }
         width: page.wide ? 0.38 * page.width : page.width - 4 * Theme.gap
-        height: page.height - 4 * Theme.gap
         visible: page.wide || !page.session.photoOpen
         focus: true
         session: page.session
@@ -55,10 +54,8 @@ FocusScope {
     }
     PhotoPane {
         id: photoPane
-        x: page.wide ? listPane.x + listPane.width + 3 * Theme.gap : 2 * Theme.gap
-        y: 2 * Theme.gap
-        width: page.width - x - 2 * Theme.gap
-        height: page.height - 4 * Theme.gap
+        anchors { right: parent.right; top: parent.top; bottom: parent.bottom; margins: 2 * Theme.gap }
+        width: page.wide ? page.width - listPane.width - 7 * Theme.gap : page.width - 4 * Theme.gap
         visible: page.wide || page.session.photoOpen
         session: page.session
         onSoundsAsked: soundsDialog.open()

@@ -50,6 +50,7 @@ FocusScope {
 
                 PictureItem {
                     id: crop
+                    anchors.left: parent.left
                     width: 1.5 * Theme.target
                     height: 1.5 * Theme.target
                     picture: face.entry.picture
@@ -61,8 +62,7 @@ FocusScope {
                 }
                 TpListRow {
                     id: row
-                    x: crop.width + Theme.gap
-                    width: parent.width - x
+                    anchors { left: crop.right; leftMargin: Theme.gap; right: parent.right }
                     height: Math.max(implicitHeight, crop.height)
                     focus: true
                     text: face.entry.text || ""

@@ -38,7 +38,7 @@ FocusScope {
             width: parent.width
             focus: true
             label: field.label
-            placeholder: qsTr("Type a name and press Return, or choose one below.")
+            placeholder: qsTr("Type, or choose below")
             onTyped: (text) => field.look(text)
             onEntered: (text) => field.chosen(text)
         }

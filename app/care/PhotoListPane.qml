@@ -32,7 +32,7 @@ FocusScope {
                 const top = focused.mapToItem(list.contentItem, 0, 0).y
                 const wanted = Math.max(Math.min(list.contentY, top - Theme.gap),
                                         top + focused.height + Theme.gap - list.height)
-                list.contentY = Math.max(list.originY, wanted)
+                list.contentY = Math.max(list.originY - list.inset, wanted)
                 return
             }
     }
@@ -57,11 +57,19 @@ FocusScope {
         anchors.fill: parent
         spacing: Theme.gap
         clip: true
+        // Room for the ring round what has the keyboard.
+        readonly property real inset: 2 * Theme.ring
+        leftMargin: inset
+        rightMargin: inset
+        topMargin: inset
+        bottomMargin: inset
         focus: true
         boundsBehavior: Flickable.StopAtBounds
         highlightMoveDuration: 0
         model: pane.session.photos
         cacheBuffer: 400
+        // Who comes to the page comes to its first control.
+        onActiveFocusChanged: if (activeFocus && Window.activeFocusItem === list) list.headerItem.focusFirst()
         Keys.onUpPressed: (event) => event.accepted = step(-1)
         Keys.onDownPressed: (event) => event.accepted = step(1)
         Keys.onPressed: (event) => {
@@ -84,7 +92,7 @@ FocusScope {
         }
 
         header: FocusScope {
-            width: list.width
+            width: list.width - 2 * list.inset
             height: above.height + Theme.gap
             function focusFirst() { importPart.children[0].forceActiveFocus() }
 
@@ -139,14 +147,25 @@ FocusScope {
             required property string detail
             required property var picture
 
-            width: list.width
+            width: list.width - 2 * list.inset
             height: row.height
             function focusRow() { row.forceActiveFocus() }
 
+            PictureItem {
+                id: thumbnail
+                width: Theme.target
+                height: Theme.target
+                anchors { left: parent.left; verticalCenter: row.verticalCenter }
+                picture: item.picture
+                Accessible.ignored: true
+                MouseArea {
+                    anchors.fill: parent
+                    onClicked: row.clicked()
+                }
+            }
             TpListRow {
                 id: row
-                x: thumbnail.width + Theme.gap
-                width: parent.width - x
+                anchors { left: thumbnail.right; leftMargin: Theme.gap; right: parent.right }
                 height: Math.max(implicitHeight, thumbnail.height)
                 focus: true
                 activeFocusOnTab: item.ListView.isCurrentItem || activeFocus
@@ -160,18 +179,6 @@ FocusScope {
                     list.currentIndex = item.index
                     pane.session.openRow(item.index)
                     pane.opened()
-                }
-            }
-            PictureItem {
-                id: thumbnail
-                width: Theme.target
-                height: Theme.target
-                anchors.verticalCenter: row.verticalCenter
-                picture: item.picture
-                Accessible.ignored: true
-                MouseArea {
-                    anchors.fill: parent
-                    onClicked: row.clicked()
                 }
             }
         }

@@ -27,34 +27,6 @@ FocusScope {
             current: part.take.kind
             onPicked: (index) => part.take.kind = index
         }
-        Rectangle {
-            width: parent.width
-            height: meter.height + 2 * Theme.gap
-            visible: part.take.running
-            color: Theme.panel
-            radius: Theme.radius
-            Column {
-                id: meter
-                x: Theme.gap
-                y: Theme.gap
-                width: parent.width - 2 * Theme.gap
-                spacing: 8
-                TpStatus {
-                    width: parent.width
-                    label: part.take.stateText
-                    text: part.take.time
-                    font.pixelSize: Theme.bigSize
-                    font.bold: true
-                    color: part.take.paused ? Theme.quiet : Theme.accent
-                }
-                TpProgress {
-                    width: parent.width
-                    label: part.take.stateText
-                    valueText: qsTr("loudness: %1").arg(part.take.levelText)
-                    value: part.take.level
-                }
-            }
-        }
         Flow {
             width: parent.width
             spacing: Theme.gap
@@ -111,6 +83,34 @@ FocusScope {
                 width: Math.min(implicitWidth, parent.width)
                 text: qsTr("Add a sound file…")
                 onClicked: part.filesAsked()
+            }
+        }
+        Rectangle {
+            width: parent.width
+            height: meter.height + 2 * Theme.gap
+            visible: part.take.running
+            color: Theme.panel
+            radius: Theme.radius
+            Column {
+                id: meter
+                x: Theme.gap
+                y: Theme.gap
+                width: parent.width - 2 * Theme.gap
+                spacing: 8
+                TpStatus {
+                    width: parent.width
+                    label: part.take.stateText
+                    text: part.take.time
+                    font.pixelSize: Theme.bigSize
+                    font.bold: true
+                    color: part.take.paused ? Theme.quiet : Theme.accent
+                }
+                TpProgress {
+                    width: parent.width
+                    label: part.take.stateText
+                    valueText: qsTr("loudness: %1").arg(part.take.levelText)
+                    value: part.take.level
+                }
             }
         }
     }

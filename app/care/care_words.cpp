@@ -6,6 +6,7 @@
 #include "core/files/file_words.hpp"
 
 #include <QDateTime>
+#include <QHash>
 #include <QLocale>
 
 #include <algorithm>
@@ -53,6 +54,15 @@ QString CareWords::recording_details(const Tag& tag) {
         when.isValid())
         details << QLocale().toString(when.date(), QLocale::LongFormat);
     return details.join(", ");
+}
+
+QString CareWords::language(const QString& tag) {
+    // Where Qt takes a tag without a country for one with it.
+    static const QHash<QString, QString> plain{{"en", "English"}, {"es", "español"}, {"pt", "português"}, {"zh", "中文"}};
+    if (const auto name = plain.constFind(tag); name != plain.constEnd())
+        return *name;
+    const QLocale locale(tag);
+    return locale == QLocale::c() || locale.nativeLanguageName().isEmpty() ? tag : locale.nativeLanguageName();
 }
 
 QString CareWords::seconds(double seconds) { return tr("%1 seconds").arg(QLocale().toString(seconds, 'f', 1)); }

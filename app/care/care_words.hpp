@@ -25,6 +25,8 @@ public:
     static QString recording(const RecordingLabel& label);
     /// "12 seconds, spoken by Tom, 1 May 2026"
     static QString recording_details(const Tag& tag);
+    /// A language in its own words, "Deutsch"; the tag itself (BCP 47) where it is not known.
+    static QString language(const QString& tag);
     /// "1.2 seconds"
     static QString seconds(double seconds);
     /// "1:05", for the eye.

@@ -2,9 +2,8 @@
 #include "app/care/description_care.hpp"
 
 #include "app/album/metadata/read_record.hpp"
+#include "app/care/care_words.hpp"
 #include "app/care/described_in.hpp"
-
-#include <QLocale>
 
 #include <utility>
 
@@ -38,7 +37,7 @@ void DescriptionCare::read() {
     emit changed();
 }
 
-QString DescriptionCare::languageName() const { return QLocale(language_()).nativeLanguageName(); }
+QString DescriptionCare::languageName() const { return CareWords::language(language_()); }
 
 void DescriptionCare::typeAltText(const QString& text) {
     if (text == alt_text_)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/care/picture_item.hpp"
 
+#include <QImage>
 #include <QPainter>
 
 #include <algorithm>
@@ -12,17 +13,18 @@ PictureItem::PictureItem(QQuickItem* parent) : QQuickPaintedItem(parent) {
 }
 
 void PictureItem::paint(QPainter* painter) {
-    if (picture_.isNull() || width() <= 0.0 || height() <= 0.0)
+    const auto picture = picture_.value<QImage>();
+    if (picture.isNull() || width() <= 0.0 || height() <= 0.0)
         return;
     painter->setRenderHint(QPainter::SmoothPixmapTransform);
-    const double across = width() / picture_.width(), down = height() / picture_.height();
+    const double across = width() / picture.width(), down = height() / picture.height();
     const double scale = whole_ ? std::min(across, down) : std::max(across, down);
-    const QSizeF shown = whole_ ? QSizeF(picture_.size()) : QSizeF(width() / scale, height() / scale);
-    const QRectF part(0.5 * (picture_.width() - shown.width()), 0.5 * (picture_.height() - shown.height()),
+    const QSizeF shown = whole_ ? QSizeF(picture.size()) : QSizeF(width() / scale, height() / scale);
+    const QRectF part(0.5 * (picture.width() - shown.width()), 0.5 * (picture.height() - shown.height()),
                       shown.width(), shown.height());
     const QRectF place(0.5 * (width() - scale * shown.width()), 0.5 * (height() - scale * shown.height()),
                        scale * shown.width(), scale * shown.height());
-    painter->drawImage(place, picture_, part);
+    painter->drawImage(place, picture, part);
 }
 
 } // namespace tp

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QImage>
 #include <QQuickPaintedItem>
+#include <QVariant>
 #include <QtQml/qqmlregistration.h>
 
 namespace tp {
 
 /// A picture that fills the item, its middle where it has another shape, or as much of the item as shows it `whole`;
-/// nothing for a null one.
+/// nothing for a null one, or for no picture at all.
 class PictureItem : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    Q_PROPERTY(QImage picture MEMBER picture_ NOTIFY changed)
+    Q_PROPERTY(QVariant picture MEMBER picture_ NOTIFY changed)
     Q_PROPERTY(bool whole MEMBER whole_ NOTIFY changed)
 public:
     explicit PictureItem(QQuickItem* parent = nullptr);
@@ -22,7 +22,7 @@ signals:
     void changed();
 
 private:
-    QImage picture_;
+    QVariant picture_; ///< a QImage
     bool whole_ = false;
 };
 

@@ -112,11 +112,8 @@ QStringList RecordingList::languages() const {
 
 QStringList RecordingList::languageNames() const {
     QStringList names;
-    for (const QString& one : languages()) {
-        const QLocale locale(one);
-        const QString own = locale.nativeLanguageName();
-        names << (one.isEmpty() ? tr("Not said") : locale == QLocale::c() || own.isEmpty() ? one : own);
-    }
+    for (const QString& one : languages())
+        names << (one.isEmpty() ? tr("Not said") : CareWords::language(one));
     return names;
 }
 

@@ -15,13 +15,17 @@ WaveformItem::WaveformItem(QQuickItem* parent) : QQuickPaintedItem(parent) {
 void WaveformItem::paint(QPainter* painter) {
     if (peaks_.isEmpty())
         return;
-    const double step = width() / static_cast<double>(peaks_.size());
+    constexpr double step = 4.0, bar = 3.0; // px, so that all bars are equally broad
+    const auto bars = std::max<qsizetype>(1, static_cast<qsizetype>(width() / step));
+    const qsizetype peaks = peaks_.size();
     painter->setPen(Qt::NoPen);
-    for (qsizetype i = 0; i < peaks_.size(); ++i) {
-        const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(peaks_.size());
-        const double half = std::max(1.0, 0.5 * height() * std::sqrt(static_cast<double>(peaks_[i]))); // soft voices show
+    for (qsizetype i = 0; i < bars; ++i) {
+        const qsizetype begin = i * peaks / bars, end = std::max(begin + 1, (i + 1) * peaks / bars);
+        const float peak = *std::max_element(peaks_.begin() + begin, peaks_.begin() + end);
+        const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(bars);
+        const double half = std::max(1.0, 0.5 * height() * std::sqrt(static_cast<double>(peak))); // soft voices show
         painter->setBrush(middle >= from_ && middle <= to_ ? color_ : dim_color_);
-        painter->drawRect(QRectF(static_cast<double>(i) * step, 0.5 * height() - half, std::max(1.0, 0.75 * step), 2.0 * half));
+        painter->drawRect(QRectF(static_cast<double>(i) * step, 0.5 * height() - half, bar, 2.0 * half));
     }
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/browse/browse_session.hpp"
+#include "app/care/care_session.hpp"
 #include "app/controls/notification_announcer.hpp"
 #include "app/album/open/open_album.hpp"
 #include "app/explore/explore_session.hpp"
+#include "app/mend/mend_session.hpp"
 #include "app/narration/narrator.hpp"
 #include "app/preferences/preferences.hpp"
 #include "app/settings/settings_session.hpp"
@@ -13,12 +16,15 @@
 #include "audio/guide/sonified_guide.hpp"
 #include "audio/guide/vibration.hpp"
 #include "audio/sound/earcon_player.hpp"
+#include "audio/sound/recorder_worker.hpp"
+#include "audio/sound/sound_output.hpp"
 
 #include <QObject>
 #include <QString>
 #include <QVariantMap>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -27,8 +33,8 @@ namespace tp {
 /// What the program is made of that differs between a person's computer and a test.
 struct ProgramParts {
     Voice& voice;
-    SoundOutput& earcon_output;
-    SoundOutput& guide_output; ///< of the sonified guide, beside the earcons
+    std::function<std::unique_ptr<SoundOutput>()> make_loudspeaker; ///< each thing that sounds has one to itself
+    MakeInput make_microphone;
     std::filesystem::path preferences; ///< file
     std::filesystem::path cache;       ///< folder
     ExploreSettings explore;
@@ -56,7 +62,10 @@ public:
     Preferences& preferences() { return preferences_; }
     StartSession& start() { return start_; }
     OpenAlbum& album();
+    BrowseSession& browse();
     ExploreSession& explore();
+    CareSession& care();
+    MendSession& mend();
     SettingsSession& settings();
 
     /// The sound of the start, at once, and then the page: Start, or Explore with `photo` where one is given.
@@ -72,7 +81,14 @@ signals:
     void language_changed();
 
 private:
+    struct Playing;
+    struct Browsing;
+    struct Caring;
+
     void add_pages();
+    void enter_explore();
+    void feel(const QString& photo);
+    void care_for(const QString& photo);
     void follow_choices();
 
     ProgramParts parts_;
@@ -80,14 +96,19 @@ private:
     Languages languages_; ///< before anything that has words
     NotificationAnnouncer announcer_;
     Narrator narrator_;
+    std::unique_ptr<SoundOutput> earcon_output_;
     EarconPlayer earcons_;
+    std::unique_ptr<SoundOutput> guide_output_;
     NoVibration vibration_;
     SonifiedGuide guide_;
     Shell shell_;
     bool discard_index_ = false; ///< when nobody has it open any more
     std::unique_ptr<OpenAlbum> album_;
     StartSession start_;
+    std::unique_ptr<Browsing> browsing_;
     std::unique_ptr<ExploreSession> explore_;
+    std::unique_ptr<Caring> caring_;
+    std::unique_ptr<MendSession> mend_;
     std::unique_ptr<SettingsSession> settings_;
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/shell/program_window.hpp"
 
+#include "app/browse/browse_module.hpp"
+#include "app/care/care_module.hpp"
 #include "app/explore/explore_module.hpp"
+#include "app/mend/mend_module.hpp"
 #include "app/settings/settings_module.hpp"
 #include "app/start/start_module.hpp"
 
@@ -18,7 +21,10 @@ namespace tp {
 ProgramWindow::ProgramWindow(Program& program) {
     qml_register_types_TouchPhoto_Shell();
     register_start();
+    register_browse();
     register_explore();
+    register_care();
+    register_mend();
     register_settings();
     setResizeMode(SizeRootObjectToView);
     setMinimumSize({480, 560});

@@ -16,8 +16,7 @@ namespace tp {
 class LoudspeakerWorker final : public QObject {
     Q_OBJECT
 public:
-    /// `buffer_ms`: the buffer to ask the system for; 0: its own choice.
-    explicit LoudspeakerWorker(int buffer_ms);
+    LoudspeakerWorker();
     ~LoudspeakerWorker() override;
 
     void start(quint64 run, std::shared_ptr<SoundSource> source);
@@ -36,7 +35,6 @@ private:
     void look_at_devices();
     void lose();
 
-    int buffer_ms_;
     quint64 run_ = 0;
     std::unique_ptr<SourceDevice> device_;
     std::unique_ptr<QAudioSink> sink_; ///< null: nothing plays
@@ -45,6 +43,7 @@ private:
     QTimer look_;
     int looks_ = 0;       ///< since the last look at the devices
     int looks_alike_ = 0; ///< since something new was heard
+    bool keeps_up_ = true; ///< with a short buffer, as far as is known
     bool lost_ = false;   ///< a loudspeaker is waited for
     int waited_looks_ = 0;
 };

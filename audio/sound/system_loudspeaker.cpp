@@ -9,12 +9,10 @@ namespace tp {
 
 namespace {
 constexpr int longest_goodbye_ms = 2000;
-constexpr int brief_ms = 100; ///< asked for; Qt 6.4 on PulseAudio takes 70 of it, and stands still with 50
 } // namespace
 
-SystemLoudspeaker::SystemLoudspeaker(Buffering buffering, QObject* parent)
-    : SoundOutput(parent), thread_(new QThread),
-      worker_(new LoudspeakerWorker(buffering == Buffering::brief ? brief_ms : 0)) {
+SystemLoudspeaker::SystemLoudspeaker(QObject* parent)
+    : SoundOutput(parent), thread_(new QThread), worker_(new LoudspeakerWorker) {
     thread_->setObjectName("loudspeaker");
     worker_->moveToThread(thread_);
     connect(thread_, &QThread::finished, worker_, &QObject::deleteLater);

@@ -9,19 +9,12 @@ namespace tp {
 
 class LoudspeakerWorker;
 
-/// How far ahead of the ear a loudspeaker asks for sound.
-enum class Buffering {
-    usual, ///< as the system likes it: with Qt 6.4 on PulseAudio 200 ms
-    brief, ///< for sound that answers a finger: there 70 ms, of which 20–40 ms are filled. Where a system does not keep
-           ///< up with that, the next sound has the usual one
-};
-
 /// This system's loudspeaker, the default one, on a thread of its own, so that a page that is busy is not
 /// heard.
 class SystemLoudspeaker final : public SoundOutput {
     Q_OBJECT
 public:
-    explicit SystemLoudspeaker(Buffering buffering = Buffering::usual, QObject* parent = nullptr);
+    explicit SystemLoudspeaker(QObject* parent = nullptr);
     /// Leaves a sound server that hangs where it hangs rather than keep the program from ending.
     ~SystemLoudspeaker() override;
 

@@ -62,7 +62,8 @@ struct BrowseBench {
         }
         return std::nullopt;
     }
-    /// The strongest tone in the last so many seconds of what was heard of recordings, Hz by its zero crossings; 0: silence.
+    /// The strongest tone in the last so many seconds of what was heard of recordings, Hz by its zero
+    /// crossings; 0: silence.
     double tone(double seconds) {
         const std::vector<float>& heard = loudspeaker.heard;
         const auto count = std::min(heard.size(), static_cast<std::size_t>(seconds * sound_rate));

@@ -43,8 +43,9 @@ private slots:
         bench.drawn.five();
         bench.start();
         QCOMPARE(bench.session->state(), State::Ready);
-        QCOMPARE(bench.voice.said(), QStringList("Your photographs, 1 of 5: February 2024, Vienna; no recordings yet. Swipe "
-                                                 "or use the arrow keys to go on."));
+        QCOMPARE(bench.voice.said(),
+                 QStringList("Your photographs, 1 of 5: February 2024, Vienna; no recordings yet. Swipe "
+                             "or use the arrow keys to go on."));
     }
 
     void one_photograph_after_the_other_with_sounds_that_say_so() {
@@ -339,7 +340,8 @@ private slots:
         QVERIFY(bench.said().startsWith("Search."));
         bench.session->type("an");
         QCOMPARE(bench.row_texts().mid(0, 1), QStringList("Anna"));
-        QCOMPARE(bench.session->rows().at(0).toMap()["detail"].toString(), QString("person, 2 photograph(s)"));
+        QCOMPARE(bench.session->rows().at(0).toMap()["detail"].toString(),
+                 QString("person, 2 photograph(s)"));
         QCOMPARE(bench.session->rows().size(), 3);
         bench.session->tellFound();
         QCOMPARE(bench.said(), QString("2 photograph(s), 1 suggestion(s)."));
@@ -399,7 +401,8 @@ private slots:
     void a_start_returns_to_where_one_was() {
         AtGarden bench;
         bench.session->next();
-        QCOMPARE(bench.drawn.preferences.choices().last_photo, QString::fromStdString(bench.five.walk.string()));
+        QCOMPARE(bench.drawn.preferences.choices().last_photo,
+                 QString::fromStdString(bench.five.walk.string()));
         bench.session.reset();
         bench.start();
         QCOMPARE(bench.session->photo(), QString::fromStdString(bench.five.walk.string()));
@@ -412,9 +415,10 @@ private slots:
         bench.session.reset();
         bench.drawn.album.reset();
         fs::remove_all(bench.drawn.folder / "cache");
-        bench.drawn.album = std::make_unique<OpenAlbum>(bench.drawn.folder / "cache", bench.drawn.preferences);
-        bench.session = std::make_unique<BrowseSession>(*bench.drawn.album, bench.narrator, bench.earcons, bench.player,
-                                                        bench.drawn.preferences);
+        bench.drawn.album =
+            std::make_unique<OpenAlbum>(bench.drawn.folder / "cache", bench.drawn.preferences);
+        bench.session = std::make_unique<BrowseSession>(*bench.drawn.album, bench.narrator, bench.earcons,
+                                                        bench.player, bench.drawn.preferences);
         QCOMPARE(bench.session->state(), State::Looking);
         bench.session->enter();
         QCOMPARE(bench.said(), QString("Looking for photographs in your folders."));
@@ -440,7 +444,8 @@ private slots:
         bench.loudspeaker.play(0.1);
         fs::remove(bench.five.garden);
         QTRY_COMPARE(bench.session->photo(), QString::fromStdString(bench.five.walk.string()));
-        QCOMPARE(bench.said(), QString("garden.jpg is gone from this list. Now: Anna and Ben, June 2026; 1 recording(s)."));
+        QCOMPARE(bench.said(),
+                 QString("garden.jpg is gone from this list. Now: Anna and Ben, June 2026; 1 recording(s)."));
         QVERIFY(!bench.session->playing());
         QCOMPARE(bench.session->placeText(), QString("4 of 4"));
     }
@@ -520,7 +525,8 @@ private slots:
 
     void other_pages_are_asked_for_by_photograph() {
         AtGarden bench;
-        QSignalSpy explore(bench.session.get(), &BrowseSession::exploreAsked), care(bench.session.get(), &BrowseSession::careAsked);
+        QSignalSpy explore(bench.session.get(), &BrowseSession::exploreAsked),
+            care(bench.session.get(), &BrowseSession::careAsked);
         bench.session->askExplore();
         bench.session->askCare();
         QCOMPARE(explore.at(0).at(0).toString(), QString::fromStdString(bench.five.garden.string()));

@@ -14,7 +14,7 @@ using Places = std::vector<QPointF>;
 
 /// Fingers on glass, with a clock of their own.
 struct Hand {
-    TouchGestures gestures;
+    StrokeGestures gestures;
     std::int64_t now_ms = 1000;
 
     std::optional<Gesture> put(const Places& places) { return gestures.fingers(places, now_ms += 8); }

@@ -38,6 +38,13 @@ private slots:
         QCOMPARE(CareWords::clock(-1.0), QString("0:00"));
     }
 
+    void a_language_is_called_as_those_call_it_who_speak_it() {
+        QCOMPARE(CareWords::language("de"), QString("Deutsch"));
+        QCOMPARE(CareWords::language("en"), QString("English"));
+        QCOMPARE(CareWords::language("ko"), QString("한국어"));
+        QCOMPARE(CareWords::language("tlh"), QString("tlh"));
+    }
+
     void a_photograph_is_told_by_people_recordings_and_a_missing_description() {
         PhotoRecord record;
         QCOMPARE(CareWords::photo_details(record, "en"), QString("No description."));

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page_window.hpp"
+#include "whole_program.hpp"
+
+#include <QRegularExpression>
+#include <QTranslator>
+
+using namespace tp;
+
+namespace {
+
+const QStringList every_page{"start", "browse", "explore", "care", "mend", "settings"};
+
+/// Marks every text that goes through translation, and makes it longer as other languages are.
+class PseudoLocale final : public QTranslator {
+public:
+    QString translate(const char*, const char* source, const char*, int n) const override {
+        QString text = QString::fromUtf8(source);
+        if (n >= 0)
+            text.replace("%n", QString::number(n));
+        return "⟦" + text + QString(text.size() / 3, '~') + "⟧";
+    }
+    bool isEmpty() const override { return false; }
+};
+
+/// Where a page has all that it shows.
+void settle(WholeProgram& whole) {
+    QTRY_VERIFY_WITH_TIMEOUT(!whole.program->album().scanning(), 60000);
+    QTest::qWait(50);
+}
+
+} // namespace
+
+class PagesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { QAccessible::setActive(true); }
+    void cleanup() { QCOMPARE(Warnings::all().join('\n'), QString()); }
+
+    void everything_on_every_page_has_a_name_a_size_and_its_turn_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<double>("text");
+        QTest::addColumn<QString>("language");
+        QTest::newRow("wide") << QSize(1280, 800) << 1.0 << "en";
+        QTest::newRow("tall, large text, German") << QSize(800, 1280) << 2.0 << "de";
+        QTest::newRow("wide, large text, Korean") << QSize(1280, 800) << 2.0 << "ko";
+    }
+    void everything_on_every_page_has_a_name_a_size_and_its_turn() {
+        QFETCH(QSize, size);
+        QFETCH(double, text);
+        QFETCH(QString, language);
+        const Warnings warnings;
+        Choices choices = WholeProgram::asked();
+        choices.text_scale = text;
+        choices.language = language;
+        WholeProgram whole(choices);
+        whole.window->resize(size);
+        whole.window->show();
+        whole.window->requestActivate();
+        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        for (const QString& page : every_page) {
+            whole.shell().open(page);
+            settle(whole);
+            QVERIFY2(whole.window->activeFocusItem() != nullptr, qPrintable(page));
+            QCOMPARE(page + PageWindow::faulty_targets(*whole.window, 48.0).join("; "), page);
+            const QStringList tabbed = PageWindow::tab_order(*whole.window);
+            QVERIFY2(!tabbed.contains("no way round"), qPrintable(page + ": " + tabbed.join(", ")));
+        }
+    }
+
+    void escape_leads_home_from_everywhere() {
+        const Warnings warnings;
+        WholeProgram whole;
+        whole.window->show();
+        whole.window->requestActivate();
+        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        for (const QString& page : every_page) {
+            whole.shell().open(page);
+            settle(whole);
+            for (int i = 0; i < 4 && !whole.shell().home(); ++i)
+                QTest::keyClick(whole.window.get(), Qt::Key_Escape);
+            QVERIFY2(whole.shell().home(), qPrintable(page));
+        }
+    }
+
+    void every_page_says_where_one_is_and_has_help() {
+        const Warnings warnings;
+        WholeProgram whole;
+        whole.window->show();
+        whole.window->requestActivate();
+        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        for (const QString& page : every_page) {
+            whole.voice.clear();
+            whole.shell().open(page);
+            settle(whole);
+            QVERIFY2(!whole.voice.said().isEmpty(), qPrintable(page));
+            whole.voice.clear();
+            QTest::keyClick(whole.window.get(), Qt::Key_F1);
+            QVERIFY2(whole.voice.said().size() == 1 && whole.voice.said()[0].size() > 200, qPrintable(page));
+        }
+    }
+
+    void no_text_escapes_translation() {
+        const Warnings warnings;
+        PseudoLocale pseudo;
+        WholeProgram whole;
+        QCoreApplication::installTranslator(&pseudo);
+        const auto back = qScopeGuard([&] { QCoreApplication::removeTranslator(&pseudo); });
+        emit whole.program->language_changed();
+        whole.window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QStringList untranslated;
+        for (const QString& page : every_page) {
+            whole.shell().open(page);
+            settle(whole);
+            for (QAccessibleInterface* one : PageWindow::everything(*whole.window)) {
+                const QString name = one->text(QAccessible::Name);
+                const bool says_something = name.contains(QRegularExpression("[A-Za-z]{3}"));
+                const bool is_data = name.contains(whole.folder.path()) || name.contains(".jpg") ||
+                                     QStringList{"English", "Deutsch"}.contains(name.section(": ", -1));
+                if (says_something && !is_data && !name.contains("⟦"))
+                    untranslated << page + ": " + name;
+            }
+            for (const QString& said : whole.voice.said())
+                if (!said.contains("⟦") && said.contains(' '))
+                    untranslated << page + " says: " + said;
+            whole.voice.clear();
+        }
+        untranslated.removeDuplicates();
+        QCOMPARE(untranslated.join('\n'), QString());
+    }
+
+    void the_language_changes_while_the_program_runs() {
+        const Warnings warnings;
+        WholeProgram whole;
+        whole.window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        whole.shell().open("settings");
+        QCOMPARE(whole.window->title(), QString("Settings – TouchPhoto"));
+        whole.program->settings().chooseLanguage(2);
+        QCOMPARE(whole.voice.language(), QString("de"));
+        QCOMPARE(whole.window->title(), QString("Einstellungen – TouchPhoto"));
+        QTRY_VERIFY(PageWindow::named(*whole.window, "Farben: Dunkel") != nullptr);
+        whole.program->settings().chooseLanguage(1);
+        QTRY_VERIFY(PageWindow::named(*whole.window, "Colours: Dark") != nullptr);
+    }
+
+    void colours_and_sizes_follow_at_once() {
+        const Warnings warnings;
+        WholeProgram whole;
+        whole.window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        whole.shell().open("settings");
+        const QColor dark = whole.window->grabWindow().pixelColor(2, 400);
+        whole.program->settings().chooseTheme(1);
+        const QColor light = whole.window->grabWindow().pixelColor(2, 400);
+        QVERIFY(dark.lightness() < 40 && light.lightness() > 215);
+    }
+};
+
+QTEST_MAIN(PagesTest)
+#include "pages_test.moc"

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/shell/program_window.hpp"
+#include "audio/speech/recording_voice.hpp"
+#include "fake_loudspeaker.hpp"
+#include "fake_microphone.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QString>
+#include <QTemporaryDir>
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+/// The program with everything but the machine: its voice is remembered, its loudspeakers and its microphone are the
+/// test's, its album is a folder of sample portraits.
+class WholeProgram {
+public:
+    explicit WholeProgram(const tp::Choices& choices = asked()) {
+        QDir().mkpath(folder.filePath("Family"));
+        for (const char* name : {"anna_smiling.jpg", "ben_and_clara.jpg", "ben_smiling.jpg"})
+            QFile::copy(QString(TP_SOURCE_DIR "/resources/samples/") + name, folder.filePath(QString("Family/") + name));
+        tp::Choices with_album = choices;
+        with_album.folders = {folder.filePath("Family")};
+        {
+            tp::Preferences kept(file("preferences.json"));
+            kept.set(with_album);
+        }
+        tp::ProgramParts parts{voice,
+                               [] { return std::make_unique<tp::testing::FakeLoudspeaker>(); },
+                               [] { return std::make_unique<tp::testing::FakeMicrophone>(); },
+                               file("preferences.json"),
+                               file("cache"),
+                               {},
+                               [] { return std::vector<tp::FoundDevice>(); }};
+        program = std::make_unique<tp::Program>(std::move(parts));
+        program->begin({});
+        window = std::make_unique<tp::ProgramWindow>(*program);
+    }
+    ~WholeProgram() {
+        window.reset();
+        program.reset();
+    }
+
+    static tp::Choices asked() {
+        tp::Choices choices;
+        choices.asked = true;
+        choices.language = "en";
+        return choices;
+    }
+    std::filesystem::path file(const char* name) const { return folder.filePath(name).toStdString(); }
+    tp::Shell& shell() { return program->shell(); }
+
+    QTemporaryDir folder;
+    tp::RecordingVoice voice;
+    std::unique_ptr<tp::Program> program;
+    std::unique_ptr<tp::ProgramWindow> window;
+};

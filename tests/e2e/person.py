@@ -1,0 +1,112 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""A blind person alone with the program: from its start, by keys and a screen reader's actions only, through the questions,
+an album of five photographs, its recordings, a face with its tour and zoom, a search and the speed of speech. What the
+program says is asserted in order; recordings are heard in what the sound server played.
+
+person.py PROGRAM LAB PHOTOS...    ends in 77 where something that it needs is missing
+"""
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+import desk
+import sound_server
+from album import Album, preferences, tone
+
+FIRST_HZ, SECOND_HZ = 660, 880  # of the recordings, so that each is told from the other by its pitch
+
+
+def seconds_of(samples, hz, rate=sound_server.RATE):
+    """How long a pitch was heard: windows of 50 ms in which it holds most of the energy."""
+    width = rate // 20
+    count = 0
+    for begin in range(0, len(samples) - width, width):
+        block = samples[begin : begin + width]
+        energy = (block**2).sum()
+        if energy < 1e-4:
+            continue
+        phase = 2 * np.pi * hz * np.arange(width) / rate
+        share = 2 * ((block @ np.cos(phase)) ** 2 + (block @ np.sin(phase)) ** 2) / (width * energy)
+        count += share > 0.8
+    return count / 20
+
+
+class Person:
+    def __init__(self, folder, page, listener):
+        self.folder, self.page, self.listener = folder, page, listener
+
+    def hears(self, *sentences):
+        self.listener.await_words(*sentences)
+        for sentence in sentences:
+            print(f"heard: {sentence}")
+
+    def answers_the_five_questions(self):
+        self.page.await_name("1: Yes")
+        self.page.press("3: My screen reader shall speak")
+        self.hears("Question 2 of 5. How fast shall it speak?")
+        self.page.keys("4")
+        self.hears("Question 3 of 5.")
+        self.page.keys("1")
+        self.hears("Question 4 of 5. No force device was found.")
+        self.page.keys("1")
+        self.hears("Question 5 of 5. Where are your photographs?")
+        self.page.press("In another folder" if self.page.find("In another folder") else "1: In another folder")
+        self.hears("Folder ")
+        self.page.press("Family…", self.page.atspi.ROLE_LIST_ITEM)
+        self.hears("Folder Family: 5 photographs in this folder itself")
+        self.page.press("Take this folder")
+        self.hears("TouchPhoto, start page. 1: Listen to photographs. 2: Feel a face.")
+
+    def browses_and_hears_a_recording(self):
+        ear = sound_server.Ear(self.folder, "ear")
+        self.page.keys("1")
+        self.hears("1 of 5")
+        self.page.keys("Return")
+        self.await_silence_after(FIRST_HZ)
+        self.page.keys("Right")
+        self.hears("2 of 5")
+        heard = ear.heard()
+        first, second = seconds_of(heard, FIRST_HZ), seconds_of(heard, SECOND_HZ)
+        print(f"of the first photograph's recording {first:.2f} s were heard, of the second's {second:.2f} s")
+        assert first >= 1.5, first
+        assert second == 0, second
+
+    def await_silence_after(self, _):
+        time.sleep(4)
+
+
+def inner(program, lab, photos):
+    with tempfile.TemporaryDirectory() as folder, desk.Desk():
+        server = sound_server.Server(folder)
+        album = Album(lab, photos, folder)
+        album.run("tag", "add", "--from", tone(os.path.join(folder, "1.wav"), FIRST_HZ, 2.0), "--kind", "memo", album.photos[0])
+        album.run("tag", "add", "--from", tone(os.path.join(folder, "2.wav"), SECOND_HZ, 2.0), "--kind", "story", album.photos[1])
+        environment = dict(os.environ, XDG_CONFIG_HOME=folder + "/config", XDG_CACHE_HOME=folder + "/cache", HOME=folder)
+        listener = desk.Listener()
+        running = subprocess.Popen([program], env=environment)
+        try:
+            person = Person(folder, desk.Page(), listener)
+            person.answers_the_five_questions()
+            person.browses_and_hears_a_recording()
+            assert running.poll() is None, "the program has ended"
+            print("PASS")
+            return 0
+        except AssertionError as fault:
+            print(f"FAIL: {fault}")
+            return 1
+        finally:
+            running.terminate()
+            running.wait(timeout=20)
+            server.end()
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    sys.exit(inner(sys.argv[1], sys.argv[2], sys.argv[3:]) if desk.is_at_a_desk()
+             else desk.at_a_desk(__file__, "xdotool", "pulseaudio", "pactl", "parec"))

@@ -11,10 +11,18 @@ FocusScope {
     required property ExploreSession session
     property var announcer: null // where the page is a window of its own
     readonly property string help: panel.help
-    readonly property bool wide: width > 1.15 * height
+    readonly property bool wide: width > 1.15 * height && width >= 640 * Theme.textScale
+    readonly property bool tight: !wide && height > 0 && height < 640 * Theme.textScale // the surface scrolls with the rest
 
     focus: true
+    onTightChanged: Qt.callLater(keyboardToSurface)
 
+    // The surface lies in the panel's focus scope where it scrolls with the rest.
+    function keyboardToSurface() {
+        surface.focus = true
+        if (tight)
+            panel.focus = true
+    }
     function openDialog() {
         const first = !dialog.active
         dialog.active = true
@@ -65,12 +73,16 @@ FocusScope {
         rowSpacing: 2 * Theme.gap
 
         Item {
+            id: slot
+            visible: !page.tight
             Layout.fillWidth: true
             Layout.fillHeight: page.wide
-            Layout.preferredHeight: page.wide ? -1 : Math.min(0.75 * width, 0.5 * page.height)
+            Layout.preferredHeight: page.wide ? -1 : Math.min(0.75 * width, 0.6 * page.height)
             SurfaceView {
+                id: surface
                 objectName: "surface"
                 session: page.session
+                parent: page.tight ? panel.slot : slot
                 anchors.centerIn: parent
                 readonly property real aspect: page.session.surfaceWidth / page.session.surfaceHeight
                 width: Math.min(parent.width, parent.height * aspect)
@@ -81,6 +93,7 @@ FocusScope {
         SidePanel {
             id: panel
             session: page.session
+            holdsSurface: page.tight
             Layout.fillHeight: true
             Layout.fillWidth: !page.wide
             Layout.preferredWidth: page.wide ? Math.min(380 * Theme.textScale, 0.5 * page.width) : -1

@@ -83,11 +83,19 @@ Item {
         border.width: 2
         border.color: Theme.ground
     }
-    Rectangle { // how strong
-        readonly property real away: Math.max(18, marks.arrowLength) + 34
+    Rectangle { // how strong: beyond the arrow's tip, or behind the hand where there is no room
         readonly property real angle: marks.arrowAngle * Math.PI / 180
-        x: Math.max(0, Math.min(marks.width - width, marks.fingerX + away * Math.cos(angle) - width / 2))
-        y: Math.max(0, Math.min(marks.height - height, marks.fingerY + away * Math.sin(angle) - height / 2))
+        readonly property real reach: 0.5 * Math.hypot(width * Math.cos(angle), height * Math.sin(angle)) + 10
+        readonly property real away: Math.max(18, marks.arrowLength) + reach
+        readonly property real behind: Math.hypot(marks.fingerX - marks.pointerX, marks.fingerY - marks.pointerY) + 16 + reach
+        readonly property real beyondX: marks.fingerX + away * Math.cos(angle)
+        readonly property real beyondY: marks.fingerY + away * Math.sin(angle)
+        readonly property bool room: beyondX > width / 2 && beyondX < marks.width - width / 2
+                                     && beyondY > height / 2 && beyondY < marks.height - height / 2
+        readonly property real middleX: room ? beyondX : marks.fingerX - behind * Math.cos(angle)
+        readonly property real middleY: room ? beyondY : marks.fingerY - behind * Math.sin(angle)
+        x: Math.max(0, Math.min(marks.width - width, middleX - width / 2))
+        y: Math.max(0, Math.min(marks.height - height, middleY - height / 2))
         width: newtons.width + 14
         height: newtons.height + 6
         radius: 6

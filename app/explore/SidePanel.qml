@@ -11,7 +11,11 @@ TpScroll {
     required property ExploreSession session
     readonly property bool ready: session.state === ExploreSession.Ready
     readonly property alias help: keys.text
+    property bool holdsSurface: false   // on a small page the touch surface scrolls with the rest …
+    readonly property alias slot: slot  // … and lies here, never so high that there is no room left to scroll by
     signal openAsked
+
+    margin: Theme.ring + 3 // so that the focus ring is not cut
 
     component Pair: RowLayout {
         width: parent.width
@@ -24,6 +28,12 @@ TpScroll {
         enabled: panel.ready
     }
 
+    Item {
+        id: slot
+        width: parent.width
+        height: Math.min(0.75 * width, 0.7 * panel.height)
+        visible: panel.holdsSurface
+    }
     TpHeading {
         width: parent.width
         text: panel.session.title === "" ? qsTr("Explore") : panel.session.title
@@ -33,13 +43,11 @@ TpScroll {
     }
     TpStatus {
         width: parent.width
-        height: Math.max(implicitHeight, 2.2 * Theme.bigSize)
+        height: Math.max(implicitHeight, 2.2 * font.pixelSize)
         verticalAlignment: Text.AlignVCenter
         text: panel.session.featureName === "" ? "–" : panel.session.featureName
         textFormat: Text.PlainText
-        font.pixelSize: Theme.bigSize
-        fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.headingSize
+        font.pixelSize: Math.max(Theme.headingSize, Math.min(Theme.bigSize, width / 9))
         font.bold: true
         lineHeight: 0.95
         color: panel.session.featureName === "" ? Theme.quiet : Theme.accent

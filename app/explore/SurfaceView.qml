@@ -91,6 +91,7 @@ FocusScope {
                 surface.session.fingerUp(point.pointId)
         }
         onCanceled: surface.session.fingersCancelled()
+        onGestureStarted: (gesture) => gesture.grab() // from a column that scrolls
     }
     FocusRing { target: surface }
 }

@@ -16,6 +16,7 @@ constexpr int edge_frames = sound_rate * 6 / 1000; ///< shorter ones click
 constexpr int beep_frames = static_cast<int>(beep_s * sound_rate);
 constexpr double edge_step = 1.0 / edge_frames;
 constexpr double follow = 1.0 / (0.015 * sound_rate); ///< of pitch and side of a steady tone, a frame
+constexpr std::int64_t long_ago = 1LL << 40;
 constexpr std::int64_t patience_frames = 5 * sound_rate;
 
 double towards(double value, double wanted, double step) {
@@ -73,8 +74,10 @@ std::size_t SonarStream::pull(std::span<float> samples) {
     const bool beeps = now && !cue.steady();
     for (std::int64_t i = 0; i < frames; ++i) {
         open_ = towards(open_, now ? 1.0 : 0.0, edge_step);
-        if (open_ <= 0.0)
+        if (open_ <= 0.0 && !now) { // the next touch is answered at once
             beep_.reset();
+            since_beep_ = long_ago;
+        }
         if (beeps && !beep_ && static_cast<double>(since_beep_) >= cue.interval_s * sound_rate) {
             beep_ = Beep{cue, 0, 0.0};
             since_beep_ = 0;

@@ -21,6 +21,7 @@ public:
 
     std::size_t pull(std::span<float> samples) override;
     void heard(std::int64_t) override {}
+    bool answers_a_finger() const override { return true; }
 
 private:
     struct Beep {
@@ -36,7 +37,7 @@ private:
 
     // Only the loudspeaker's thread.
     std::optional<Beep> beep_;
-    std::int64_t since_beep_ = 1 << 30; ///< frames since the last one began
+    std::int64_t since_beep_ = 1LL << 40; ///< frames since the last one began; very many: none since the silence
     double open_ = 0.0;                 ///< 0 silent … 1
     double steady_gain_ = 0.0;
     double steady_hz_ = level_hz;

@@ -21,6 +21,7 @@ public:
 
     std::size_t pull(std::span<float> samples) override;
     void heard(std::int64_t) override {}
+    bool answers_a_finger() const override { return true; }
 
 private:
     std::mutex mutex_;                             ///< held for the mixing of one block at most

@@ -43,6 +43,7 @@ private:
     QTimer look_;
     int looks_ = 0;       ///< since the last look at the devices
     int looks_alike_ = 0; ///< since something new was heard
+    bool keeps_up_ = true; ///< with a short buffer, as far as is known
     bool lost_ = false;   ///< a loudspeaker is waited for
     int waited_looks_ = 0;
 };

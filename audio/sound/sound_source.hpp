@@ -17,6 +17,9 @@ public:
     /// there. After an end only 0.
     virtual std::size_t pull(std::span<float> samples) = 0;
 
+    /// It answers a finger, so that an output should ask for it as little ahead of the ear as it can.
+    virtual bool answers_a_finger() const { return false; }
+
     /// So many frames of what was pulled have left the loudspeaker.
     virtual void heard(std::int64_t frames) = 0;
 };

@@ -20,7 +20,7 @@ def check(page):
     page.await_name("anna_smiling.jpg", atspi.ROLE_HEADING)
     print("found: the sentence and the heading")
 
-    for name in ("Guided tour", "Where am I?", "Stop", "Next feature", "Open photograph…", "face", "left eye",
+    for name in ("Guided tour", "Tour of the face", "Where am I?", "Stop", "Zoom in", "Zoom out", "Next feature", "Open photograph…", "face", "left eye",
                  "right eye", "lips", "mouth opening", "face outline"):
         page.await_name(name, atspi.ROLE_PUSH_BUTTON)
     page.await_name("Voice", atspi.ROLE_CHECK_BOX)
@@ -45,12 +45,22 @@ def check(page):
     print("pressed: Guided tour; it went round and finished")
 
     page.press("Where am I?")
-    page.await_name("On the left eye.")
+    page.await_beginning("The face. On the left eye, at its ")
     page.press("Stop")
     page.await_name("Force on", atspi.ROLE_PUSH_BUTTON)
     page.press("Force on")
     page.await_name("The force is on.")
     print("pressed: Where am I?, Stop, Force on")
+
+    page.press("Zoom in")
+    page.await_name("Zoomed to the eyes.")
+    page.press("Zoom out")
+    page.await_name("Zoomed out to the whole face.")
+    page.press("Tour of the face")
+    page.await_beginning("Tour of the face: ")
+    page.press("Stop")
+    page.press("Guide: Sonar")
+    print("pressed: Zoom in, Zoom out, Tour of the face, a guide")
 
     slider.currentValue = 0.5
     end = time.monotonic() + PATIENCE

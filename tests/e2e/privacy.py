@@ -216,7 +216,7 @@ class Page(unittest.TestCase):
         page.press("Guided tour")
         page.await_name("Tour finished.")
         page.press("Where am I?")
-        page.await_name("On the left eye.")
+        page.await_beginning("The face. On the left eye, at its ")
         page.press("Stop")
         page.press("Force on")
 

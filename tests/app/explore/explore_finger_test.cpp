@@ -4,6 +4,7 @@
 #include "explore_bench.hpp"
 
 #include <QTest>
+#include <QVariant>
 
 #include <algorithm>
 #include <cmath>

@@ -10,10 +10,15 @@
 #include <QLineF>
 #include <QMimeData>
 #include <QPointingDevice>
+#include <QQmlComponent>
+#include <QQmlEngine>
 #include <QQuickItem>
 #include <QSet>
 #include <QTest>
+#include <QUrl>
 #include <QtGlobal>
+
+#include <memory>
 
 using namespace tp;
 
@@ -56,6 +61,16 @@ struct Page {
     static constexpr int left_eye = 0;
     static constexpr int outline = 3;
 };
+
+void set_text_scale(QQuickView& window, double scale) {
+    QQmlComponent component(window.engine());
+    component.setData(QString("import QtQml\nimport TouchPhoto.Controls\n"
+                              "QtObject { Component.onCompleted: Theme.textScale = %1 }")
+                          .arg(scale)
+                          .toUtf8(),
+                      QUrl());
+    const std::unique_ptr<QObject> done(component.create());
+}
 
 /// Every interface below `root`, in reading order.
 void collect(QAccessibleInterface* root, QList<QAccessibleInterface*>& into) {
@@ -131,6 +146,36 @@ private slots:
             QVERIFY2(place.top() >= -1.0 && place.bottom() <= page.window.height() + 1.0,
                      qPrintable(focused->objectName()));
         }
+    }
+
+    void on_a_small_window_with_large_text_everything_can_be_reached_and_felt() {
+        Page page;
+        page.window.resize(480, 560);
+        set_text_scale(page.window, 2.0);
+        QVERIFY(page.exposed());
+        QTRY_VERIFY(page.surface()->hasActiveFocus());
+        QTRY_VERIFY(page.surface()->width() > 350.0);
+        QSet<const QQuickItem*> met;
+        for (int i = 0; i < 30; ++i) {
+            QTest::keyClick(&page.window, Qt::Key_Tab);
+            const QQuickItem* focused = page.window.activeFocusItem();
+            met << focused;
+            const QRectF place = focused->mapRectToScene(focused->boundingRect());
+            QVERIFY(place.top() >= -1.0 && place.bottom() <= page.window.height() + 1.0);
+            QVERIFY(place.left() >= -1.0 && place.right() <= page.window.width() + 1.0);
+        }
+        QVERIFY(met.size() >= 14);
+        while (!page.surface()->hasActiveFocus())
+            QTest::keyClick(&page.window, Qt::Key_Tab);
+        QPointingDevice* screen = QTest::createTouchDevice();
+        const double top = page.surface()->mapToScene({}).y();
+        const QPoint high = page.pixel(page.beside(40.0));
+        QTest::touchEvent(&page.window, screen).press(0, high, &page.window);
+        for (int i = 1; i < 20; ++i)
+            QTest::touchEvent(&page.window, screen).move(0, high + QPoint(0, 5 * i), &page.window);
+        QCOMPARE(page.surface()->mapToScene({}).y(), top); // it explored, and did not scroll
+        QTRY_VERIFY(page.session.pointer().y() > page.beside(40.0).y() + 10.0);
+        QTest::touchEvent(&page.window, screen).release(0, high, &page.window);
     }
 
     void the_mouse_moves_the_hand_and_the_line_draws_the_finger() {

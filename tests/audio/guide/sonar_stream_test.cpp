@@ -120,6 +120,23 @@ private slots:
         }
     }
 
+    void the_next_touch_is_answered_at_once_and_with_its_own_sound() {
+        SonarStream stream;
+        stream.board().write(sonar_cue(far_mm, 0.0, -1.0));
+        HeardSound sound;
+        sound.listen(stream, 0.01); // lifted in the middle of a beep
+        stream.board().clear();
+        sound.listen(stream, 0.02);
+        const std::size_t lifted = sound.left.size();
+        stream.board().write(sonar_cue(far_mm, 0.0, 1.0));
+        sound.listen(stream, 0.1);
+        const double hz = HeardSound::hertz(sound.left, lifted, lifted + 25 * ms);
+        QVERIFY2(hz > level_hz, qPrintable(QString::number(hz)));
+        const auto begins = HeardSound::onsets(sound.left);
+        QCOMPARE(begins.size(), 2u);
+        QVERIFY(begins[1] < lifted + 2 * ms);
+    }
+
     void nothing_clicks_whatever_the_finger_does() {
         SonarStream stream;
         HeardSound sound;

@@ -38,7 +38,7 @@ bool meet(const Rect& one, const Rect& other) {
 Rect bounds_of_face(const Face& face) {
     std::vector<Vec2> points;
     for (const Contour& contour : face.contours)
-        for (const Vec2 p : flatten(contour, {0.2, 5.0}).points)
+        for (const Vec2 p : flatten(contour, {0.02, 3.0}).points)
             points.push_back(p);
     return bounds_of(points);
 }
@@ -136,7 +136,7 @@ private:
         double label_height = 0.0;
         for (const TactileLabel& label : written_)
             label_height = std::max(label_height, size_of(label.lines).y);
-        Rect room = grown(inside_, -0.5 * TactileSheet::outline_width_mm);
+        Rect room = grown(inside_, -0.5 * TactileSheet::outline_width_mm - 0.1);
         const double strip = label_height > 0.0 ? label_height + clear_mm + 1.0 : 0.0;
         if (!sheet_.title.empty())
             room.max.y -= TactileSheet::title_mm + 2.0 + clear_mm;
@@ -214,21 +214,20 @@ private:
     /// Where a block of that size touches nothing and lies within no face, nearest to where it is wished.
     std::optional<Vec2> free_place(Vec2 size, Vec2 wish, const std::vector<Rect>& taken,
                                    const std::vector<Rect>& faces) const {
-        std::optional<Vec2> best;
-        double nearest = std::numeric_limits<double>::infinity();
+        std::vector<std::pair<double, Vec2>> corners;
         for (double y = inside_.min.y; y + size.y <= inside_.max.y; y += search_step_mm)
-            for (double x = inside_.min.x; x + size.x <= inside_.max.x; x += search_step_mm) {
-                const Rect block{{x, y}, Vec2(x, y) + size};
-                const double away = length(block.centre() - wish);
-                const auto in_the_way = [&](const Rect& other) { return meet(block, other); };
-                if (away < nearest && std::none_of(taken.begin(), taken.end(), in_the_way) &&
-                    std::none_of(faces.begin(), faces.end(), in_the_way) &&
-                    lines_.distance_to_lines(block) >= clear_mm) {
-                    nearest = away;
-                    best = Vec2(x, y);
-                }
-            }
-        return best;
+            for (double x = inside_.min.x; x + size.x <= inside_.max.x; x += search_step_mm)
+                corners.emplace_back(length(Vec2(x, y) + 0.5 * size - wish), Vec2(x, y));
+        std::stable_sort(corners.begin(), corners.end(),
+                         [](const auto& one, const auto& other) { return one.first < other.first; });
+        for (const auto& [away, corner] : corners) {
+            const Rect block{corner, corner + size};
+            const auto in_the_way = [&](const Rect& other) { return meet(block, other); };
+            if (std::none_of(taken.begin(), taken.end(), in_the_way) &&
+                std::none_of(faces.begin(), faces.end(), in_the_way) && lines_.distance_to_lines(block) >= clear_mm)
+                return corner;
+        }
+        return std::nullopt;
     }
 
     const TactileOptions& options_;

@@ -56,7 +56,7 @@ private slots:
         std::mt19937 random(3);
         for (int i = 0; i < 400; ++i) {
             std::string bytes;
-            for (unsigned k = random() % 60; k > 0; --k)
+            for (auto k = random() % 60; k > 0; --k)
                 bytes += static_cast<char>(random());
             for (const char* language : {"en", "de", "ko"})
                 QVERIFY(braille_of(bytes, language).ok());

@@ -56,7 +56,7 @@ Extraction drawn_faces(unsigned seed) {
     Extraction extraction;
     extraction.width = 4000;
     extraction.height = 3000;
-    const unsigned count = 1 + random() % (seed % 2 ? 3 : 7);
+    const auto count = 1 + random() % (seed % 2 ? 3 : 7);
     for (unsigned i = 0; i < count; ++i)
         extraction.faces.push_back(drawn_face({500.0 + 3000.0 * share(random), 500.0 + 2000.0 * share(random)},
                                               300.0 + 900.0 * share(random), share(random), share(random),

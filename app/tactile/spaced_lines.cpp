@@ -28,13 +28,32 @@ double between(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
                      length(c - nearest_on_segment(a, b, c)), length(d - nearest_on_segment(a, b, d))});
 }
 
+/// The larger distance along an axis between the boxes round two segments: they are no nearer than that.
+double at_least_between(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const Vec2 off = glm::max(glm::min(a, b) - glm::max(c, d), glm::min(c, d) - glm::max(a, b));
+    return std::max(off.x, off.y);
+}
+
 double between(const Polyline& one, const Polyline& other) {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < one.segment_count(); ++i)
-        for (std::size_t k = 0; k < other.segment_count(); ++k)
-            least = std::min(least, between(one.segment_start(i), one.segment_end(i), other.segment_start(k),
-                                            other.segment_end(k)));
+    for (std::size_t i = 0; i < one.segment_count(); ++i) {
+        const Vec2 a = one.segment_start(i), b = one.segment_end(i);
+        for (std::size_t k = 0; k < other.segment_count(); ++k) {
+            const Vec2 c = other.segment_start(k), d = other.segment_end(k);
+            if (at_least_between(a, b, c, d) < least)
+                least = std::min(least, between(a, b, c, d));
+        }
+    }
     return least;
+}
+
+bool passes_within(const Polyline& line, Vec2 place, double distance) {
+    for (std::size_t i = 0; i < line.segment_count(); ++i) {
+        const Vec2 a = line.segment_start(i), b = line.segment_end(i);
+        if (at_least_between(a, b, place, place) < distance && length(nearest_on_segment(a, b, place) - place) < distance)
+            return true;
+    }
+    return false;
 }
 
 /// Points along the line, `step_mm` apart or nearer.
@@ -95,7 +114,7 @@ bool SpacedLines::is_clear(Vec2 place, double half_width) const {
     return std::all_of(laid_.begin(), laid_.end(), [&](const Laid& other) {
         const double wanted = gap_mm + slack_mm + half_width + other.half_width;
         const Vec2 off = glm::max(other.box.min - place, place - other.box.max);
-        return std::max(off.x, off.y) >= wanted || distance_to(other.line, place) >= wanted;
+        return std::max(off.x, off.y) >= wanted || !passes_within(other.line, place, wanted);
     });
 }
 

@@ -1,33 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/explore/demonstration.hpp"
-#include "app/explore/explore_window.hpp"
+#include "app/shell/program_window.hpp"
+#include "audio/sound/recorder.hpp"
+#include "audio/sound/system_loudspeaker.hpp"
 #include "audio/speech/spoken_voice.hpp"
+#include "device/registry.hpp"
 
 #include <QCommandLineParser>
 #include <QFile>
 #include <QGuiApplication>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include <cstdio>
+#include <optional>
 
 namespace {
 
-/// The photograph asked for, else the sample that the program carries; empty where there is neither.
-QString photo_to_open(const QStringList& arguments, const QTemporaryDir& folder) {
-    if (!arguments.isEmpty())
-        return arguments.front();
+/// The sample that the program carries, as a file; empty where there is none.
+QString sample_photo(const QTemporaryDir& folder) {
     const QString copy = folder.filePath("sample portrait.jpg");
     return QFile::copy(":/samples/portrait.jpg", copy) ? copy : QString();
 }
 
-/// Takes the picture when the finger has arrived, and ends the program.
-void take_picture(tp::Demonstration& demonstration, QQuickView& window, const QString& file) {
-    QObject::connect(&demonstration, &tp::Demonstration::finished, &window, [&window, file] {
-        const bool saved = window.grabWindow().save(file);
-        if (!saved)
-            std::fprintf(stderr, "The picture could not be written to %s.\n", qUtf8Printable(file));
-        QCoreApplication::exit(saved ? 0 : 1);
-    });
+/// Writes a picture of the window and ends the program.
+void take_picture(QQuickView& window, const QString& file) {
+    const bool saved = window.grabWindow().save(file);
+    if (!saved)
+        std::fprintf(stderr, "The picture could not be written to %s.\n", qUtf8Printable(file));
+    QCoreApplication::exit(saved ? 0 : 1);
+}
+
+std::vector<tp::FoundDevice> force_devices() {
+    std::vector<tp::FoundDevice> found;
+    for (const tp::ListedDevice& device : tp::list_devices())
+        if (!device.interface.empty()) // the simulated one is always there
+            found.push_back({QString::fromStdString(device.about), QString::fromStdString(device.serial_number)});
+    return found;
+}
+
+/// "1280x800"
+std::optional<QSize> size_named(const QString& text) {
+    const QStringList parts = text.split('x');
+    const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
+    return size.width() > 0 && size.height() > 0 ? std::optional(size) : std::nullopt;
+}
+
+int refuse(const std::string& sentence) {
+    std::fprintf(stderr, "%s\n", sentence.c_str());
+    return 2;
 }
 
 } // namespace
@@ -41,47 +62,56 @@ int main(int argc, char** argv) {
     options.setApplicationDescription("Feel the face in a photograph.");
     options.addHelpOption();
     options.addVersionOption();
-    options.addPositionalArgument("photo", "The photograph to open; without one, a sample portrait.",
-                                  "[photo]");
-    const QCommandLineOption voice_option("voice", "Whether the program speaks: on (default) or off.",
-                                          "on|off", "on");
-    const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.",
-                                            "file");
-    const QCommandLineOption with_option(
-        "with", "Adds features to eyes, lips and outline: brows, nose, irises.", "list");
-    options.addOptions({voice_option, with_option, picture_option});
+    options.addPositionalArgument("photo", "A photograph to feel at once; without one the start page opens.", "[photo]");
+    const QCommandLineOption voice_option("voice", "Whether the program speaks: on, off, or as it was chosen (default).",
+                                          "on|off");
+    const QCommandLineOption page_option("page", "The page to begin with: start, browse, explore, care, settings.", "name");
+    const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.", "file");
+    const QCommandLineOption size_option("size", "The window's size in pixels, such as 1280x800.", "WxH");
+    const QCommandLineOption with_option("with", "Adds features to eyes, lips and outline: brows, nose, irises.", "list");
+    options.addOptions({voice_option, page_option, with_option, picture_option, size_option});
     options.process(app);
     const QString voice_wish = options.value(voice_option);
-    if (voice_wish != "on" && voice_wish != "off") {
-        std::fprintf(stderr, "--voice is \"on\" or \"off\".\n");
-        return 2;
-    }
-
+    if (options.isSet(voice_option) && voice_wish != "on" && voice_wish != "off")
+        return refuse("--voice is \"on\" or \"off\".");
     const auto extras = tp::extra_features_named(options.value(with_option).toStdString());
-    if (!extras) {
-        std::fprintf(stderr, "%s\n", extras.error().c_str());
-        return 2;
-    }
+    if (!extras)
+        return refuse(extras.error());
+    const std::optional<QSize> size = size_named(options.value(size_option));
+    if (options.isSet(size_option) && !size)
+        return refuse("--size is a width and a height in pixels, such as 1280x800.");
 
     tp::SpokenVoice voice;
-    tp::NotificationAnnouncer announcer;
-    tp::ExploreSettings settings;
-    settings.extras = *extras;
-    const bool speaks = voice_wish == "on" && !options.isSet(picture_option);
-    tp::Narrator narrator(voice, announcer, speaks ? tp::Narrator::By::voice : tp::Narrator::By::screen_reader);
-    tp::ExploreSession session(narrator, settings);
-    tp::ExploreWindow window(session, announcer);
-    if (window.status() == QQuickView::Error)
-        return 1; // Qt has said why
-    if (!options.isSet(picture_option))
-        window.fit_to_screen();
-    window.show();
+    tp::ProgramParts parts{voice, [] { return std::make_unique<tp::SystemLoudspeaker>(); }, tp::system_microphone,
+                           tp::Preferences::usual_file(), tp::OpenAlbum::usual_cache(), {}, force_devices};
+    parts.explore.extras = *extras;
+    const bool picture = options.isSet(picture_option);
+    if (options.isSet(voice_option) || picture)
+        parts.by = voice_wish == "on" && !picture ? tp::Narrator::By::voice : tp::Narrator::By::screen_reader;
+    tp::Program program(std::move(parts));
 
     const QTemporaryDir folder;
-    if (const QString photo = photo_to_open(options.positionalArguments(), folder); !photo.isEmpty())
-        session.open_file(photo);
+    const QString page = options.value(page_option);
+    QString photo = options.positionalArguments().value(0);
+    if (photo.isEmpty() && page == "explore")
+        photo = sample_photo(folder);
+    program.begin(photo);
+    tp::ProgramWindow window(program);
+    if (window.status() == QQuickView::Error)
+        return 1; // Qt has said why
+    if (size)
+        window.resize(*size);
+    else if (!picture)
+        window.fit_to_screen();
+    window.show();
+    if (photo.isEmpty() && !page.isEmpty())
+        program.shell().open(page);
+
     std::optional<tp::Demonstration> demonstration;
-    if (options.isSet(picture_option))
-        take_picture(demonstration.emplace(session), window, options.value(picture_option));
+    if (picture && !photo.isEmpty())
+        QObject::connect(&demonstration.emplace(program.explore()), &tp::Demonstration::finished, &window,
+                         [&] { take_picture(window, options.value(picture_option)); });
+    else if (picture)
+        QTimer::singleShot(1000, &window, [&] { take_picture(window, options.value(picture_option)); });
     return QGuiApplication::exec();
 }

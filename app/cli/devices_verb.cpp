@@ -4,7 +4,7 @@
 #include "core/files/whole_file.hpp"
 #include "core/servo/servo_loop.hpp"
 #include "device/force_pad/force_pad.hpp"
-#include "device/recording/recorder.hpp"
+#include "device/recording/recording_device.hpp"
 #include "device/recording/replay_device.hpp"
 #include "device/registry.hpp"
 
@@ -145,7 +145,7 @@ int record(const QStringList& words) {
     auto made = device_named(line.text("device").toStdString());
     if (!made)
         return refused(made.error());
-    const auto recorder = std::make_unique<Recorder>(*made.value(), line.arguments().first().toStdString());
+    const auto recorder = std::make_unique<RecordingDevice>(*made.value(), line.arguments().first().toStdString());
     const auto can = recorder->open();
     if (!can)
         return refused(can.error());

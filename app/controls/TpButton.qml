@@ -16,7 +16,7 @@ T.Button {
     opacity: enabled ? 1 : 0.45
 
     Accessible.role: Accessible.Button
-    Accessible.name: text
+    Accessible.name: enabled ? text : qsTr("%1, not available").arg(text) // Qt 6.4 tells no other way
     Accessible.description: hint
     Accessible.onPressAction: if (control.enabled) control.clicked()
     Keys.onReturnPressed: control.clicked()

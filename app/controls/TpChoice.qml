@@ -36,7 +36,7 @@ Column {
                 readonly property bool chosen: choice.current === index
 
                 width: Math.min(implicitWidth, flow.width)
-                implicitWidth: Math.max(Theme.target, label.implicitWidth + 2 * Theme.gap)
+                implicitWidth: Math.max(Theme.target, Math.ceil(metrics.advanceWidth) + 2 * Theme.gap + 2)
                 implicitHeight: Math.max(Theme.target, label.implicitHeight + 2 * Theme.gap)
                 onClicked: choice.picked(index)
 
@@ -53,6 +53,11 @@ Column {
                     border.width: option.chosen ? 3 : 1
                     border.color: option.chosen ? Theme.accent : Theme.edge
                     FocusRing { target: option }
+                }
+                TextMetrics { // a wrapped Text's own implicit width follows the width that is made of it
+                    id: metrics
+                    font: label.font
+                    text: label.text
                 }
                 Text {
                     id: label

@@ -10,6 +10,11 @@ FocusScope {
     property alias spacing: column.spacing
     property real margin: 0
     readonly property Item focused: Window.activeFocusItem
+    signal tappedBeside // on nothing that takes a tap itself
+
+    // Who comes to a page comes to its first control.
+    onActiveFocusChanged: if (activeFocus && Window.activeFocusItem === scroll)
+        nextItemInFocusChain(true).forceActiveFocus(Qt.TabFocusReason)
 
     function toTop() { flickable.contentY = 0 }
 
@@ -32,6 +37,11 @@ FocusScope {
         clip: contentHeight > height
         boundsBehavior: Flickable.StopAtBounds
 
+        MouseArea {
+            width: flickable.width
+            height: Math.max(flickable.height, flickable.contentHeight)
+            onClicked: scroll.tappedBeside()
+        }
         Column {
             id: column
             x: scroll.margin

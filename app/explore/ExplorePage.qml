@@ -9,7 +9,8 @@ FocusScope {
     id: page
 
     required property ExploreSession session
-    required property var announcer
+    property var announcer: null // where the page is a window of its own
+    readonly property string help: panel.help
     readonly property bool wide: width > 1.15 * height
 
     focus: true
@@ -18,7 +19,7 @@ FocusScope {
         const first = !dialog.active
         dialog.active = true
         if (dialog.status === Loader.Error) {
-            session.tellProblem("The file dialog is not installed. Drop a photograph on this window instead.")
+            session.tellProblem(qsTr("The file dialog is not installed. Drop a photograph on this window instead."))
             return
         }
         if (first)
@@ -35,7 +36,11 @@ FocusScope {
         case Qt.Key_Up: session.nudge(0, -step); break
         case Qt.Key_Down: session.nudge(0, step); break
         case Qt.Key_Space: session.toggleTour(); break
-        case Qt.Key_Escape: session.stopOrStart(); break
+        case Qt.Key_T: session.toggleFaceTour(); break
+        case Qt.Key_Escape: event.accepted = session.stop(); break
+        case Qt.Key_Backspace: session.back(); break
+        case Qt.Key_Z: event.modifiers & Qt.ShiftModifier ? session.zoomOut() : session.zoomIn(); break
+        case Qt.Key_G: session.nextGuide(); break
         case Qt.Key_Return:
         case Qt.Key_Enter:
         case Qt.Key_E: session.engage(); break
@@ -59,35 +64,26 @@ FocusScope {
         columnSpacing: 2 * Theme.gap
         rowSpacing: 2 * Theme.gap
 
-        ColumnLayout {
+        Item {
             Layout.fillWidth: true
             Layout.fillHeight: page.wide
-            Layout.preferredHeight: page.wide ? -1 : Math.min(0.75 * width, 0.6 * page.height)
-            spacing: Theme.gap
-
-            Item {
-                Layout.fillWidth: true
-                Layout.fillHeight: true
-                SurfaceView {
-                    objectName: "surface"
-                    session: page.session
-                    anchors.centerIn: parent
-                    readonly property real aspect: page.session.surfaceWidth / page.session.surfaceHeight
-                    width: Math.min(parent.width, parent.height * aspect)
-                    height: width / aspect
-                    focus: true
-                }
-            }
-            KeyHelp {
-                Layout.fillWidth: true
-                visible: page.wide
+            Layout.preferredHeight: page.wide ? -1 : Math.min(0.75 * width, 0.5 * page.height)
+            SurfaceView {
+                objectName: "surface"
+                session: page.session
+                anchors.centerIn: parent
+                readonly property real aspect: page.session.surfaceWidth / page.session.surfaceHeight
+                width: Math.min(parent.width, parent.height * aspect)
+                height: width / aspect
+                focus: true
             }
         }
         SidePanel {
+            id: panel
             session: page.session
             Layout.fillHeight: true
             Layout.fillWidth: !page.wide
-            Layout.preferredWidth: page.wide ? 360 * Theme.textScale : -1
+            Layout.preferredWidth: page.wide ? Math.min(380 * Theme.textScale, 0.5 * page.width) : -1
             onOpenAsked: page.openDialog()
         }
     }

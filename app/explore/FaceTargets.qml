@@ -17,13 +17,14 @@ Item {
             required property var modelData
             required property int index
 
+            visible: modelData.rect.width > 0 && modelData.rect.height > 0
             x: modelData.rect.x * targets.pixelsPerMm
             y: modelData.rect.y * targets.pixelsPerMm
             width: modelData.rect.width * targets.pixelsPerMm
             height: modelData.rect.height * targets.pixelsPerMm
             Accessible.role: Accessible.Button
             Accessible.name: modelData.name
-            Accessible.description: "Fits this face into the surface"
+            Accessible.description: qsTr("Fits this face into the surface")
             Accessible.onPressAction: targets.session.chooseFace(face.index)
 
             Repeater {
@@ -37,7 +38,7 @@ Item {
                     height: modelData.rect.height * targets.pixelsPerMm
                     Accessible.role: Accessible.Button
                     Accessible.name: modelData.name
-                    Accessible.description: "Sets the finger down there"
+                    Accessible.description: qsTr("Sets the finger down there")
                     Accessible.onPressAction: targets.session.goToFeature(modelData.index)
                 }
             }

@@ -43,7 +43,7 @@ Item {
         radius: 14
         color: "transparent"
         border.width: 6
-        border.color: "#b0080c12"
+        border.color: Theme.ground
         Rectangle {
             anchors.fill: parent
             anchors.margins: 1.5
@@ -62,7 +62,7 @@ Item {
         Shape {
             ShapePath {
                 fillColor: Theme.accent
-                strokeColor: "#c0080c12"
+                strokeColor: Theme.ground
                 strokeWidth: 2
                 joinStyle: ShapePath.RoundJoin
                 PathPolyline {
@@ -81,7 +81,7 @@ Item {
         radius: 9
         color: Theme.finger
         border.width: 2
-        border.color: "#0a0e13"
+        border.color: Theme.ground
     }
     Rectangle { // how strong
         readonly property real away: Math.max(18, marks.arrowLength) + 34
@@ -92,14 +92,15 @@ Item {
         height: newtons.height + 6
         radius: 6
         visible: marks.arrowShown
-        color: "#d00a0e13"
+        color: Theme.panel
         Text {
             id: newtons
             anchors.centerIn: parent
-            text: marks.session.newtons.toFixed(2) + " N"
+            text: qsTr("%1 N").arg(marks.session.newtons.toFixed(2))
             font.pixelSize: Theme.smallSize
             font.bold: true
-            color: Theme.accent
+            color: Theme.text
+            textFormat: Text.PlainText
             Accessible.ignored: true
         }
     }

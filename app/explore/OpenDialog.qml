@@ -7,7 +7,7 @@ import Qt.labs.folderlistmodel // not used here, but without it Qt 6.4's own fil
 FileDialog {
     signal chosen(url file)
 
-    title: "Open photograph"
-    nameFilters: ["Photographs (*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2)", "All files (*)"]
+    title: qsTr("Open photograph")
+    nameFilters: [qsTr("Photographs (%1)").arg("*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2"), qsTr("All files (%1)").arg("*")]
     onAccepted: chosen(selectedFile)
 }

@@ -5,146 +5,151 @@ import TouchPhoto.Controls
 import TouchPhoto.Explore
 
 // Words and buttons. It scrolls where a small window or large text needs more room.
-FocusScope {
+TpScroll {
     id: panel
 
     required property ExploreSession session
     readonly property bool ready: session.state === ExploreSession.Ready
-    readonly property Item focused: Window.activeFocusItem
+    readonly property alias help: keys.text
     signal openAsked
 
-    // What the keyboard comes to is brought into view.
-    onFocusedChanged: {
-        for (let item = focused; item; item = item.parent)
-            if (item === column) {
-                const top = focused.mapToItem(column, 0, 0).y
-                flickable.contentY = Math.max(Math.min(flickable.contentY, top - Theme.gap),
-                                              top + focused.height + Theme.gap - flickable.height)
-            }
+    component Pair: RowLayout {
+        width: parent.width
+        spacing: Theme.gap
+    }
+    component Half: TpButton {
+        Layout.fillWidth: true
+        Layout.fillHeight: true
+        Layout.preferredWidth: 1
+        enabled: panel.ready
     }
 
-    Flickable {
-        id: flickable
-        anchors.fill: parent
-        contentHeight: column.implicitHeight
-        clip: contentHeight > height
-        boundsBehavior: Flickable.StopAtBounds
+    TpHeading {
+        width: parent.width
+        text: panel.session.title === "" ? qsTr("Explore") : panel.session.title
+        textFormat: Text.PlainText
+        elide: Text.ElideMiddle
+        wrapMode: Text.NoWrap
+    }
+    TpStatus {
+        width: parent.width
+        height: Math.max(implicitHeight, 2.2 * Theme.bigSize)
+        verticalAlignment: Text.AlignVCenter
+        text: panel.session.featureName === "" ? "–" : panel.session.featureName
+        textFormat: Text.PlainText
+        font.pixelSize: Theme.bigSize
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.headingSize
+        font.bold: true
+        lineHeight: 0.95
+        color: panel.session.featureName === "" ? Theme.quiet : Theme.accent
+        Accessible.name: panel.session.featureName === "" ? qsTr("Under the finger: nothing")
+                                                          : qsTr("Under the finger: %1").arg(panel.session.featureName)
+    }
+    TpStatus {
+        width: parent.width
+        height: Math.max(implicitHeight, 3.8 * Theme.textSize)
+        text: panel.session.sentence
+        textFormat: Text.PlainText
+        color: panel.session.state === ExploreSession.Problem ? Theme.accent : Theme.text
+    }
+    TpStatus {
+        width: parent.width
+        visible: text !== ""
+        text: panel.session.faultSentence
+        color: Theme.finger
+    }
+    TpStatus {
+        width: parent.width
+        visible: text !== ""
+        text: panel.session.voiceProblem
+        font.pixelSize: Theme.smallSize
+        color: Theme.quiet
+    }
 
-        ColumnLayout {
-            id: column
-            width: parent.width
-            spacing: Theme.gap
-
-            TpHeading {
-                Layout.fillWidth: true
-                text: panel.session.photoName === "" ? "TouchPhoto" : panel.session.photoName
-                elide: Text.ElideMiddle
-                wrapMode: Text.NoWrap
-            }
-            TpStatus {
-                Layout.fillWidth: true
-                Layout.minimumHeight: 2.4 * Theme.bigSize
-                verticalAlignment: Text.AlignVCenter
-                label: "Under the finger"
-                text: panel.session.featureName === "" ? "–" : panel.session.featureName
-                font.pixelSize: Theme.bigSize
-                font.bold: true
-                lineHeight: 0.95
-                color: panel.session.featureName === "" ? Theme.quiet : Theme.accent
-                Accessible.name: "Under the finger: " + (panel.session.featureName === "" ? "nothing" : panel.session.featureName)
-            }
-            TpStatus {
-                Layout.fillWidth: true
-                Layout.minimumHeight: 3.8 * Theme.textSize
-                text: panel.session.sentence
-                color: panel.session.state === ExploreSession.Problem ? Theme.accent : Theme.text
-            }
-            TpStatus {
-                Layout.fillWidth: true
-                visible: text !== ""
-                text: panel.session.faultSentence
-                color: Theme.finger
-            }
-            TpStatus {
-                Layout.fillWidth: true
-                visible: text !== ""
-                text: panel.session.voiceProblem
-                font.pixelSize: Theme.smallSize
-                color: Theme.quiet
-            }
-
-            TpButton {
-                Layout.fillWidth: true
-                primary: panel.ready
-                enabled: panel.ready
-                text: panel.session.touring ? "End the tour" : "Guided tour"
-                hint: "Leads the finger once round the feature. Key: Space"
-                onClicked: panel.session.toggleTour()
-            }
-            RowLayout {
-                Layout.fillWidth: true
-                spacing: Theme.gap
-                TpButton {
-                    Layout.fillWidth: true
-                    Layout.preferredWidth: 1
-                    enabled: panel.ready
-                    text: "Where am I?"
-                    hint: "Key: W"
-                    onClicked: panel.session.whereAmI()
-                }
-                TpButton {
-                    Layout.fillWidth: true
-                    Layout.preferredWidth: 1
-                    enabled: panel.ready
-                    text: panel.session.engaged ? "Stop" : "Force on"
-                    hint: panel.session.engaged ? "Ends tour, speech and force. Key: Escape" : "Key: Enter"
-                    onClicked: panel.session.stopOrStart()
-                }
-            }
-            RowLayout {
-                Layout.fillWidth: true
-                spacing: Theme.gap
-                TpButton {
-                    Layout.fillWidth: true
-                    Layout.preferredWidth: 1
-                    enabled: panel.ready
-                    text: "Next feature"
-                    hint: "Sets the finger down on it. Key: Tab"
-                    onClicked: if (!panel.session.stepFeature(1)) panel.session.stepFeature(1)
-                }
-                TpButton {
-                    Layout.fillWidth: true
-                    Layout.preferredWidth: 1
-                    visible: panel.session.faceCount > 1
-                    enabled: panel.ready
-                    text: "Next face"
-                    hint: "Fits one face after the other into the surface. Key: F"
-                    onClicked: panel.session.nextFace()
-                }
-            }
-            TpSlider {
-                Layout.fillWidth: true
-                label: "Strongest force"
-                valueText: value.toFixed(1) + " newtons"
-                from: 0.1
-                to: 1.5
-                stepSize: 0.1
-                setting: panel.session.maxForce
-                onChosen: (value) => panel.session.maxForce = value
-            }
-            TpToggle {
-                Layout.fillWidth: true
-                text: "Voice"
-                on: panel.session.voiceOn
-                onSwitched: (on) => panel.session.voiceOn = on
-            }
-            TpButton {
-                Layout.fillWidth: true
-                primary: !panel.ready
-                text: "Open photograph…"
-                hint: "Key: O"
-                onClicked: panel.openAsked()
-            }
+    Pair {
+        Half {
+            primary: panel.ready
+            text: panel.session.touring ? qsTr("End the tour") : qsTr("Guided tour")
+            hint: qsTr("Leads the finger once round the feature. Key: Space")
+            onClicked: panel.session.toggleTour()
         }
+        Half {
+            text: qsTr("Tour of the face")
+            hint: qsTr("Leads the finger round every feature, each named before. Key: T")
+            onClicked: panel.session.toggleFaceTour()
+        }
+    }
+    Pair {
+        Half {
+            enabled: true
+            text: qsTr("Where am I?")
+            hint: qsTr("Tells face, feature, direction and distance. Key: W")
+            onClicked: panel.session.whereAmI()
+        }
+        Half {
+            text: panel.session.engaged ? qsTr("Stop") : qsTr("Force on")
+            hint: panel.session.engaged ? qsTr("Ends tour, speech and force. Key: Escape") : qsTr("Key: Enter")
+            onClicked: panel.session.stopOrStart()
+        }
+    }
+    Pair {
+        Half {
+            text: qsTr("Zoom in")
+            hint: qsTr("To the face, its eyes, its mouth, and back. Key: Z")
+            onClicked: panel.session.zoomIn()
+        }
+        Half {
+            text: qsTr("Zoom out")
+            hint: qsTr("Key: Shift and Z")
+            onClicked: panel.session.zoomOut()
+        }
+    }
+    Pair {
+        Half {
+            text: qsTr("Next feature")
+            hint: qsTr("Sets the finger down on it. Key: Tab")
+            onClicked: if (!panel.session.stepFeature(1)) panel.session.stepFeature(1)
+        }
+        Half {
+            visible: panel.session.faceCount > 1
+            text: qsTr("Next face")
+            hint: qsTr("Fits one face after the other into the surface. Key: F")
+            onClicked: panel.session.nextFace()
+        }
+    }
+    TpChoice {
+        width: parent.width
+        label: qsTr("Guide")
+        options: panel.session.guideNames
+        current: panel.session.guide
+        onPicked: (index) => panel.session.guide = index
+    }
+    TpSlider {
+        width: parent.width
+        label: qsTr("Strongest force")
+        valueText: qsTr("%1 newtons").arg(value.toFixed(1))
+        from: 0.1
+        to: 1.5
+        stepSize: 0.1
+        setting: panel.session.maxForce
+        onChosen: (value) => panel.session.maxForce = value
+    }
+    TpToggle {
+        width: parent.width
+        text: qsTr("Voice")
+        on: panel.session.voiceOn
+        onSwitched: (on) => panel.session.voiceOn = on
+    }
+    TpButton {
+        width: parent.width
+        primary: !panel.ready
+        text: qsTr("Open photograph…")
+        hint: qsTr("Key: O")
+        onClicked: panel.openAsked()
+    }
+    KeyHelp {
+        id: keys
+        width: parent.width
     }
 }

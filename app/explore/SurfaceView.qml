@@ -13,9 +13,12 @@ FocusScope {
 
     activeFocusOnTab: true
     Accessible.role: Accessible.Canvas
-    Accessible.name: "Touch surface"
-    Accessible.description: "Arrow keys move the hand, Tab goes from feature to feature, Space starts the guided tour."
+    Accessible.name: qsTr("Touch surface")
+    Accessible.description: qsTr("Move a finger to hear what is under it. Arrow keys move the hand, Tab goes from feature to feature, Space starts the guided tour, Z zooms in.")
     Accessible.focusable: true
+    Accessible.onPressAction: session.whereAmI()
+    Accessible.onIncreaseAction: session.zoomIn()
+    Accessible.onDecreaseAction: session.zoomOut()
 
     Keys.onTabPressed: (event) => event.accepted = session.stepFeature(1)
     Keys.onBacktabPressed: (event) => event.accepted = session.stepFeature(-1)
@@ -31,6 +34,7 @@ FocusScope {
         place: Qt.rect(surface.photoRect.x * surface.pixelsPerMm, surface.photoRect.y * surface.pixelsPerMm,
                        surface.photoRect.width * surface.pixelsPerMm, surface.photoRect.height * surface.pixelsPerMm)
         opacity: surface.session.state === ExploreSession.Looking ? 0.3 : 0.9
+        Behavior on opacity { enabled: Theme.motion; NumberAnimation { duration: 200 } }
     }
     ContoursItem {
         anchors.fill: parent
@@ -38,6 +42,7 @@ FocusScope {
         pixelsPerMm: surface.pixelsPerMm
         lineColor: Theme.line
         highlightColor: Theme.accent
+        edgeColor: Theme.ground
     }
     FaceTargets {
         anchors.fill: parent
@@ -55,7 +60,7 @@ FocusScope {
         anchors.centerIn: parent
         width: parent.width - 8 * Theme.gap
         visible: surface.session.state === ExploreSession.Empty
-        text: "No photograph yet. Press O, or drop one here."
+        text: qsTr("No photograph yet. Press O, or drop one here.")
         horizontalAlignment: Text.AlignHCenter
         font.pixelSize: Theme.headingSize
     }
@@ -65,12 +70,27 @@ FocusScope {
         hoverEnabled: true
         preventStealing: true
         onEntered: surface.session.touchDown(mouseX / surface.pixelsPerMm, mouseY / surface.pixelsPerMm)
-        onPressed: (mouse) => {
-            surface.forceActiveFocus(Qt.MouseFocusReason)
-            if (mouse.source !== Qt.MouseEventNotSynthesized)
-                surface.session.touchDown(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
-        }
+        onExited: surface.session.handGone()
+        onPressed: surface.forceActiveFocus(Qt.MouseFocusReason)
         onPositionChanged: (mouse) => surface.session.moveTo(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
+    }
+    MultiPointTouchArea {
+        anchors.fill: parent
+        mouseEnabled: false
+        onPressed: (points) => {
+            surface.forceActiveFocus(Qt.MouseFocusReason)
+            for (const point of points)
+                surface.session.fingerDown(point.pointId, point.x / surface.pixelsPerMm, point.y / surface.pixelsPerMm)
+        }
+        onUpdated: (points) => {
+            for (const point of points)
+                surface.session.fingerMoved(point.pointId, point.x / surface.pixelsPerMm, point.y / surface.pixelsPerMm)
+        }
+        onReleased: (points) => {
+            for (const point of points)
+                surface.session.fingerUp(point.pointId)
+        }
+        onCanceled: surface.session.fingersCancelled()
     }
     FocusRing { target: surface }
 }

@@ -47,11 +47,13 @@ void ContoursItem::paint(QPainter* painter) {
     painter->setRenderHint(QPainter::Antialiasing);
     const std::vector<Polyline>& lines = session_->felt().lines;
     const double thin = 2.0;
+    QColor edge = edge_color_;
+    edge.setAlpha(170);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const bool here = static_cast<int>(i) == session_->feature();
         const double width = here ? 2.0 * thin : thin;
         const QPainterPath path = path_of(lines[i], session_->frame(), pixels_per_mm_);
-        painter->strokePath(path, pen(QColor(8, 12, 18, 170), width + 3.0));
+        painter->strokePath(path, pen(edge, width + 3.0));
         painter->strokePath(path, pen(here ? highlight_color_ : line_color_, width));
     }
 }

@@ -11,7 +11,7 @@
 
 namespace tp {
 
-/// Draws the lines that are felt, each with a dark edge so that it stands out on any photograph, and the one
+/// Draws the lines that are felt, each with an edge so that it stands out on any photograph, and the one
 /// under the finger brighter and wider.
 class ContoursItem : public QQuickPaintedItem {
     Q_OBJECT
@@ -19,6 +19,7 @@ class ContoursItem : public QQuickPaintedItem {
     Q_PROPERTY(tp::ExploreSession* session READ session WRITE setSession NOTIFY changed)
     Q_PROPERTY(double pixelsPerMm MEMBER pixels_per_mm_ NOTIFY changed)
     Q_PROPERTY(QColor lineColor MEMBER line_color_ NOTIFY changed)
+    Q_PROPERTY(QColor edgeColor MEMBER edge_color_ NOTIFY changed)
     Q_PROPERTY(QColor highlightColor MEMBER highlight_color_ NOTIFY changed)
 public:
     explicit ContoursItem(QQuickItem* parent = nullptr);
@@ -34,6 +35,7 @@ private:
     QPointer<ExploreSession> session_;
     double pixels_per_mm_ = 1.0;
     QColor line_color_ = Qt::white;
+    QColor edge_color_ = Qt::black;
     QColor highlight_color_ = Qt::yellow;
 };
 

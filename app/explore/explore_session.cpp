@@ -2,9 +2,13 @@
 #include "app/explore/explore_session.hpp"
 
 #include "app/explore/extraction_words.hpp"
+#include "app/explore/face_tour.hpp"
+#include "app/explore/feature_labels.hpp"
 #include "app/explore/place_words.hpp"
-#include "app/scene/feature_words.hpp"
+#include "app/explore/zoom_steps.hpp"
+#include "core/guidance/exact_law.hpp"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -16,20 +20,32 @@ namespace tp {
 
 namespace {
 constexpr int poll_ms = 16;
-constexpr double grab_mm = 5.0; ///< a hand that moves farther during a tour wants to lead itself
-const QString force_is_off = "The force is off. Press Enter to switch it on.";
+constexpr double breath_s = 0.3; ///< between a feature's name and its tour
+
+Rect around(const Rect& a, const Rect& b) { return {glm::min(a.min, b.min), glm::max(a.max, b.max)}; }
 } // namespace
 
-ExploreSession::ExploreSession(Narrator& narrator, ExploreSettings settings)
-    : settings_(settings), frame_{settings.surface.width_mm, settings.surface.height_mm},
-      narrator_(narrator), servo_(settings.surface, settings.servo, settings.plant), max_force_(settings.servo.limits.max_force) {
+ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, SonifiedGuide& guide,
+                               Preferences& preferences, ExploreSettings settings)
+    : settings_(std::move(settings)), frame_{settings_.surface.width_mm, settings_.surface.height_mm},
+      narrator_(narrator), earcons_(earcons), guide_(guide), preferences_(preferences),
+      servo_(settings_.surface, settings_.servo, settings_.plant), dwell_(settings_.dwell_s) {
     pointer_ = finger_ = frame_.from_surface(Vec2(0.0));
+    servo_.set_max_force(maxForce());
     connect(&loader_, &PhotoLoader::loaded, this, &ExploreSession::show);
     connect(&narrator_, &Narrator::changed, this, &ExploreSession::voiceChanged);
+    connect(&preferences_, &Preferences::changed, this, &ExploreSession::choices_changed);
     timer_.setInterval(poll_ms);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &ExploreSession::poll);
     clock_.start();
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+ExploreSession::~ExploreSession() { guide_.silence(); }
+
+double ExploreSession::now() const {
+    return settings_.now ? settings_.now() : 1e-9 * static_cast<double>(clock_.nsecsElapsed());
 }
 
 void ExploreSession::tell(const QString& sentence, Priority priority) {
@@ -37,16 +53,101 @@ void ExploreSession::tell(const QString& sentence, Priority priority) {
         sentence_ = sentence;
         emit sentenceChanged();
     }
-    narrator_.tell(sentence, priority);
+    if (here_)
+        narrator_.tell(sentence, priority);
+    clock_guide_.busy_until(now() + speech_seconds(sentence, speech_rate(preferences_.choices().rate)));
 }
 
-void ExploreSession::tellProblem(const QString& sentence) { tell(sentence, Priority::message); }
+/// A word to the finger that the page need not show.
+void ExploreSession::murmur(const QString& words) {
+    narrator_.tell(words, Priority::touch);
+    clock_guide_.busy_until(now() + speech_seconds(words, speech_rate(preferences_.choices().rate)));
+}
 
-QString ExploreSession::name_of(int feature) const {
-    const FlatScene& felt = servo_.felt();
-    if (feature < 0 || feature >= static_cast<int>(felt.names.size()))
+void ExploreSession::tellProblem(const QString& sentence) {
+    earcons_.play(Earcon::error);
+    tell(sentence, Priority::message);
+}
+
+QString ExploreSession::person_of(std::size_t face) const {
+    return photo_ && face < photo_->names.size() ? photo_->names[face] : QString();
+}
+
+QString ExploreSession::name_of_face(std::size_t face) const {
+    const QString person = person_of(face);
+    if (!person.isEmpty())
+        return person;
+    return faceCount() == 1 ? tr("the face") : tr("face %1").arg(face + 1);
+}
+
+QString ExploreSession::label_of(int feature) const {
+    if (feature < 0 || feature >= static_cast<int>(features_.size()))
         return {};
-    return QString::fromStdString(spoken_feature(felt.names[static_cast<std::size_t>(feature)]));
+    const SceneFeature& one = features_[static_cast<std::size_t>(feature)];
+    const bool several = !subject_.face && faceCount() > 1;
+    return feature_label(one.name, person_of(one.face), several ? static_cast<int>(one.face) + 1 : 0);
+}
+
+QString ExploreSession::title() const {
+    QStringList people;
+    if (photo_)
+        people = QStringList(photo_->names.begin(), photo_->names.end());
+    people.removeAll(QString());
+    return people.isEmpty() ? photoName() : listed(people);
+}
+
+// --- the page ---
+
+/// The texts are asked for anew in another language.
+bool ExploreSession::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
+        if (state_ == State::Ready)
+            list_faces();
+        emit sceneChanged();
+        emit featureChanged();
+        emit modeChanged();
+        emit choicesChanged();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+QString ExploreSession::where_one_is() const {
+    switch (state_) {
+    case State::Empty:
+        return tr("There is no photograph yet. Press O, or the button Open photograph, to choose one.");
+    case State::Looking:
+        return tr("Looking for faces…");
+    case State::Ready:
+        return describe(photo_->extraction, photo_->names);
+    case State::Problem:
+        return sentence_;
+    }
+    return {};
+}
+
+void ExploreSession::enter() {
+    const bool was_here = here_;
+    here_ = true;
+    hushed_ = false;
+    if (was_here && state_ == State::Looking)
+        return; // just told
+    if (state_ == State::Ready && force_wanted_) {
+        servo_.engage();
+        emit modeChanged();
+    }
+    if (state_ == State::Ready)
+        tell(tr("Explore. %1 Move a finger over the picture; W tells where it is.").arg(where_one_is()),
+             Priority::message);
+    else
+        tell(tr("Explore. %1").arg(where_one_is()), Priority::message);
+}
+
+void ExploreSession::leave() {
+    if (!here_)
+        return;
+    force_wanted_ = engaged() || state_ != State::Ready;
+    stop_everything();
+    here_ = false;
 }
 
 // --- the photograph ---
@@ -55,7 +156,7 @@ void ExploreSession::open(const QUrl& file) {
     if (file.isLocalFile())
         open_file(file.toLocalFile());
     else
-        tellProblem("Only a photograph that is a file on this computer can be opened.");
+        tellProblem(tr("Only a photograph that is a file on this computer can be opened."));
 }
 
 QUrl ExploreSession::picturesFolder() const {
@@ -67,10 +168,13 @@ void ExploreSession::open_file(const QString& file) {
     timer_.stop();
     stop_everything();
     servo_.clear();
-    chosen_face_.reset();
+    law_.reset();
+    subject_ = {};
     faces_.clear();
+    features_.clear();
+    face_rects_.clear();
     become(State::Looking);
-    tell("Looking for faces…", Priority::message);
+    tell(tr("Looking for faces…"), Priority::message);
     loader_.load(file);
 }
 
@@ -79,31 +183,44 @@ void ExploreSession::become(State state) {
     set_feature(-1);
     last_feature_ = -1;
     force_ = {};
+    lift();
     emit photoChanged();
     emit sceneChanged();
     emit handMoved();
     emit modeChanged();
 }
 
+ExtraFeatures ExploreSession::extras() const {
+    const Choices& choices = preferences_.choices();
+    const ExtraFeatures& more = settings_.extras;
+    return {choices.brows || more.brows, choices.nose || more.nose, choices.irises || more.irises};
+}
+
 void ExploreSession::show(std::shared_ptr<const LoadedPhoto> photo) {
-    auto shown = std::make_shared<LoadedPhoto>(*photo);
-    shown->extraction = with_extras(std::move(shown->extraction), settings_.extras);
+    loaded_ = std::move(photo);
+    auto shown = std::make_shared<LoadedPhoto>(*loaded_);
+    shown->extraction = with_extras(std::move(shown->extraction), extras());
     photo_ = std::move(shown);
-    chosen_face_.reset();
-    build();
-    const QString found = describe(photo_->extraction);
-    tell(photo_->image.isNull() && !photo_->name.isEmpty() ? photo_->name + ": " + found : found,
+    subject_ = {};
+    build(true);
+    if (state_ == State::Ready && here_)
+        earcons_.play(Earcon::ready);
+    const QString found = describe(photo_->extraction, photo_->names);
+    tell(photo_->image.isNull() && !photo_->name.isEmpty() ? tr("%1: %2").arg(photo_->name, found) : found,
          Priority::message);
 }
 
-/// From the photograph and the chosen face to what is felt.
-void ExploreSession::build() {
+/// From the photograph and the chosen subject to what is felt. `fresh`: as if nothing had been felt before.
+void ExploreSession::build(bool fresh) {
     timer_.stop();
-    servo_.clear();
     faces_.clear();
+    features_.clear();
+    face_rects_.clear();
+    law_.reset();
     const Extraction& extraction = photo_->extraction;
-    const Result<BuiltScene> built = build_scene(extraction, settings_.surface, chosen_face_);
+    const Result<BuiltScene> built = build_scene(extraction, settings_.surface, subject_);
     if (!built || !servo_.show(built->scene).empty()) {
+        servo_.clear();
         const double height = frame_.height_mm;
         const double aspect =
             photo_->image.isNull() ? 1.0 : photo_->image.width() / double(photo_->image.height());
@@ -111,133 +228,144 @@ void ExploreSession::build() {
         become(State::Problem);
         return;
     }
+    law_ = std::make_unique<ExactLaw>(servo_.felt(), TentProfile{});
+    features_ = built->features;
     // Places in the picture count from the centre of its first pixel.
     const Rect corners{built->photo_to_surface(Vec2(-0.5)),
                        built->photo_to_surface(Vec2(extraction.width - 0.5, extraction.height - 0.5))};
     photo_rect_ = frame_.from_surface(corners);
-    list_faces(*built);
-    servo_.place(Vec2(0.0));
-    servo_.engage();
+    photo_to_surface_ = built->photo_to_surface;
+    list_faces();
+    servo_.place(fresh ? Vec2(0.0) : servo_.pointer());
+    if (fresh && here_)
+        servo_.engage();
+    if (fresh) {
+        force_wanted_ = true;
+        hushed_ = false;
+    }
     hand_.reset();
     become(State::Ready);
     timer_.start();
 }
 
-void ExploreSession::list_faces(const BuiltScene& built) {
+void ExploreSession::list_faces() {
+    faces_.clear();
+    face_rects_.clear();
     const std::vector<Face>& faces = photo_->extraction.faces;
-    std::size_t contour = 0;
+    const QRectF sheet(0.0, 0.0, frame_.width_mm, frame_.height_mm);
+    const auto on_sheet = [&](const Rect& box) { return frame_.from_surface(box).intersected(sheet); };
     for (std::size_t i = 0; i < faces.size(); ++i) {
+        const Vec2 a = photo_to_surface_(faces[i].box.min);
+        const Vec2 b = photo_to_surface_(faces[i].box.max);
+        const Rect box{glm::min(a, b), glm::max(a, b)};
+        Rect whole = box;
+        for (const Contour& contour : faces[i].contours)
+            whole = around(whole, bounds_of(flatten(mapped(contour, photo_to_surface_)).points));
+        face_rects_.push_back(whole);
         QVariantList features;
-        if (!chosen_face_ || *chosen_face_ == i)
-            for (std::size_t k = 0; k < faces[i].contours.size(); ++k, ++contour) {
-                const int index = static_cast<int>(contour);
-                features << QVariantMap{
-                    {"index", index},
-                    {"name", name_of(index)},
-                    {"rect", frame_.from_surface(bounds_of(servo_.felt().lines[contour].points))}};
-            }
-        const Rect box{built.photo_to_surface(faces[i].box.min), built.photo_to_surface(faces[i].box.max)};
-        faces_ << QVariantMap{{"name", faces.size() == 1 ? QString("face") : QString("face %1").arg(i + 1)},
-                              {"rect", frame_.from_surface(box)},
-                              {"chosen", chosen_face_ == i},
+        for (std::size_t k = 0; k < features_.size(); ++k)
+            if (features_[k].face == i)
+                features << QVariantMap{{"index", static_cast<int>(k)},
+                                        {"name", label_of(static_cast<int>(k))},
+                                        {"rect", on_sheet(bounds_of(servo_.felt().lines[k].points))}};
+        const bool nameless = faces.size() == 1 && person_of(i).isEmpty();
+        faces_ << QVariantMap{{"name", nameless ? tr("face") : name_of_face(i)},
+                              {"rect", on_sheet(box)},
+                              {"chosen", subject_.face == i},
                               {"features", features}};
     }
+}
+
+// --- zoom ---
+
+QString ExploreSession::zoom_sentence() const {
+    if (subject_ == Subject{})
+        return faceCount() == 1 ? tr("Zoomed out to the whole face.")
+                                : tr("Zoomed out to all %n face(s).", nullptr, faceCount());
+    const bool named = faceCount() > 1 || !person_of(*subject_.face).isEmpty();
+    const QString person = name_of_face(*subject_.face);
+    switch (subject_.part) {
+    case FacePart::whole:
+        break;
+    case FacePart::eyes:
+        return named ? tr("Zoomed to the eyes of %1.").arg(person) : tr("Zoomed to the eyes.");
+    case FacePart::left_eye:
+        return named ? tr("Zoomed to the left eye of %1.").arg(person) : tr("Zoomed to the left eye.");
+    case FacePart::right_eye:
+        return named ? tr("Zoomed to the right eye of %1.").arg(person) : tr("Zoomed to the right eye.");
+    case FacePart::mouth:
+        return named ? tr("Zoomed to the mouth of %1.").arg(person) : tr("Zoomed to the mouth.");
+    }
+    return tr("Zoomed to %1.").arg(person);
+}
+
+void ExploreSession::zoom_to(const Subject& subject) {
+    if (touring())
+        end_tour({});
+    const Subject before = subject_;
+    subject_ = subject;
+    if (!build_scene(photo_->extraction, settings_.surface, subject).ok()) {
+        subject_ = before;
+        return tellProblem(tr("This part is too small in the picture to zoom to it."));
+    }
+    build(false);
+    tell(zoom_sentence(), Priority::touch);
+}
+
+void ExploreSession::zoomIn() {
+    if (state_ != State::Ready)
+        return whereAmI();
+    const int face = face_at(face_rects_, felt_place());
+    const int nearest = law_->at(felt_place()).contour;
+    const std::size_t here = face >= 0      ? static_cast<std::size_t>(face)
+                             : nearest >= 0 ? features_[static_cast<std::size_t>(nearest)].face
+                                            : 0;
+    zoom_to(zoomed_in(photo_->extraction, subject_, here));
+}
+
+void ExploreSession::zoomOut() {
+    if (state_ != State::Ready)
+        return whereAmI();
+    if (const std::optional<Subject> out = zoomed_out(photo_->extraction, subject_))
+        return zoom_to(*out);
+    earcons_.play(Earcon::list_end);
+    tell(tr("This is the whole picture."), Priority::touch);
+}
+
+void ExploreSession::zoomHere(double x, double y) {
+    if (state_ != State::Ready)
+        return whereAmI();
+    constexpr double reach_mm = 8.0;
+    const Vec2 place = frame_.to_surface({x, y});
+    const int face = face_at(face_rects_, place);
+    int feature = -1;
+    for (std::size_t i = 0; i < features_.size(); ++i) { // inside a ring one is at it, however far its line is
+        const Rect box = bounds_of(servo_.felt().lines[i].points);
+        const Rect grown{box.min - Vec2(reach_mm), box.max + Vec2(reach_mm)};
+        if (features_[i].name != feature::outline && grown.contains(place) &&
+            (feature < 0 || distance_to(servo_.felt().lines[i], place) <
+                                distance_to(servo_.felt().lines[static_cast<std::size_t>(feature)], place)))
+            feature = static_cast<int>(i);
+    }
+    if (face < 0 && feature < 0)
+        return zoomOut();
+    const SceneFeature there = feature >= 0 ? features_[static_cast<std::size_t>(feature)]
+                                            : SceneFeature{static_cast<std::size_t>(face), {}};
+    if (const std::optional<Subject> nearer = zoomed_to(photo_->extraction, subject_, there))
+        return zoom_to(*nearer);
+    earcons_.play(Earcon::list_end);
+    tell(tr("There is nothing nearer to zoom to here."), Priority::touch);
 }
 
 void ExploreSession::chooseFace(int index) {
     if (state_ != State::Ready || index >= faceCount())
         return;
-    stop_everything();
-    chosen_face_ = index < 0 ? std::optional<std::size_t>{} : static_cast<std::size_t>(index);
-    build();
-    if (index < 0)
-        tell(faceCount() == 1 ? QString("The face.") : QString("All %1 faces.").arg(faceCount()),
-             Priority::touch);
-    else
-        tell(faceCount() == 1 ? QString("The face.") : QString("Face %1 alone.").arg(index + 1),
-             Priority::touch);
+    zoom_to(index < 0 ? Subject{} : Subject{static_cast<std::size_t>(index), FacePart::whole});
 }
 
 void ExploreSession::nextFace() {
-    const int next = chosen_face_ ? static_cast<int>(*chosen_face_) + 1 : 0;
+    const int next = subject_.face ? static_cast<int>(*subject_.face) + 1 : 0;
     chooseFace(next < faceCount() ? next : -1);
-}
-
-// --- the hand ---
-
-void ExploreSession::touchDown(double x, double y) {
-    if (state_ != State::Ready || touring())
-        return;
-    hand_ = frame_.to_surface({x, y});
-    servo_.place(*hand_);
-}
-
-void ExploreSession::moveTo(double x, double y) {
-    const Vec2 to = frame_.to_surface({x, y});
-    if (state_ != State::Ready || hand_ == to)
-        return;
-    hand_ = to;
-    if (!touring() || grabs(to))
-        servo_.move(to);
-}
-
-bool ExploreSession::grabs(Vec2 to) {
-    if (!grab_from_)
-        grab_from_ = to;
-    if (length(to - *grab_from_) <= grab_mm)
-        return false;
-    end_tour("Tour ended.");
-    return true;
-}
-
-void ExploreSession::nudge(double dx, double dy) {
-    if (state_ != State::Ready)
-        return;
-    if (touring())
-        end_tour("Tour ended.");
-    servo_.move(servo_.pointer() + Vec2(dx, -dy));
-}
-
-// --- features ---
-
-bool ExploreSession::stepFeature(int step) {
-    if (state_ != State::Ready)
-        return false;
-    const int next = last_feature_ < 0 ? (step > 0 ? 0 : featureCount() - 1) : last_feature_ + step;
-    if (next < 0 || next >= featureCount()) {
-        last_feature_ = -1;
-        return false;
-    }
-    goToFeature(next);
-    return true;
-}
-
-void ExploreSession::goToFeature(int index) {
-    if (state_ != State::Ready || index < 0 || index >= featureCount())
-        return;
-    if (touring())
-        servo_.let_go();
-    servo_.place(landing_place(servo_.felt().lines[static_cast<std::size_t>(index)]));
-    set_feature(index);
-    emit modeChanged();
-    tell(name_of(index), Priority::touch);
-}
-
-void ExploreSession::set_feature(int index) {
-    if (index >= 0)
-        last_feature_ = index;
-    if (tracker_.current() == index && index >= 0)
-        return;
-    tracker_.set(index);
-    emit featureChanged();
-}
-
-void ExploreSession::whereAmI() {
-    if (state_ != State::Ready)
-        tell(sentence_.isEmpty() ? QString("There is no photograph yet. Press O to open one.") : sentence_,
-             Priority::touch);
-    else
-        tell(where_am_i(servo_.felt(), servo_.finger(), tracker_.current()), Priority::touch);
 }
 
 // --- tour and force ---
@@ -247,42 +375,76 @@ int ExploreSession::tour_feature() const {
         return tracker_.current();
     if (last_feature_ >= 0)
         return last_feature_;
-    const std::vector<Polyline>& lines = servo_.felt().lines;
-    const Vec2 finger = servo_.finger();
-    const auto nearest =
-        std::min_element(lines.begin(), lines.end(), [&](const Polyline& a, const Polyline& b) {
-            return distance_to(a, finger) < distance_to(b, finger);
-        });
-    return static_cast<int>(nearest - lines.begin());
+    return std::max(0, law_->at(felt_place()).contour);
 }
 
 void ExploreSession::toggleTour() {
     if (state_ != State::Ready)
         return whereAmI();
     if (touring())
-        return end_tour("Tour ended.");
+        return end_tour(tr("Tour ended."));
     if (!engaged())
-        return tell(force_is_off, Priority::touch);
+        return tell(tr("The force is off. Press Enter to switch it on."), Priority::touch);
     const int index = tour_feature();
     grab_from_ = hand_;
-    servo_.lead_along(static_cast<std::size_t>(index));
     last_feature_ = index;
+    tell(tr("Tour round the %1.").arg(label_of(index)), Priority::touch);
+    servo_.lead_along(static_cast<std::size_t>(index));
     emit modeChanged();
-    tell("Tour round the " + name_of(index) + ".", Priority::touch);
+}
+
+void ExploreSession::toggleFaceTour() {
+    if (state_ != State::Ready)
+        return whereAmI();
+    if (touring())
+        return end_tour(tr("Tour ended."));
+    if (!engaged())
+        return tell(tr("The force is off. Press Enter to switch it on."), Priority::touch);
+    const std::size_t face = features_[static_cast<std::size_t>(tour_feature())].face;
+    const std::vector<int> order = tour_order(features_, face);
+    tour_left_.assign(order.begin(), order.end());
+    grab_from_ = hand_;
+    tell(tr("Tour of %1: %n feature(s). %2.", nullptr, static_cast<int>(order.size()))
+             .arg(name_of_face(face), at_the_start(feature_word(features_[static_cast<std::size_t>(order.front())].name))),
+         Priority::message);
+    tour_goes_on_at_ = now() + speech_seconds(sentence_, speech_rate(preferences_.choices().rate)) + breath_s;
+    emit modeChanged();
+}
+
+/// What comes next on a tour: the finger is led when the feature's name has been spoken, and let go at its end.
+void ExploreSession::lead_on(double now) {
+    if (servo_.leads() && servo_.has_led()) {
+        if (tour_left_.empty())
+            return end_tour(tr("Tour finished."));
+        servo_.let_go();
+        const SceneFeature& next = features_[static_cast<std::size_t>(tour_left_.front())];
+        tell(tr("%1.").arg(at_the_start(feature_word(next.name))), Priority::message);
+        tour_goes_on_at_ = now + speech_seconds(sentence_, speech_rate(preferences_.choices().rate)) + breath_s;
+    } else if (!servo_.leads() && !tour_left_.empty() && now >= tour_goes_on_at_) {
+        last_feature_ = tour_left_.front();
+        tour_left_.pop_front();
+        servo_.lead_along(static_cast<std::size_t>(last_feature_));
+    }
 }
 
 void ExploreSession::end_tour(const QString& sentence) {
     servo_.let_go();
+    tour_left_.clear();
     tour_progress_ = 0.0;
     grab_from_.reset();
+    guide_.silence();
     emit modeChanged();
-    tell(sentence, Priority::message);
+    if (!sentence.isEmpty())
+        tell(sentence, Priority::message);
 }
 
 void ExploreSession::stop_everything() {
     servo_.disengage();
     servo_.let_go();
+    tour_left_.clear();
     tour_progress_ = 0.0;
+    guide_.silence();
+    hushed_ = true;
     narrator_.stop();
     emit modeChanged();
 }
@@ -292,85 +454,118 @@ void ExploreSession::stop_looking() {
     loader_.cancel();
     if (!photo_) {
         become(State::Empty);
-        return tell("Stopped looking. Press O to open a photograph.", Priority::touch);
+        return tell(tr("Stopped looking. Press O to open a photograph."), Priority::touch);
     }
-    build();
+    build(true);
     stop_everything();
-    tell("Stopped looking. " + photo_->name + " is open again. " +
-             (state_ == State::Ready ? force_is_off : ""),
+    tell(state_ == State::Ready
+             ? tr("Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.").arg(photo_->name)
+             : tr("Stopped looking. %1 is open again.").arg(photo_->name),
          Priority::touch);
 }
 
-void ExploreSession::stopOrStart() {
-    if (state_ == State::Looking)
-        return stop_looking();
-    if (state_ != State::Ready) {
-        narrator_.stop();
-        return;
+bool ExploreSession::stop() {
+    if (state_ == State::Looking) {
+        stop_looking();
+        return true;
     }
-    if (!engaged())
-        return engage();
+    const bool something = state_ == State::Ready && (engaged() || touring() || guide_.sounds());
+    if (!something) {
+        narrator_.stop();
+        return false;
+    }
     stop_everything();
-    tell("Stopped. " + force_is_off, Priority::touch);
+    tell(tr("Stopped. The force is off. Press Enter to switch it on."), Priority::touch);
+    return true;
+}
+
+void ExploreSession::stopOrStart() {
+    if (!stop())
+        engage();
 }
 
 void ExploreSession::engage() {
     if (state_ != State::Ready)
         return;
+    hushed_ = false;
     servo_.engage();
     emit modeChanged();
-    tell("The force is on.", Priority::touch);
+    tell(tr("The force is on."), Priority::touch);
+}
+
+void ExploreSession::whereAmI() {
+    if (state_ != State::Ready)
+        return tell(where_one_is(), Priority::touch);
+    const Vec2 place = felt_place();
+    const Guidance guidance = law_->at(place);
+    if (guidance.contour < 0)
+        return tell(tr("There is nothing to feel here."), Priority::touch);
+    const auto index = static_cast<std::size_t>(guidance.contour);
+    const SceneFeature& nearest = features_[index];
+    const Rect box = bounds_of(servo_.felt().lines[index].points);
+    Whereabouts where;
+    where.person = name_of_face(nearest.face);
+    where.beside = !face_rects_[nearest.face].contains(place);
+    where.feature = feature_word(nearest.name);
+    where.on_it = guidance.distance <= FeatureTracker::enter_mm;
+    const Vec2 way = where.on_it ? place - box.centre() : guidance.nearest - place;
+    where.hour = clock_direction(way);
+    where.millimetres = static_cast<int>(std::lround(length(way)));
+    tell(where_am_i(where), Priority::touch);
+}
+
+// --- what the person has chosen ---
+
+double ExploreSession::maxForce() const {
+    return std::clamp(preferences_.choices().max_force_n, 0.0, settings_.servo.limits.max_force);
 }
 
 void ExploreSession::setMaxForce(double newtons) {
-    max_force_ = std::clamp(newtons, 0.0, settings_.servo.limits.max_force);
-    servo_.set_max_force(max_force_);
-    emit modeChanged();
+    preferences_.change([&](Choices& choices) { choices.max_force_n = std::clamp(newtons, 0.1, 1.5); });
 }
 
-// --- what the servo says ---
+QStringList ExploreSession::guideNames() const {
+    return {tr("None"), tr("Sonar"), tr("Clock voice"), tr("Both")};
+}
 
-void ExploreSession::poll() {
-    const ServoSnapshot now = servo_.snapshot();
-    const Vec2 finger_mm = servo_.finger();
-    const QPointF finger = frame_.from_surface(finger_mm);
-    const QPointF force(now.fx, -now.fy);
-    const QPointF pointer = touring() ? finger : frame_.from_surface(servo_.pointer());
-    const double progress = touring() ? now.tour_progress : 0.0;
-    if (finger != finger_ || force != force_ || pointer != pointer_ || progress != tour_progress_) {
-        finger_ = finger;
-        force_ = force;
-        pointer_ = pointer;
-        tour_progress_ = progress;
-        emit handMoved();
+void ExploreSession::setGuide(int guide) {
+    if (guide >= 0 && guide < guideNames().size())
+        preferences_.change([&](Choices& choices) { choices.guide = static_cast<Choices::Guide>(guide); });
+}
+
+void ExploreSession::nextGuide() {
+    setGuide((guide() + 1) % static_cast<int>(guideNames().size()));
+    tell(tr("Guide: %1.").arg(guideNames()[guide()]), Priority::touch);
+}
+
+void ExploreSession::setVoiceOn(bool on) {
+    narrator_.set_voice_on(on);
+    preferences_.change(
+        [&](Choices& choices) { choices.voice = on ? Choices::Voice::program : Choices::Voice::screen_reader; });
+}
+
+void ExploreSession::choices_changed() {
+    servo_.set_max_force(maxForce());
+    if (!guides())
+        guide_.silence();
+    if (state_ == State::Ready && loaded_) {
+        const Extraction wanted = with_extras(Extraction(loaded_->extraction), extras());
+        const auto count = [](const Extraction& extraction) {
+            std::size_t contours = 0;
+            for (const Face& face : extraction.faces)
+                contours += face.contours.size();
+            return contours;
+        };
+        if (count(wanted) != count(photo_->extraction)) {
+            auto shown = std::make_shared<LoadedPhoto>(*loaded_);
+            shown->extraction = wanted;
+            photo_ = std::move(shown);
+            if (touring())
+                end_tour({});
+            build(false);
+        }
     }
-    watch_faults(now.fault);
-    if (servo_.has_led())
-        end_tour("Tour finished.");
-    follow_finger(finger_mm);
-}
-
-void ExploreSession::follow_finger(Vec2 finger) {
-    const int before = tracker_.current();
-    const int feature = tracker_.follow(servo_.felt(), finger);
-    if (feature == before)
-        return;
-    if (feature >= 0)
-        last_feature_ = feature;
-    emit featureChanged();
-    if (feature >= 0 && !touring())
-        narrator_.tell(name_of(feature), Priority::touch);
-}
-
-void ExploreSession::watch_faults(Fault fault) {
-    const Fault shown = faults_.shown();
-    const bool must_tell = faults_.must_tell(fault, 1e-3 * static_cast<double>(clock_.elapsed()));
-    if (disables(fault) && engaged())
-        stop_everything();
-    if (must_tell)
-        tell(faultSentence(), Priority::fault);
-    if (faults_.shown() != shown)
-        emit modeChanged();
+    emit choicesChanged();
 }
 
 } // namespace tp

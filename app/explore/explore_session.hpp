@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/explore/clock_guide.hpp"
+#include "app/explore/dwell.hpp"
 #include "app/explore/fault_watch.hpp"
 #include "app/explore/feature_tracker.hpp"
 #include "app/explore/finger_servo.hpp"
-#include "app/narration/narrator.hpp"
 #include "app/explore/photo_loader.hpp"
+#include "app/explore/problem_words.hpp"
 #include "app/explore/sheet_frame.hpp"
+#include "app/explore/touch_gestures.hpp"
+#include "app/explore/way_watch.hpp"
+#include "app/narration/narrator.hpp"
+#include "app/preferences/preferences.hpp"
 #include "app/scene/extra_features.hpp"
+#include "app/scene/scene_builder.hpp"
+#include "audio/guide/sonified_guide.hpp"
+#include "audio/sound/earcon_player.hpp"
+#include "core/guidance/guidance_law.hpp"
 
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QImage>
 #include <QPointF>
 #include <QRectF>
@@ -18,15 +29,22 @@
 #include <QVariantList>
 #include <QtQml/qqmlregistration.h>
 
+#include <deque>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace tp {
 
 struct ExploreSettings {
     SurfaceSize surface;
-    ExtraFeatures extras;
+    ExtraFeatures extras; ///< felt beside those that the person has chosen
     ServoSettings servo = settings_for_a_drawn_finger();
     SimulatedPlant plant;
+    bool force_is_felt = false;     ///< the device moves a real finger; else the force is only drawn
+    double dwell_s = Dwell::usual_s; ///< how long a finger stays on a feature before it is told
+    std::function<double()> now;    ///< seconds; empty: real time since the session was made
 };
 
 /// A photograph being felt: everything that the explore page decides. The page only binds and draws.
@@ -39,14 +57,17 @@ class ExploreSession final : public QObject {
 
     Q_PROPERTY(State state READ state NOTIFY photoChanged)
     Q_PROPERTY(QString photoName READ photoName NOTIFY photoChanged)
+    /// "Anna and Tom"; the file's name where nobody said who is on the photograph.
+    Q_PROPERTY(QString title READ title NOTIFY photoChanged)
     Q_PROPERTY(QImage photo READ photo NOTIFY photoChanged)
     Q_PROPERTY(QRectF photoRect READ photoRect NOTIFY sceneChanged)
     Q_PROPERTY(double surfaceWidth READ surfaceWidth CONSTANT)
     Q_PROPERTY(double surfaceHeight READ surfaceHeight CONSTANT)
-    /// One entry a face: {name, rect, chosen, features: [{index, name, rect}]}.
+    /// One entry a face: {name, rect, chosen, features: [{index, name, rect}]}; a rect is what of it lies on the surface.
     Q_PROPERTY(QVariantList faces READ faces NOTIFY sceneChanged)
     Q_PROPERTY(int faceCount READ faceCount NOTIFY sceneChanged)
     Q_PROPERTY(int featureCount READ featureCount NOTIFY sceneChanged)
+    Q_PROPERTY(bool zoomed READ zoomed NOTIFY sceneChanged)
 
     Q_PROPERTY(QPointF finger READ finger NOTIFY handMoved)
     Q_PROPERTY(QPointF pointer READ pointer NOTIFY handMoved)
@@ -59,7 +80,10 @@ class ExploreSession final : public QObject {
     Q_PROPERTY(bool engaged READ engaged NOTIFY modeChanged)
     Q_PROPERTY(bool touring READ touring NOTIFY modeChanged)
     Q_PROPERTY(QString faultSentence READ faultSentence NOTIFY modeChanged)
-    Q_PROPERTY(double maxForce READ maxForce WRITE setMaxForce NOTIFY modeChanged)
+    Q_PROPERTY(double maxForce READ maxForce WRITE setMaxForce NOTIFY choicesChanged)
+    /// What guides where no force does: index into guideNames.
+    Q_PROPERTY(int guide READ guide WRITE setGuide NOTIFY choicesChanged)
+    Q_PROPERTY(QStringList guideNames READ guideNames NOTIFY choicesChanged)
     Q_PROPERTY(QString sentence READ sentence NOTIFY sentenceChanged)
     Q_PROPERTY(bool voiceOn READ voiceOn WRITE setVoiceOn NOTIFY voiceChanged)
     Q_PROPERTY(QString voiceProblem READ voiceProblem NOTIFY voiceChanged)
@@ -72,11 +96,15 @@ public:
     };
     Q_ENUM(State)
 
-    /// The narrator must outlive the session.
-    explicit ExploreSession(Narrator& narrator, ExploreSettings settings = {});
+    /// All must outlive the session.
+    ExploreSession(Narrator& narrator, EarconPlayer& earcons, SonifiedGuide& guide, Preferences& preferences,
+                   ExploreSettings settings = {});
+    /// Nothing sounds behind it.
+    ~ExploreSession() override;
 
     State state() const { return state_; }
     QString photoName() const { return photo_ ? photo_->name : QString(); }
+    QString title() const;
     QImage photo() const { return photo_ ? photo_->image : QImage(); }
     QRectF photoRect() const { return photo_rect_; }
     double surfaceWidth() const { return frame_.width_mm; }
@@ -84,26 +112,38 @@ public:
     QVariantList faces() const { return faces_; }
     int faceCount() const { return photo_ ? static_cast<int>(photo_->extraction.faces.size()) : 0; }
     int featureCount() const { return static_cast<int>(servo_.felt().lines.size()); }
+    bool zoomed() const { return subject_ != Subject{}; }
     QPointF finger() const { return finger_; }
     QPointF pointer() const { return pointer_; }
     QPointF force() const { return force_; }
     double newtons() const { return std::hypot(force_.x(), force_.y()); }
     double tourProgress() const { return tour_progress_; }
     int feature() const { return tracker_.current(); }
-    QString featureName() const { return name_of(tracker_.current()); }
+    QString featureName() const { return label_of(tracker_.current()); }
     bool engaged() const { return servo_.engaged(); }
-    bool touring() const { return servo_.leads(); }
-    QString faultSentence() const { return QString::fromUtf8(tp::sentence(faults_.shown())); }
-    double maxForce() const { return max_force_; }
+    bool touring() const { return servo_.leads() || !tour_left_.empty(); }
+    QString faultSentence() const { return fault_words(faults_.shown()); }
+    double maxForce() const;
     void setMaxForce(double newtons);
+    int guide() const { return static_cast<int>(preferences_.choices().guide); }
+    void setGuide(int guide);
+    QStringList guideNames() const;
     QString sentence() const { return sentence_; }
     bool voiceOn() const { return narrator_.voice_on(); }
-    void setVoiceOn(bool on) { narrator_.set_voice_on(on); }
+    void setVoiceOn(bool on);
     QString voiceProblem() const { return narrator_.voice_problem(); }
 
     /// What is felt, in the surface frame, and how a page sees that frame.
     const FlatScene& felt() const { return servo_.felt(); }
     const SheetFrame& frame() const { return frame_; }
+    const Subject& subject() const { return subject_; }
+
+    /// The page comes into sight: says where one is and what can be done. The force is as it was.
+    Q_INVOKABLE void enter();
+    /// The page goes out of sight: its sounds, its speech and its force end; nothing is told until `enter`.
+    Q_INVOKABLE void leave();
+    /// Asks to go where one came from.
+    Q_INVOKABLE void back() { emit backAsked(); }
 
     /// Reads a photograph and makes it felt; `sentence` says what was found. Returns at once.
     Q_INVOKABLE void open(const QUrl& file);
@@ -115,12 +155,19 @@ public:
     /// Tells something that went wrong on the page itself.
     Q_INVOKABLE void tellProblem(const QString& sentence);
 
-    /// The finger is set down there (a touch begins, the mouse comes in).
+    /// The hand comes in there (mouse).
     Q_INVOKABLE void touchDown(double x, double y);
     /// The hand is there now; the same place again is no movement.
     Q_INVOKABLE void moveTo(double x, double y);
+    /// The mouse is off the surface.
+    Q_INVOKABLE void handGone();
     /// The hand moves by so many millimetres (arrow keys).
     Q_INVOKABLE void nudge(double dx, double dy);
+    /// Fingers on a touchscreen; `id` tells them apart. One explores, several make gestures (TouchGestures).
+    Q_INVOKABLE void fingerDown(int id, double x, double y);
+    Q_INVOKABLE void fingerMoved(int id, double x, double y);
+    Q_INVOKABLE void fingerUp(int id);
+    Q_INVOKABLE void fingersCancelled();
 
     /// To the next (+1) or previous (-1) feature; false where there is none left, so that the keyboard's
     /// focus may leave the surface.
@@ -130,14 +177,26 @@ public:
     Q_INVOKABLE void chooseFace(int index);
     /// All faces, the first, the second, …, all faces.
     Q_INVOKABLE void nextFace();
+    /// The face under the finger, its eyes, its mouth, everything again (zoom_steps.hpp).
+    Q_INVOKABLE void zoomIn();
+    Q_INVOKABLE void zoomOut();
+    /// To what lies at a place; out where nothing does.
+    Q_INVOKABLE void zoomHere(double x, double y);
 
     /// Starts the tour round the current feature, or ends it.
     Q_INVOKABLE void toggleTour();
-    /// Everything stops: tour, speech, force, the search for faces in a photograph just opened. Where it is
-    /// stopped already, the force comes back.
+    /// Starts the tour of every feature of the face under the finger, each named before; or ends it.
+    Q_INVOKABLE void toggleFaceTour();
+    /// Stops what sounds or moves: tour, guide, force, the search for faces in a photograph just opened. False where
+    /// nothing did.
+    Q_INVOKABLE bool stop();
+    /// The same; where there is nothing to stop the force comes back.
     Q_INVOKABLE void stopOrStart();
     Q_INVOKABLE void engage();
+    /// Face, feature, clock direction and distance; without a photograph, what can be done.
     Q_INVOKABLE void whereAmI();
+    /// The next kind of guide, and says which.
+    Q_INVOKABLE void nextGuide();
 
 signals:
     void photoChanged();
@@ -145,45 +204,95 @@ signals:
     void handMoved();
     void featureChanged();
     void modeChanged();
+    void choicesChanged();
     void sentenceChanged();
     void voiceChanged();
+    void backAsked();
 
 private:
-    void poll();
-    void follow_finger(Vec2 finger);
-    void watch_faults(Fault fault);
-    void tell(const QString& sentence, Priority priority);
+    enum class Hand { pointing, touching };
+
+    // the photograph and what of it is felt
     void become(State state);
-    void build();
-    void list_faces(const BuiltScene& built);
-    void set_feature(int index);
+    void build(bool fresh);
+    void list_faces();
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void zoom_to(const Subject& subject);
+    QString zoom_sentence() const;
+    QString where_one_is() const;
+    QString person_of(std::size_t face) const;
+    QString name_of_face(std::size_t face) const;
+    QString label_of(int feature) const;
+    ExtraFeatures extras() const;
+    void choices_changed();
+
+    // tour and force
+    int tour_feature() const;
+    void lead_on(double now);
+    void end_tour(const QString& sentence);
     void stop_everything();
     void stop_looking();
-    void end_tour(const QString& sentence);
+
+    // the hand
+    void poll();
+    Vec2 felt_place() const;
+    bool lifted() const { return hand_kind_ == Hand::touching && !finger_down_; }
     bool grabs(Vec2 to);
-    int tour_feature() const;
-    QString name_of(int feature) const;
+    void lift();
+    void perform(TouchGestures::Gesture gesture);
+    void hear(Vec2 place, double now);
+    void follow_finger(Vec2 place, double now);
+    void guide_finger(Vec2 place, double now);
+    void say_clock(const ClockGuide::Word& word);
+    double guide_level(double distance) const;
+    bool guides() const;
+    void set_feature(int index);
+    void watch_faults(Fault fault, double now);
+
+    double now() const;
+    void tell(const QString& sentence, Priority priority);
+    void murmur(const QString& words);
 
     ExploreSettings settings_;
     SheetFrame frame_;
     Narrator& narrator_;
+    EarconPlayer& earcons_;
+    SonifiedGuide& guide_;
+    Preferences& preferences_;
     FingerServo servo_;
     FeatureTracker tracker_;
     FaultWatch faults_;
+    Dwell dwell_;
+    WayWatch way_;
+    ClockGuide clock_guide_;
+    TouchGestures gestures_;
 
     State state_ = State::Empty;
     QString sentence_;
-    std::shared_ptr<const LoadedPhoto> photo_;
+    std::shared_ptr<const LoadedPhoto> loaded_; ///< as it came
+    std::shared_ptr<const LoadedPhoto> photo_;  ///< with the extras that the person wants
+    Subject subject_;
+    std::vector<SceneFeature> features_;     ///< one for each line that is felt
+    std::vector<Rect> face_rects_;           ///< where each face lies, surface frame
+    std::unique_ptr<const GuidanceLaw> law_; ///< the exact one, for distance and direction; null: nothing is felt
+    Affine photo_to_surface_;
     QRectF photo_rect_;
     QVariantList faces_;
-    std::optional<std::size_t> chosen_face_;
     int last_feature_ = -1; ///< the one that was stepped to or felt last
-    double max_force_;
 
     QPointF finger_, pointer_, force_;
+    Hand hand_kind_ = Hand::pointing;
+    bool finger_down_ = false;
+    bool hushed_ = false;     ///< stopped by the person: the guide waits for the next touch
+    double moved_at_ = -1e9;  ///< s, when the hand last moved
     double tour_progress_ = 0.0;
-    std::optional<Vec2> hand_;      ///< surface frame, where mouse or touch was last
-    std::optional<Vec2> grab_from_; ///< where it was when a tour began
+    std::deque<int> tour_left_;      ///< features of the tour of a face, the next one first
+    double tour_goes_on_at_ = 0.0;   ///< s, when its name has been spoken
+    bool toured_before_tap_ = false; ///< what the first of two taps has stopped
+    std::optional<Vec2> hand_;       ///< surface frame, where mouse or touch was last
+    std::optional<Vec2> grab_from_;  ///< where it was when a tour began
+    bool here_ = true;               ///< the page is in sight
+    bool force_wanted_ = true;       ///< when it comes back into sight
 
     QTimer timer_;
     QElapsedTimer clock_;

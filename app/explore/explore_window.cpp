@@ -17,7 +17,7 @@ ExploreWindow::ExploreWindow(ExploreSession& session, NotificationAnnouncer& ann
     setColor(QColor(0x0e, 0x12, 0x17));
     const auto entitle = [this, &session] {
         setTitle(session.photoName().isEmpty() ? QString("TouchPhoto")
-                                               : session.photoName() + " – TouchPhoto");
+                                               : tr("%1 – TouchPhoto").arg(session.title()));
     };
     connect(&session, &ExploreSession::photoChanged, this, entitle);
     entitle();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/explore/extraction_words.hpp"
 
-#include <QStringList>
+#include "app/explore/feature_labels.hpp"
+#include "app/explore/problem_words.hpp"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <string_view>
@@ -10,6 +13,10 @@ namespace tp {
 
 namespace {
 
+struct ExtractionWords {
+    Q_DECLARE_TR_FUNCTIONS(tp::ExtractionWords)
+};
+
 bool any_has(const Extraction& extraction, std::string_view name) {
     return std::any_of(extraction.faces.begin(), extraction.faces.end(), [&](const Face& face) {
         return std::any_of(face.contours.begin(), face.contours.end(),
@@ -17,51 +24,64 @@ bool any_has(const Extraction& extraction, std::string_view name) {
     });
 }
 
-QString in_words(std::size_t count) {
-    static const QStringList words{"No",    "One",   "Two",  "Three", "Four",   "Five",  "Six",
-                                   "Seven", "Eight", "Nine", "Ten",   "Eleven", "Twelve"};
-    return count < static_cast<std::size_t>(words.size()) ? words[static_cast<qsizetype>(count)]
-                                                          : QString::number(count);
+QString faces_in_words(std::size_t count) {
+    switch (count) {
+    case 1:
+        return ExtractionWords::tr("One face.");
+    case 2:
+        return ExtractionWords::tr("Two faces.");
+    case 3:
+        return ExtractionWords::tr("Three faces.");
+    case 4:
+        return ExtractionWords::tr("Four faces.");
+    default:
+        return ExtractionWords::tr("%n face(s).", nullptr, static_cast<int>(count));
+    }
 }
+
+} // namespace
 
 QString listed(QStringList items) {
     if (items.size() < 2)
         return items.join("");
     const QString last = items.takeLast();
-    return items.join(", ") + " and " + last;
+    return ExtractionWords::tr("%1 and %2", "the end of a list").arg(items.join(ExtractionWords::tr(", ")), last);
 }
 
-} // namespace
-
-QString describe(const Extraction& extraction) {
+QString describe(const Extraction& extraction, const std::vector<QString>& names) {
     if (extraction.faces.empty())
-        return extraction.problem.empty() ? QString("No face was found in this picture.")
-                                          : QString::fromStdString(extraction.problem);
+        return problem_words(extraction.problem.empty() ? "No face was found in this picture." : extraction.problem);
     QStringList can_be_felt;
     if (any_has(extraction, feature::left_eye) || any_has(extraction, feature::right_eye))
-        can_be_felt << "eyes";
+        can_be_felt << ExtractionWords::tr("eyes");
     if (any_has(extraction, feature::outer_lip) || any_has(extraction, feature::inner_lip))
-        can_be_felt << "mouth";
+        can_be_felt << ExtractionWords::tr("mouth");
     if (any_has(extraction, feature::outline))
-        can_be_felt << "outline";
+        can_be_felt << ExtractionWords::tr("outline");
     if (any_has(extraction, feature::left_brow) || any_has(extraction, feature::right_brow))
-        can_be_felt << "brows";
+        can_be_felt << ExtractionWords::tr("brows");
     if (any_has(extraction, feature::nose))
-        can_be_felt << "nose";
+        can_be_felt << ExtractionWords::tr("nose");
     if (any_has(extraction, feature::left_iris) || any_has(extraction, feature::right_iris))
-        can_be_felt << "irises";
+        can_be_felt << ExtractionWords::tr("irises");
 
     const std::size_t count = extraction.faces.size();
-    QStringList sentences{in_words(count) + (count == 1 ? " face." : " faces.")};
+    QStringList people(names.begin(), names.end());
+    people.removeAll(QString());
+    QStringList sentences;
+    if (!people.isEmpty())
+        sentences << ExtractionWords::tr("%1.", "who is on the picture").arg(listed(people));
+    sentences << faces_in_words(count);
     if (!can_be_felt.isEmpty()) {
-        QString list = listed(can_be_felt);
-        list[0] = list[0].toUpper();
-        sentences << list + (count == 1 ? " can be felt." : " of each can be felt.");
+        const QString list = at_the_start(listed(can_be_felt));
+        sentences << (count == 1 ? ExtractionWords::tr("%1 can be felt.").arg(list)
+                                 : ExtractionWords::tr("%1 of each can be felt.").arg(list));
     }
     if (!extraction.problem.empty())
-        sentences << QString::fromStdString(extraction.problem);
-    if (count == 1 && !extraction.faces.front().problem.empty())
-        sentences << QString::fromStdString(extraction.faces.front().problem);
+        sentences << problem_words(extraction.problem);
+    if (count == 1 && !extraction.faces.front().problem.empty() &&
+        extraction.faces.front().problem != extraction.problem)
+        sentences << problem_words(extraction.faces.front().problem);
     return sentences.join(" ");
 }
 

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <memory>
 #include <stop_token>
+#include <vector>
 
 namespace tp {
 
@@ -21,6 +22,8 @@ struct LoadedPhoto {
     QString name;          ///< of the file, without its folder
     QImage image;          ///< upright, shrunk to what a screen can show; null where it could not be read
     Extraction extraction; ///< places in pixels of the whole picture; `problem` where it could not be read
+    std::vector<QString> names = {}; ///< of the people, one for each face, as the photograph's metadata and its sidecar
+                                     ///< say; empty where nobody said
 };
 
 /// Reads photographs and finds their faces on a thread of its own.

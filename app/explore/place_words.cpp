@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/explore/place_words.hpp"
 
-#include "app/scene/feature_words.hpp"
+#include "app/explore/feature_labels.hpp"
+
+#include <QCoreApplication>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace tp {
+
+namespace {
+struct PlaceWords {
+    Q_DECLARE_TR_FUNCTIONS(tp::PlaceWords)
+};
+} // namespace
 
 int clock_direction(Vec2 direction) {
     const double turns = std::atan2(direction.x, direction.y) / (2.0 * std::numbers::pi);
@@ -19,25 +26,20 @@ Vec2 landing_place(const Polyline& line) {
     return line.closed ? line.points.front() : point_along(line, 0.5 * length_of(line));
 }
 
-QString where_am_i(const FlatScene& scene, Vec2 finger, int feature) {
-    const auto named = [&](std::size_t i) { return QString::fromStdString(spoken_feature(scene.names[i])); };
-    if (feature >= 0)
-        return "On the " + named(static_cast<std::size_t>(feature)) + ".";
-    double nearest_mm = std::numeric_limits<double>::infinity();
-    std::size_t nearest = 0;
-    for (std::size_t i = 0; i < scene.lines.size(); ++i)
-        if (const double distance = distance_to(scene.lines[i], finger); distance < nearest_mm) {
-            nearest_mm = distance;
-            nearest = i;
-        }
-    if (!std::isfinite(nearest_mm))
-        return "There is nothing to feel here.";
-    const Polyline& line = scene.lines[nearest];
-    const Vec2 way = point_along(line, nearest_arc(line, finger)) - finger;
-    return QString("The nearest line is the %1, at %2 o'clock, %3 millimetres away.")
-        .arg(named(nearest))
-        .arg(clock_direction(way))
-        .arg(std::lround(nearest_mm));
+QString where_am_i(const Whereabouts& place) {
+    const QString person = at_the_start(place.person);
+    if (place.on_it)
+        return PlaceWords::tr("%1. On the %2, at its %3 o'clock, %n millimetre(s) from its middle.", nullptr,
+                              place.millimetres)
+            .arg(person, place.feature)
+            .arg(place.hour);
+    if (place.beside)
+        return PlaceWords::tr("Beside %1. %2 at %3 o'clock, %n millimetre(s).", nullptr, place.millimetres)
+            .arg(place.person, at_the_start(place.feature))
+            .arg(place.hour);
+    return PlaceWords::tr("%1. %2 at %3 o'clock, %n millimetre(s).", nullptr, place.millimetres)
+        .arg(person, at_the_start(place.feature))
+        .arg(place.hour);
 }
 
 } // namespace tp

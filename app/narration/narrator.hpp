@@ -6,6 +6,9 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
+
+#include <functional>
 
 namespace tp {
 
@@ -27,8 +30,15 @@ public:
     Narrator(Voice& voice, Announcer& announcer, By by = By::voice);
 
     void tell(const QString& sentence, Priority priority);
+    /// Tells, and calls `then` once that has been said: after about as long as it takes where a screen reader says it,
+    /// which tells nobody. Of several the last is called; `stop` drops it.
+    void tell_then(const QString& sentence, std::function<void()> then);
     /// Silence now; faults are still spoken.
-    void stop() { voice_.stop(); }
+    void stop();
+    /// The voice is to be heard, or something that it will say waits.
+    bool speaking() const { return by_ == By::voice && voice_.busy(); }
+    /// While a recording plays the voice says nothing but faults; the rest waits for its end.
+    void set_recording_plays(bool plays) { voice_.set_recording_plays(plays); }
     /// Says the last sentence again.
     Q_INVOKABLE void repeat();
     /// What was told last, for the page to show.
@@ -50,11 +60,15 @@ signals:
 
 private:
     void voice_changed();
+    void said_all();
+    void wait_as_for_a_reader();
 
     Voice& voice_;
     Announcer& announcer_;
     By by_;
     QString sentence_;
+    std::function<void()> then_;
+    QTimer reader_; ///< about as long as a screen reader takes
     QString unheard_; ///< the last sentence given to a voice that was not there yet
 };
 

@@ -8,6 +8,12 @@ void RecordingVoice::set_state(State state) {
     emit state_changed();
 }
 
+void RecordingVoice::set_busy(bool busy) {
+    busy_ = busy;
+    if (!busy)
+        emit fell_silent();
+}
+
 void RecordingVoice::say(const QString& text, Priority priority) {
     said_ << text;
     last_priority_ = priority;

@@ -19,18 +19,29 @@ public:
     int stops() const { return stops_; }
     void clear() { said_.clear(); }
     void set_state(State state);
+    /// What is said takes its time from now on, until this is set to false.
+    void set_busy(bool busy);
+    bool recording_plays() const { return recording_plays_; }
 
     State state() const override { return state_; }
+    bool busy() const override { return busy_; }
     void say(const QString& text, Priority priority) override;
     void stop() override { ++stops_; }
-    void set_rate(double) override {}
-    void set_recording_plays(bool) override {}
+    void set_rate(double rate) override { rate_ = rate; }
+    void set_language(const QString& language) override { language_ = language; }
+    double rate() const { return rate_; }
+    const QString& language() const { return language_; }
+    void set_recording_plays(bool plays) override { recording_plays_ = plays; }
 
 private:
     State state_ = State::ready;
     QStringList said_;
     Priority last_priority_ = Priority::touch;
     int stops_ = 0;
+    double rate_ = 0.0;
+    QString language_;
+    bool busy_ = false;
+    bool recording_plays_ = false;
 };
 
 } // namespace tp

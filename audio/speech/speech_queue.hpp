@@ -27,6 +27,8 @@ public:
     /// Whether the engine takes texts.
     void open(bool open);
     void set_recording_plays(bool plays);
+    /// Nothing is being spoken, and nothing waits.
+    bool idle() const { return !current_ && !touch_ && messages_.empty() && faults_.empty(); }
     /// Forgets everything, faults too: there is no engine that could speak them.
     void clear();
 

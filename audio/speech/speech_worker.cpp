@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/speech_worker.hpp"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <utility>
 
@@ -25,6 +27,7 @@ void SpeechWorker::find_engine() {
     }
     connect(speech_, &QTextToSpeech::stateChanged, this, &SpeechWorker::state_became);
     speech_->setRate(rate_);
+    apply_language();
     emit found();
 }
 
@@ -50,6 +53,24 @@ void SpeechWorker::set_rate(double rate) {
     rate_ = std::clamp(rate, -1.0, 1.0);
     if (speech_ != nullptr)
         speech_->setRate(rate_);
+}
+
+void SpeechWorker::set_language(const QString& language) {
+    language_ = language;
+    apply_language();
+}
+
+/// An engine that has no voice of the language keeps the one it has.
+void SpeechWorker::apply_language() {
+    if (speech_ == nullptr || language_.isEmpty())
+        return;
+    const QLocale wanted(language_);
+    for (const QLocale& locale : speech_->availableLocales())
+        if (locale.language() == wanted.language()) {
+            if (speech_->locale().language() != wanted.language())
+                speech_->setLocale(locale);
+            return;
+        }
 }
 
 void SpeechWorker::state_became(QTextToSpeech::State state) {

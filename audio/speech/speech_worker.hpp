@@ -19,6 +19,8 @@ public:
     void speak(quint64 id, const QString& text);
     void cancel();
     void set_rate(double rate);
+    /// Empty: as the engine is.
+    void set_language(const QString& language);
 
 signals:
     void found();
@@ -28,6 +30,7 @@ signals:
     void finished(quint64 id);
 
 private:
+    void apply_language();
     void state_became(QTextToSpeech::State state);
     void end();
     void not_begun();
@@ -36,6 +39,7 @@ private:
     QTextToSpeech* speech_ = nullptr; ///< a child, so that it dies on this thread
     QTimer too_long_; ///< an engine that never says that it has ended must not silence the rest
     double rate_ = 0.0;
+    QString language_;
     quint64 id_ = 0;     ///< what is being spoken; 0: nothing
     bool begun_ = false; ///< the engine has said that it speaks `id_`
     int failures_ = 0;   ///< texts in a row that were never begun

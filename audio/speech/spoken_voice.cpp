@@ -7,7 +7,10 @@ SpokenVoice::SpokenVoice(QObject* parent) : Voice(parent), queue_(speech_) {
     connect(&speech_, &SystemSpeech::found, this, [this] { became(State::ready); });
     connect(&speech_, &SystemSpeech::lost, this, [this] { became(State::starting); });
     connect(&speech_, &SystemSpeech::none_left, this, [this] { became(State::missing); });
-    connect(&speech_, &SystemSpeech::finished, this, [this](quint64 id) { queue_.finished(id); });
+    connect(&speech_, &SystemSpeech::finished, this, [this](quint64 id) {
+        queue_.finished(id);
+        look_whether_silent();
+    });
 }
 
 void SpokenVoice::say(const QString& text, Priority priority) {
@@ -18,6 +21,18 @@ void SpokenVoice::say(const QString& text, Priority priority) {
         speech_.start();
     }
     queue_.say(text, priority);
+}
+
+void SpokenVoice::stop() {
+    const bool was_busy = busy();
+    queue_.stop();
+    if (was_busy)
+        look_whether_silent();
+}
+
+void SpokenVoice::look_whether_silent() {
+    if (queue_.idle())
+        emit fell_silent();
 }
 
 void SpokenVoice::became(State state) {

@@ -16,12 +16,15 @@ public:
 
     State state() const override { return state_; }
     void say(const QString& text, Priority priority) override;
-    void stop() override { queue_.stop(); }
+    bool busy() const override { return !queue_.idle(); }
+    void stop() override;
     void set_rate(double rate) override { speech_.set_rate(rate); }
+    void set_language(const QString& language) override { speech_.set_language(language); }
     void set_recording_plays(bool plays) override { queue_.set_recording_plays(plays); }
 
 private:
     void became(State state);
+    void look_whether_silent();
 
     State state_ = State::asleep;
     SystemSpeech speech_;

@@ -57,6 +57,7 @@ void SystemSpeech::try_next() {
         try_next();
     });
     set_rate(rate_);
+    set_language(language_);
     too_long_.start();
     thread_->start();
 }
@@ -86,6 +87,12 @@ void SystemSpeech::set_rate(double rate) {
     rate_ = rate;
     if (worker_ != nullptr)
         QMetaObject::invokeMethod(worker_, [worker = worker_, rate] { worker->set_rate(rate); });
+}
+
+void SystemSpeech::set_language(const QString& language) {
+    language_ = language;
+    if (worker_ != nullptr)
+        QMetaObject::invokeMethod(worker_, [worker = worker_, language] { worker->set_language(language); });
 }
 
 } // namespace tp

@@ -27,6 +27,7 @@ public:
     void speak(quint64 id, const QString& text) override;
     void cancel() override;
     void set_rate(double rate);
+    void set_language(const QString& language);
 
 signals:
     void found();
@@ -44,6 +45,7 @@ private:
     int next_ = 0;                   ///< engine to be tried when this one fails
     QTimer too_long_;
     double rate_ = 0.0;
+    QString language_;
 };
 
 } // namespace tp

@@ -26,16 +26,22 @@ public:
     using QObject::QObject;
 
     virtual State state() const = 0;
+    /// Something is being spoken, or waits to be.
+    virtual bool busy() const = 0;
     virtual void say(const QString& text, Priority priority) = 0;
     /// Silence now. Only what is left of faults is still spoken.
     virtual void stop() = 0;
     /// -1 slowest … 0 the engine's own … 1 fastest.
     virtual void set_rate(double rate) = 0;
+    /// The voice of a language (BCP 47, such as "ko"), where the engine has one.
+    virtual void set_language(const QString& language) = 0;
     /// While a recording plays nothing but a fault is spoken; the rest waits for its end.
     virtual void set_recording_plays(bool plays) = 0;
 
 signals:
     void state_changed();
+    /// Everything has been spoken or dropped.
+    void fell_silent();
 };
 
 } // namespace tp

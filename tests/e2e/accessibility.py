@@ -6,90 +6,12 @@ accessibility.py PROGRAM PHOTO starts a display, a session bus, the accessibilit
 own, then the program, and does what a screen reader would do. Exits 77, with a line that says why, where something
 it needs is not installed.
 """
-import importlib.util
-import os
-import shutil
 import subprocess
 import sys
 import time
 
-INNER = "TOUCHPHOTO_E2E_INNER"
-LAUNCHER = "/usr/libexec/at-spi-bus-launcher"
-PATIENCE = 60.0  # s; how long a thing may take on a busy machine, asserted nowhere
-
-
-def what_is_missing():
-    for tool in ("xvfb-run", "Xvfb", "dbus-run-session", "openbox"):
-        if shutil.which(tool) is None:
-            return tool
-    if not os.path.exists(LAUNCHER):
-        return "at-spi2-core"
-    for module in ("gi", "pyatspi"):
-        if importlib.util.find_spec(module) is None:
-            return f"python3-{module}"
-    return None
-
-
-def outer():
-    missing = what_is_missing()
-    if missing:
-        print(f"SKIP: {missing} is not installed")
-        return 77
-    environment = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", **{INNER: "1"})
-    environment.pop("WAYLAND_DISPLAY", None)
-    command = ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", "dbus-run-session", "--", sys.executable]
-    return subprocess.run(command + [__file__] + sys.argv[1:], env=environment, timeout=280).returncode
-
-
-class Page:
-    """The program's window as a screen reader sees it."""
-
-    def __init__(self, atspi):
-        self.atspi = atspi
-
-    def everything(self):
-        desktop = self.atspi.Registry.getDesktop(0)
-        for application in desktop:
-            if application is not None and application.name == "touchphoto":
-                yield from self.below(application)
-
-    def below(self, node):
-        yield node
-        for i in range(node.childCount):
-            try:
-                child = node.getChildAtIndex(i)
-            except Exception:  # it went away while we were looking
-                continue
-            if child is not None:
-                yield from self.below(child)
-
-    def find(self, name, role=None):
-        for node in self.everything():
-            try:
-                if node.name == name and (role is None or node.getRole() == role):
-                    return node
-            except Exception:
-                continue
-        return None
-
-    def await_name(self, name, role=None):
-        end = time.monotonic() + PATIENCE
-        while time.monotonic() < end:
-            node = self.find(name, role)
-            if node is not None:
-                return node
-            time.sleep(0.1)
-        heard = sorted({f"{n.getRoleName()} \"{n.name}\"" for n in self.everything()})
-        raise AssertionError(f"\"{name}\" never appeared; there are: " + ", ".join(heard))
-
-    def press(self, name):
-        node = self.await_name(name, self.atspi.ROLE_PUSH_BUTTON)
-        actions = node.queryAction()
-        for i in range(actions.nActions):
-            if actions.getName(i).lower() == "press":
-                actions.doAction(i)
-                return
-        raise AssertionError(f"\"{name}\" offers no press")
+import desk
+from desk import PATIENCE
 
 
 def check(page):
@@ -139,26 +61,22 @@ def check(page):
 
 
 def inner(program, photo):
-    import pyatspi
-
-    helpers = [subprocess.Popen([LAUNCHER, "--launch-immediately"]), subprocess.Popen(["openbox"])]
-    time.sleep(1.0)
-    running = subprocess.Popen([program, "--voice", "off", photo])
-    try:
-        check(Page(pyatspi))
-        assert running.poll() is None, "the program has ended"
-        print("PASS")
-        return 0
-    except AssertionError as fault:
-        print(f"FAIL: {fault}")
-        return 1
-    finally:
-        for process in [running] + helpers:
-            process.terminate()
-            process.wait(timeout=20)
+    with desk.Desk():
+        running = subprocess.Popen([program, "--voice", "off", photo])
+        try:
+            check(desk.Page())
+            assert running.poll() is None, "the program has ended"
+            print("PASS")
+            return 0
+        except AssertionError as fault:
+            print(f"FAIL: {fault}")
+            return 1
+        finally:
+            running.terminate()
+            running.wait(timeout=20)
 
 
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    sys.exit(inner(*sys.argv[1:]) if INNER in os.environ else outer())
+    sys.exit(inner(*sys.argv[1:]) if desk.is_at_a_desk() else desk.at_a_desk(__file__))

@@ -17,10 +17,9 @@ import time
 import unittest
 import wave
 
-import accessibility
+import desk
 import network_trace
 
-INNER = "TOUCHPHOTO_E2E_INNER"
 # What each local server's socket is called. "@" begins an abstract name.
 SERVERS = {
     "display": r"@?/tmp/\.X11-unix/X\d+|.*/wayland-\d+",
@@ -113,7 +112,7 @@ def is_whole(trace):
 
 
 def wait_until(true):
-    end = time.monotonic() + accessibility.PATIENCE
+    end = time.monotonic() + desk.PATIENCE
     while not true():
         if time.monotonic() > end:
             raise AssertionError("it did not happen")
@@ -222,23 +221,20 @@ class Page(unittest.TestCase):
         page.press("Force on")
 
     def test_it_talks_to_local_servers_only(self):
-        import pyatspi
-        import sound
+        import sound_server
 
         folder = tempfile.mkdtemp()
         self.addCleanup(shutil.rmtree, folder, True)
         os.mkdir(os.path.join(folder, "sound-server"), 0o700)
-        server = sound.Server(os.path.join(folder, "sound-server"))
+        server = sound_server.Server(os.path.join(folder, "sound-server"))
         self.addCleanup(server.end)
-        helpers = [subprocess.Popen([accessibility.LAUNCHER, "--launch-immediately"]), subprocess.Popen(["openbox"])]
-        for helper in helpers:
-            self.addCleanup(helper.wait, 20)
-            self.addCleanup(helper.terminate)
-        time.sleep(1.0)
+        speech = sound_server.Speech()  # before the program, which would start one as a child
+        self.addCleanup(speech.end)
+        self.enterContext(desk.Desk())
         trace = os.path.join(folder, "trace")
         program = subprocess.Popen(network_trace.traced([PROGRAM, "--voice", "on", PHOTO], trace))
         try:
-            self.explore(accessibility.Page(pyatspi))
+            self.explore(desk.Page())
             self.assertIsNone(program.poll(), "the program has ended")
         finally:
             program.terminate()
@@ -252,24 +248,18 @@ class Page(unittest.TestCase):
 
 
 def outer():
-    missing = accessibility.what_is_missing() or network_trace.can_trace()
-    if not missing:
-        missing = next((tool for tool in ("ffmpeg", "pulseaudio", "pactl") if shutil.which(tool) is None), None)
-    if missing:
-        print(f"SKIP: {missing}")
+    reason = network_trace.can_trace()
+    if reason:
+        print(f"SKIP: {reason}")
         return 77
-    environment = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1",
-                       **{INNER: "1"})
-    for name in ("WAYLAND_DISPLAY", "SESSION_MANAGER"):
-        environment.pop(name, None)
-    command = ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", "dbus-run-session", "--", sys.executable]
-    return subprocess.run(command + [__file__] + sys.argv[1:], env=environment, timeout=580).returncode
+    os.environ.pop("SESSION_MANAGER", None)
+    return desk.at_a_desk(__file__, "ffmpeg", "pulseaudio", "pactl", "speech-dispatcher", seconds=580)
 
 
 if __name__ == "__main__":
     if len(sys.argv) != 4:
         sys.exit(__doc__)
-    if INNER not in os.environ:
+    if not desk.is_at_a_desk():
         sys.exit(outer())
     PROGRAM, LAB, PHOTO = sys.argv[1:]
     unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -17,14 +17,7 @@ import wave
 
 import numpy as np
 
-RATE = 48000
-LONGEST = 60  # s that anything here may take before it counts as hanging
-
-
-def read_wav(path):
-    with wave.open(path) as file:
-        samples = np.frombuffer(file.readframes(file.getnframes()), "<i2").reshape(-1, file.getnchannels())
-        return samples[:, 0] / 32768.0, file.getframerate()
+from sound_server import LONGEST, RATE, Ear, Server, envelope, read_wav, wait_until
 
 
 def write_wav(path, samples):
@@ -33,13 +26,6 @@ def write_wav(path, samples):
         file.setsampwidth(2)
         file.setframerate(RATE)
         file.writeframes((samples * 32767).astype("<i2").tobytes())
-
-
-def envelope(samples, rate):
-    """Root mean square of each 20 ms."""
-    width = rate // 50
-    blocks = samples[: len(samples) // width * width].reshape(-1, width)
-    return np.sqrt((blocks**2).mean(axis=1))
 
 
 def likeness(source, source_rate, heard):
@@ -64,55 +50,6 @@ def frequency(samples):
 def sounding_seconds(samples):
     """So much is not silence. Gaps count for nothing, so a machine that is busy does not fail the test."""
     return np.count_nonzero(envelope(samples, RATE) > 0.01) / 50
-
-
-class Server:
-    """A PulseAudio of our own: the loudspeaker `ear`, and the microphone `mic` that hears what is played to `mouth`."""
-
-    def __init__(self, folder):
-        self.socket = os.path.join(folder, "socket")
-        os.environ.update(HOME=folder, XDG_RUNTIME_DIR=folder, XDG_CONFIG_HOME=folder, PULSE_RUNTIME_PATH=folder,
-                          PULSE_STATE_PATH=folder, PULSE_SERVER="unix:" + self.socket)
-        os.environ.pop("PULSE_COOKIE", None)
-        command = ["pulseaudio", "-n", "--daemonize=no", "--use-pid-file=no", "--exit-idle-time=-1", "--disable-shm=yes",
-                   "-L", f"module-native-protocol-unix socket={self.socket} auth-anonymous=1"]
-        self.process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
-        try:
-            wait_until(lambda: subprocess.run(["pactl", "info"], capture_output=True).returncode == 0)
-        except AssertionError:
-            self.end()
-            raise
-        self.mouth = self.load("module-null-sink", "sink_name=mouth", "norewinds=1", f"rate={RATE}")
-        self.ear = self.loudspeaker("ear")
-        self.mic = self.microphone()
-
-    def load(self, *words):
-        return subprocess.run(["pactl", "load-module", *words], check=True, capture_output=True, text=True).stdout.strip()
-
-    def unload(self, module):
-        subprocess.run(["pactl", "unload-module", module], check=True)
-
-    def loudspeaker(self, name):
-        module = self.load("module-null-sink", "sink_name=" + name, "norewinds=1", f"rate={RATE}")
-        subprocess.run(["pactl", "set-default-sink", name], check=True)
-        return module
-
-    def microphone(self):
-        module = self.load("module-remap-source", "master=mouth.monitor", "source_name=mic")
-        subprocess.run(["pactl", "set-default-source", "mic"], check=True)
-        return module
-
-    def end(self):
-        self.process.terminate()
-        self.process.wait()
-
-
-def wait_until(true):
-    for _ in range(LONGEST * 10):
-        if true():
-            return
-        time.sleep(0.1)
-    raise AssertionError("it did not happen")
 
 
 class Probe:
@@ -141,22 +78,6 @@ class Probe:
         self.process.stdin.close()
         self.process.stdout.close()
         assert kill or status == 0, f"it ended in {status}"
-
-
-class Ear:
-    """Everything that a loudspeaker plays."""
-
-    def __init__(self, folder, loudspeaker):
-        self.path = os.path.join(folder, loudspeaker + ".wav")
-        self.process = subprocess.Popen(["parec", "-d", loudspeaker + ".monitor", "--file-format=wav", "--format=s16le",
-                                         f"--rate={RATE}", "--channels=1", self.path])
-        wait_until(lambda: os.path.exists(self.path) and os.path.getsize(self.path) > 10000)
-
-    def heard(self):
-        time.sleep(0.5)  # what is on its way
-        self.process.terminate()
-        self.process.wait()
-        return read_wav(self.path)[0]
 
 
 class Sound(unittest.TestCase):

@@ -43,6 +43,13 @@ constexpr std::array of_topic{TP_ENTRY TP_TOPIC " AND (a.moment, a.sort_name, a.
                               TP_ENTRY TP_TOPIC
                               " AND (a.moment, a.sort_name, a.photo) < (?, ?, ?) "
                               "ORDER BY a.moment DESC, a.sort_name DESC, a.photo DESC LIMIT ?"};
+#define TP_COUNT "SELECT count(*) FROM photos WHERE missing = 0"
+constexpr const char* before_by_time = TP_COUNT " AND (moment, sort_name, id) < (?, ?, ?)";
+constexpr const char* before_by_name = TP_COUNT " AND (sort_name, id) < (?, ?)";
+constexpr const char* before_of_year = TP_COUNT " AND year = ? AND (moment, sort_name, id) < (?, ?, ?)";
+constexpr const char* before_of_topic =
+    "SELECT count(*) FROM appearances WHERE topic = (SELECT id FROM topics WHERE kind = ? AND name = ?) "
+    "AND (moment, sort_name, photo) < (?, ?, ?)";
 constexpr const char* of_id = TP_ENTRY TP_PHOTOS " AND p.id = ?";
 constexpr const char* of_path = TP_ENTRY TP_PHOTOS " AND f.path = ? AND p.name = ?";
 constexpr const char* any_of_id = TP_ENTRY ", hex(p.hash), p.missing FROM photos p "
@@ -69,6 +76,10 @@ std::vector<PhotoId> ids_in(SqlRun run) {
     return ids;
 }
 
+using PlaceLimits = std::numeric_limits<std::int64_t>;
+PlaceInList before_all() { return {PlaceLimits::min(), {}, PlaceLimits::min()}; }
+PlaceInList behind_all() { return {PlaceLimits::max(), std::string(last_text), PlaceLimits::max()}; }
+
 /// Runs the query of a list in one direction.
 struct PageRun {
     SqlConnection& connection;
@@ -88,6 +99,23 @@ struct PageRun {
     SqlRun operator()(const OfTopic& list) const {
         return connection.run(of_topic[way], list.kind, list.name, from.moment, from.sort_name, from.id,
                               count);
+    }
+};
+
+/// Counts what lies before a place.
+struct CountRun {
+    SqlConnection& connection;
+    const PlaceInList& place;
+
+    SqlRun operator()(AllByTime) const {
+        return connection.run(before_by_time, place.moment, place.sort_name, place.id);
+    }
+    SqlRun operator()(AllByName) const { return connection.run(before_by_name, place.sort_name, place.id); }
+    SqlRun operator()(OfYear list) const {
+        return connection.run(before_of_year, list.year, place.moment, place.sort_name, place.id);
+    }
+    SqlRun operator()(const OfTopic& list) const {
+        return connection.run(before_of_topic, list.kind, list.name, place.moment, place.sort_name, place.id);
     }
 };
 
@@ -112,10 +140,7 @@ std::string typed_start(std::string_view typed) {
 Result<std::vector<PhotoEntry>> AlbumQueries::page(const PhotoList& list,
                                                    const std::optional<PlaceInList>& from, std::size_t count,
                                                    Direction direction) {
-    using Limits = std::numeric_limits<std::int64_t>;
-    const PlaceInList end = direction == Direction::forward
-                                ? PlaceInList{Limits::min(), {}, Limits::min()}
-                                : PlaceInList{Limits::max(), std::string(last_text), Limits::max()};
+    const PlaceInList end = direction == Direction::forward ? before_all() : behind_all();
     return index_.guarded([&] {
         std::vector<PhotoEntry> photos;
         SqlRun run = std::visit(PageRun{index_.connection(), direction == Direction::forward ? 0u : 1u,
@@ -133,6 +158,14 @@ Result<std::optional<PhotoEntry>> AlbumQueries::neighbour(const PhotoList& list,
     if (!one)
         return Error{one.error()};
     return one->empty() ? std::nullopt : std::optional(std::move(one->front()));
+}
+
+Result<std::size_t> AlbumQueries::count_before(const PhotoList& list, const std::optional<PlaceInList>& place) {
+    const PlaceInList end = behind_all();
+    return index_.guarded([&] {
+        SqlRun run = std::visit(CountRun{index_.connection(), place ? *place : end}, list);
+        return run.next() ? static_cast<std::size_t>(run.integer(0)) : std::size_t{0};
+    });
 }
 
 Result<std::optional<PhotoEntry>> AlbumQueries::find(const fs::path& photo) {

@@ -127,7 +127,7 @@ private:
         if (has_recordings(photo.place)) // its own came along, or this one did before
             return photo;
         const RecordingLabel label{RecordingKind::ambient, {}, {}, {}, {}, {}};
-        const auto take = [&](SoundSource source, const Result<AlbumKeeper::Added>& added) {
+        const auto take = [&](SoundOrigin source, const Result<AlbumKeeper::Added>& added) {
             photo.problem = !added                   ? added.error()
                             : added->warning.empty() ? std::string{}
                                                      : "The sound of " + quoted(photo.source.filename()) +
@@ -136,12 +136,12 @@ private:
                 photo.sound = TakenSound{added->tag.file, source};
         };
         if (const auto sound = sound_beside(photo.source))
-            take(SoundSource::sound_file, keeper_.add_recording(photo.place, *sound, label));
+            take(SoundOrigin::sound_file, keeper_.add_recording(photo.place, *sound, label));
         else if (const auto inside = video_in(photo.source))
-            take(SoundSource::motion_photo,
+            take(SoundOrigin::motion_photo,
                  keeper_.add_video_sound(photo.place, photo.source, *inside, label));
         else if (const auto video = video_beside(photo.source))
-            take(SoundSource::live_photo,
+            take(SoundOrigin::live_photo,
                  keeper_.add_video_sound(photo.place, *video, {0, size_of(*video)}, label));
         return photo;
     }
@@ -171,7 +171,7 @@ private:
 
 } // namespace
 
-std::string_view name_of(SoundSource source) {
+std::string_view name_of(SoundOrigin source) {
     constexpr std::array<std::string_view, 3> names{"sound_file", "motion_photo", "live_photo"};
     return names[static_cast<std::size_t>(source)];
 }

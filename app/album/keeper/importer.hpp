@@ -23,19 +23,19 @@ struct ImportProgress {
 };
 
 /// Where a camera put the sound of a photograph.
-enum class SoundSource {
+enum class SoundOrigin {
     sound_file,   ///< IMG_1.WAV beside IMG_1.JPG
     motion_photo, ///< a video inside the photograph's own file
     live_photo,   ///< IMG_1.MOV beside IMG_1.HEIC
 };
 
 /// "sound_file", …: as in JSON.
-std::string_view name_of(SoundSource source);
+std::string_view name_of(SoundOrigin source);
 
 /// The ambient recording that a camera's sound became.
 struct TakenSound {
     std::string recording; ///< its file name among the photograph's recordings
-    SoundSource source = SoundSource::sound_file;
+    SoundOrigin source = SoundOrigin::sound_file;
 };
 
 /// What became of one photograph that was to be imported.

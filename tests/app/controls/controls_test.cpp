@@ -108,6 +108,7 @@ private slots:
         QTest::mouseClick(view_.get(), Qt::LeftButton, {}, button->mapToScene({10, 10}).toPoint());
         act(accessible(*view_, "disabled"), QAccessibleActionInterface::pressAction());
         QCOMPARE(presses(), 0);
+        QCOMPARE(accessible(*view_, "disabled")->text(QAccessible::Name), QString("Not now, not available"));
     }
 
     void a_toggle_is_thrown_by_mouse_key_and_screen_reader() {

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_bench.hpp"
 
+#include "audio/sound/earcons.hpp"
+
 #include <QColor>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 using namespace tp;
 
@@ -31,7 +37,7 @@ Face drawn_face(Vec2 centre) {
 
 } // namespace
 
-std::shared_ptr<const LoadedPhoto> drawn_photo(int faces) {
+std::shared_ptr<const LoadedPhoto> drawn_photo(int faces, std::vector<QString> names) {
     auto photo = std::make_shared<LoadedPhoto>();
     photo->name = "drawn.png";
     photo->image = QImage(200, 150, QImage::Format_RGB32);
@@ -40,6 +46,7 @@ std::shared_ptr<const LoadedPhoto> drawn_photo(int faces) {
     photo->extraction.height = 150;
     for (int i = 0; i < faces; ++i)
         photo->extraction.faces.push_back(drawn_face({200.0 * (i + 0.5) / faces, 75.0}));
+    photo->names = std::move(names);
     return photo;
 }
 
@@ -50,6 +57,29 @@ ExploreSettings patient_settings() {
     settings.servo.limits.late_periods = 60000.0;
     settings.servo.limits.max_speed = 1e9;
     return settings;
+}
+
+ExploreSettings settings_at(const double& time) {
+    ExploreSettings settings = patient_settings();
+    settings.now = [&time] { return time; };
+    return settings;
+}
+
+double ExploreSounds::guide_peak(double seconds) {
+    guide_output.heard.clear();
+    guide_output.play(seconds);
+    float most = 0.0F;
+    for (const float sample : guide_output.heard)
+        most = std::max(most, std::abs(sample));
+    return most;
+}
+
+bool ExploreSounds::hears(Earcon earcon) {
+    earcon_output.heard.clear();
+    earcon_output.play(0.3);
+    const auto sound = samples_of(earcon);
+    return std::search(earcon_output.heard.begin(), earcon_output.heard.end(), sound.begin(), sound.end()) !=
+           earcon_output.heard.end();
 }
 
 double distance_to_feature(const ExploreSession& session, int feature, QPointF place) {

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QKeyEvent>
 #include <QLineF>
 #include <QMimeData>
 #include <QPointingDevice>
@@ -30,7 +31,8 @@ struct Page {
     RecordingVoice voice;
     NotificationAnnouncer announcer;
     Narrator narrator{voice, announcer};
-    ExploreSession session{narrator, patient_settings()};
+    ExploreSounds sounds;
+    ExploreSession session{narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings()};
     ExploreWindow window{session, announcer};
 
     Page() {
@@ -102,7 +104,8 @@ private slots:
         RecordingVoice voice;
         NotificationAnnouncer announcer;
         Narrator narrator(voice, announcer);
-        ExploreSession session(narrator, patient_settings());
+        ExploreSounds sounds;
+        ExploreSession session(narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings());
         ExploreWindow window(session, announcer);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
@@ -121,7 +124,7 @@ private slots:
         Page page;
         page.window.resize(600, 700);
         QVERIFY(page.exposed());
-        for (int i = 0; i < 24; ++i) {
+        for (int i = 0; i < 30; ++i) {
             QTest::keyClick(&page.window, Qt::Key_Tab);
             const QQuickItem* focused = page.window.activeFocusItem();
             const QRectF place = focused->mapRectToScene(focused->boundingRect());
@@ -220,11 +223,121 @@ private slots:
         Page page;
         QVERIFY(page.exposed());
         QTest::keyClick(&page.window, Qt::Key_W);
-        QVERIFY(page.voice.said().back().startsWith("The nearest line is the "));
+        QVERIFY(page.voice.said().back().startsWith("The face. "));
         QTest::keyClick(&page.window, Qt::Key_V);
         QVERIFY(!page.session.voiceOn());
         QTest::keyClick(&page.window, Qt::Key_V);
         QCOMPARE(page.voice.said().back(), QString("Voice on."));
+    }
+
+    void escape_is_left_to_the_shell_where_there_is_nothing_to_stop() {
+        Page page;
+        QVERIFY(page.exposed());
+        const auto press_escape = [&] {
+            QKeyEvent press(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+            QCoreApplication::sendEvent(&page.window, &press);
+            return press.isAccepted();
+        };
+        QVERIFY(page.session.engaged());
+        QVERIFY(press_escape());
+        QVERIFY(!page.session.engaged());
+        QVERIFY(!press_escape());
+        QTest::keyClick(&page.window, Qt::Key_Return);
+        QVERIFY(press_escape());
+    }
+
+    void keys_zoom_tour_and_guide() {
+        Page page;
+        QVERIFY(page.exposed());
+        QTest::keyClick(&page.window, Qt::Key_Z);
+        QCOMPARE(page.voice.said().back(), QString("Zoomed to the eyes."));
+        QTest::keyClick(&page.window, Qt::Key_Z);
+        QCOMPARE(page.voice.said().back(), QString("Zoomed to the mouth."));
+        QTest::keyClick(&page.window, Qt::Key_Z, Qt::ShiftModifier);
+        QCOMPARE(page.voice.said().back(), QString("Zoomed out to the whole face."));
+        QTest::keyClick(&page.window, Qt::Key_T);
+        QVERIFY(page.session.touring());
+        QVERIFY(named(page.window, "End the tour") != nullptr);
+        QTest::keyClick(&page.window, Qt::Key_T);
+        QVERIFY(!page.session.touring());
+        QTest::keyClick(&page.window, Qt::Key_G);
+        QCOMPARE(page.voice.said().back(), QString("Guide: None."));
+        bool asked = false;
+        connect(&page.session, &ExploreSession::backAsked, this, [&] { asked = true; });
+        QTest::keyClick(&page.window, Qt::Key_Backspace);
+        QVERIFY(asked);
+    }
+
+    void fingers_on_the_screen_explore_tap_and_zoom() {
+        Page page;
+        QVERIFY(page.exposed());
+        QPointingDevice* screen = QTest::createTouchDevice();
+        const auto tap = [&](int fingers, QPoint place) {
+            for (int i = 0; i < fingers; ++i)
+                QTest::touchEvent(&page.window, screen).press(i, place + QPoint(60 * i, 0), &page.window);
+            auto up = QTest::touchEvent(&page.window, screen);
+            for (int i = 0; i < fingers; ++i)
+                up.release(i, place + QPoint(60 * i, 0), &page.window);
+            up.commit();
+        };
+        const QPoint place = page.pixel(page.beside(20.0));
+        QTest::touchEvent(&page.window, screen).press(0, place, &page.window);
+        QVERIFY(page.sounds.guide.sounds());
+        QTest::touchEvent(&page.window, screen).release(0, place, &page.window);
+        QVERIFY(!page.sounds.guide.sounds());
+        QTest::qWait(700); // so that the next tap is not its second
+        page.voice.clear();
+        tap(3, place);
+        QVERIFY2(page.voice.said().value(0).startsWith("The face. "), qPrintable(page.voice.said().join("|")));
+        tap(2, place);
+        QVERIFY(!page.session.engaged());
+        QTest::qWait(700);
+        page.voice.clear();
+        tap(1, place);
+        tap(1, place);
+        QVERIFY2(page.voice.said().back().startsWith("The face. "), qPrintable(page.voice.said().join("|")));
+        QTest::qWait(700);
+        const QPoint lips = page.pixel(page.session.frame().from_surface(page.session.felt().lines[2].points[0]));
+        tap(1, lips);
+        QTest::touchEvent(&page.window, screen).press(0, lips, &page.window);
+        QTest::qWait(600);
+        QCOMPARE(page.session.featureCount(), 4); // not before the finger is lifted
+        QTest::touchEvent(&page.window, screen).release(0, lips, &page.window);
+        QCOMPARE(page.voice.said().back(), QString("Zoomed to the mouth."));
+        QCOMPARE(page.session.featureCount(), 1);
+    }
+
+    void a_screen_reader_zooms_and_chooses_a_guide() {
+        Page page;
+        QVERIFY(page.exposed());
+        QAccessibleActionInterface* surface = named(page.window, "Touch surface")->actionInterface();
+        QVERIFY(surface->actionNames().contains(QAccessibleActionInterface::increaseAction()));
+        surface->doAction(QAccessibleActionInterface::increaseAction());
+        QCOMPARE(page.voice.said().back(), QString("Zoomed to the eyes."));
+        surface->doAction(QAccessibleActionInterface::decreaseAction());
+        QCOMPARE(page.voice.said().back(), QString("Zoomed out to the whole face."));
+        surface->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(page.voice.said().back().startsWith("The face. "));
+        named(page.window, "Zoom in")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QCOMPARE(page.voice.said().back(), QString("Zoomed to the eyes."));
+        named(page.window, "Guide: Sonar")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QCOMPARE(page.sounds.preferences.choices().guide, Choices::Guide::sonar);
+        QVERIFY(named(page.window, "Guide: Sonar")->state().checked);
+        named(page.window, "Tour of the face")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(page.session.touring());
+    }
+
+    void people_are_named_where_they_are() {
+        Page page;
+        page.session.show(drawn_photo(2, {"Anna", "Tom"}));
+        QVERIFY(page.exposed());
+        QCOMPARE(page.window.title(), QString("Anna and Tom – TouchPhoto"));
+        QVERIFY(named(page.window, "Anna and Tom") != nullptr);
+        QAccessibleInterface* eye = named(page.window, "left eye of Tom");
+        QVERIFY(eye != nullptr);
+        QCOMPARE(eye->parent()->text(QAccessible::Name), QString("Tom"));
+        named(page.window, "Tom")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QCOMPARE(page.voice.said().back(), QString("Zoomed to Tom."));
     }
 
     void a_bad_file_is_shown_and_spoken_and_the_page_stays_usable() {
@@ -260,8 +373,9 @@ private slots:
                     QString("role %1 at %2,%3").arg(one->role()).arg(one->rect().x()).arg(one->rect().y())));
         }
         QVERIFY(operable >= 11);
-        for (const char* name : {"Guided tour", "Where am I?", "Stop", "Next feature", "Strongest force",
-                                 "Voice", "Open photograph…", "Touch surface", "face", "left eye",
+        for (const char* name : {"Guided tour", "Tour of the face", "Where am I?", "Stop", "Zoom in", "Zoom out",
+                                 "Next feature", "Strongest force", "Guide: None", "Guide: Sonar",
+                                 "Guide: Clock voice", "Guide: Both", "Voice", "Open photograph…", "Touch surface", "face", "left eye",
                                  "right eye", "lips", "face outline", "drawn.png"})
             QVERIFY2(named(page.window, name) != nullptr, name);
     }

@@ -13,9 +13,13 @@ struct Bench {
     RecordingVoice voice;
     RecordingAnnouncer announcer;
     Narrator narrator{voice, announcer};
-    ExploreSession session{narrator, patient_settings()};
+    ExploreSounds sounds;
+    ExploreSession session;
 
-    explicit Bench(int faces = 1) { session.show(drawn_photo(faces)); }
+    explicit Bench(int faces = 1, std::vector<QString> names = {}, const ExploreSettings& settings = patient_settings())
+        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings) {
+        session.show(drawn_photo(faces, std::move(names)));
+    }
 };
 
 constexpr int left_eye = 0;
@@ -37,10 +41,10 @@ private slots:
     void extra_features_are_felt_by_those_who_asked_for_them() {
         RecordingVoice voice;
         RecordingAnnouncer announcer;
-        ExploreSettings settings = patient_settings();
-        settings.extras.nose = true;
         Narrator narrator(voice, announcer);
-        ExploreSession session(narrator, settings);
+        ExploreSounds sounds;
+        sounds.preferences.change([](Choices& choices) { choices.nose = true; });
+        ExploreSession session(narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings());
         auto photo = std::make_shared<LoadedPhoto>(*drawn_photo());
         photo->extraction.faces[0].extras = {
             contour_through(feature::nose, {{95, 80}, {100, 84}, {105, 80}}, false),
@@ -49,6 +53,10 @@ private slots:
         QCOMPARE(voice.said(), QStringList("One face. Eyes, mouth, outline and nose can be felt."));
         QCOMPARE(session.featureCount(), 5);
         QCOMPARE(QString::fromStdString(session.felt().names.back()), QString("nose"));
+        sounds.preferences.change([](Choices& choices) { choices.brows = true; }); // while it is felt
+        QCOMPARE(session.featureCount(), 6);
+        sounds.preferences.change([](Choices& choices) { choices.brows = choices.nose = false; });
+        QCOMPARE(session.featureCount(), 4);
     }
 
     void a_search_can_be_stopped() {
@@ -67,7 +75,8 @@ private slots:
         RecordingVoice voice;
         RecordingAnnouncer announcer;
         Narrator narrator(voice, announcer);
-        ExploreSession first(narrator, patient_settings());
+        ExploreSounds sounds;
+        ExploreSession first(narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings());
         first.open_file(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg");
         first.stopOrStart();
         PhotoLoader later; // has the same to do and began after it
@@ -182,7 +191,9 @@ private slots:
         Bench bench;
         bench.session.goToFeature(left_eye);
         bench.session.whereAmI();
-        QCOMPARE(bench.voice.said().back(), QString("On the left eye."));
+        QVERIFY2(bench.voice.said().back().startsWith("The face. On the left eye, at its "),
+                 qPrintable(bench.voice.said().back()));
+        QVERIFY(bench.voice.said().back().endsWith(" from its middle."));
     }
 
     void several_faces_are_felt_together_or_one_by_one() {
@@ -193,7 +204,7 @@ private slots:
         bench.session.goToFeature(5);
         QCOMPARE(bench.voice.said().back(), QString("right eye of face 2"));
         bench.session.nextFace();
-        QCOMPARE(bench.voice.said().back(), QString("Face 1 alone."));
+        QCOMPARE(bench.voice.said().back(), QString("Zoomed to face 1."));
         QCOMPARE(bench.session.featureCount(), 4);
         QCOMPARE(bench.session.faces().size(), 2); // the other one can still be chosen
         bench.session.nextFace();
@@ -228,7 +239,8 @@ private slots:
         RecordingVoice voice;
         RecordingAnnouncer announcer;
         Narrator narrator(voice, announcer);
-        ExploreSession session(narrator, patient_settings());
+        ExploreSounds sounds;
+        ExploreSession session(narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings());
         session.moveTo(10.0, 10.0);
         session.touchDown(10.0, 10.0);
         session.nudge(1.0, 1.0);
@@ -247,7 +259,8 @@ private slots:
         ExploreSettings settings = patient_settings();
         settings.servo.limits.stall = 1e-9; // every tick is too late
         Narrator narrator(voice, announcer);
-        ExploreSession session(narrator, settings);
+        ExploreSounds sounds;
+        ExploreSession session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings);
         session.show(drawn_photo());
         QTRY_VERIFY(session.faultSentence().contains("switched off"));
         QVERIFY(!session.engaged());

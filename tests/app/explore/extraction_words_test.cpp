@@ -32,6 +32,20 @@ private slots:
         extraction.faces = {face_with(everything), face_with(everything)};
         QCOMPARE(describe(extraction), QString("Two faces. Eyes, mouth and outline of each can be felt."));
     }
+    void people_come_first() {
+        Extraction extraction;
+        extraction.faces = {face_with(everything), face_with(everything), face_with(everything)};
+        QCOMPARE(describe(extraction, {"Anna", "", "Tom"}),
+                 QString("Anna and Tom. Three faces. Eyes, mouth and outline of each can be felt."));
+        QCOMPARE(listed({"Anna", "Tom", "Clara"}), QString("Anna, Tom and Clara"));
+        QCOMPARE(listed({}), QString());
+    }
+    void a_fault_is_told_once_where_face_and_picture_have_the_same() {
+        Extraction extraction;
+        extraction.faces = {face_with({feature::outline})};
+        extraction.problem = extraction.faces[0].problem = "It is partly covered.";
+        QCOMPARE(describe(extraction), QString("One face. Outline can be felt. It is partly covered."));
+    }
     void only_what_is_there_is_promised() {
         Extraction extraction;
         extraction.faces = {face_with({feature::outline})};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/album/metadata/write_sidecar.hpp"
 #include "app/explore/photo_loader.hpp"
 
 #include <QFile>
@@ -23,6 +24,30 @@ private slots:
         QCOMPARE(got->name, QString("anna_smiling.jpg"));
         QCOMPARE(got->image.size(), QSize(900, 1100));
         QCOMPARE(got->extraction.faces.size(), 1u);
+    }
+    void people_are_known_from_the_sidecar() {
+        QTemporaryDir folder;
+        const QString photo = folder.filePath("two.jpg");
+        QVERIFY(QFile::copy(samples + "ben_and_clara.jpg", photo));
+        PhotoLoader loader;
+        std::shared_ptr<const LoadedPhoto> got;
+        connect(&loader, &PhotoLoader::loaded, this, [&](auto one) { got = one; });
+        loader.load(photo);
+        QTRY_VERIFY_WITH_TIMEOUT(got != nullptr, 60000);
+        QCOMPARE(got->names, (std::vector<QString>{"", ""}));
+        const Extraction& found = got->extraction;
+        const auto marked = [&](std::size_t face, const char* name) {
+            const Rect& box = found.faces[face].box;
+            return FaceRegion{box.centre().x / found.width, box.centre().y / found.height,
+                              1.2 * box.width() / found.width, 1.3 * box.height() / found.height, name};
+        };
+        SidecarChanges changes;
+        changes.faces = {marked(1, "Clara"), marked(0, "Ben")};
+        QCOMPARE(write_sidecar(photo.toStdString(), changes), std::string());
+        got.reset();
+        loader.load(photo);
+        QTRY_VERIFY_WITH_TIMEOUT(got != nullptr, 60000);
+        QCOMPARE(got->names, (std::vector<QString>{"Ben", "Clara"}));
     }
     void only_the_newest_wish_is_answered() {
         PhotoLoader loader;

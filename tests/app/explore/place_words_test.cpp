@@ -3,12 +3,9 @@
 
 #include <QTest>
 
-using namespace tp;
+#include <cmath>
 
-namespace {
-const FlatScene scene{{"left_eye", "face 2 outer_lip"},
-                      {{{{20.0, 0.0}, {20.0, 10.0}}, false}, {{{-90.0, -90.0}, {-80.0, -90.0}}, false}}};
-}
+using namespace tp;
 
 class PlaceWordsTest : public QObject {
     Q_OBJECT
@@ -23,15 +20,19 @@ private slots:
         QCOMPARE(clock_direction({-0.01, 1.0}), 12);
         QCOMPARE(clock_direction({0.0, 0.0}), 12);
     }
-    void beside_a_line() {
-        QCOMPARE(where_am_i(scene, {5.0, 5.0}, -1),
-                 QString("The nearest line is the left eye, at 3 o'clock, 15 millimetres away."));
-        QCOMPARE(where_am_i(scene, {-85.0, -60.0}, -1),
-                 QString("The nearest line is the lips of face 2, at 6 o'clock, 30 millimetres away."));
+    void near_a_line() {
+        QCOMPARE(where_am_i({"Anna", false, "left eye", false, 2, 6}),
+                 QString("Anna. Left eye at 2 o'clock, 6 millimetre(s)."));
+        QCOMPARE(where_am_i({"the face", false, "lips", false, 6, 1}),
+                 QString("The face. Lips at 6 o'clock, 1 millimetre(s)."));
     }
-    void on_a_feature() { QCOMPARE(where_am_i(scene, {19.0, 5.0}, 0), QString("On the left eye.")); }
-    void nothing_there() {
-        QCOMPARE(where_am_i({}, {0.0, 0.0}, -1), QString("There is nothing to feel here."));
+    void on_a_line_its_place_on_the_feature_is_told() {
+        QCOMPARE(where_am_i({"Anna", false, "left eye", true, 2, 11}),
+                 QString("Anna. On the left eye, at its 2 o'clock, 11 millimetre(s) from its middle."));
+    }
+    void beside_the_face() {
+        QCOMPARE(where_am_i({"face 2", true, "face outline", false, 9, 20}),
+                 QString("Beside face 2. Face outline at 9 o'clock, 20 millimetre(s)."));
     }
     void the_finger_lands_on_the_line() {
         const Polyline open{{{0.0, 0.0}, {10.0, 0.0}}, false};

@@ -77,6 +77,44 @@ private slots:
         QCOMPARE(built->scene.contours[2].name, std::string("inner_lip"));
     }
 
+    void a_part_fills_the_surface_and_is_all_that_is_felt() {
+        Face face = face_at(500, 100, 400);
+        face.contours.push_back(contour_through(feature::right_eye, {{540, 100}, {620, 100}, {580, 115}}, true));
+        face.contours.push_back(contour_through(feature::outer_lip, {{600, 350}, {700, 350}, {650, 390}}, true));
+        face.contours.push_back(contour_through(feature::inner_lip, {{620, 355}, {680, 355}, {650, 375}}, true));
+        face.contours.push_back(contour_through(feature::left_iris, {{800, 98}, {810, 98}, {805, 108}}, true));
+        face.contours.push_back(contour_through(feature::nose, {{640, 250}, {650, 260}, {660, 250}}, false));
+        const Extraction two = photo({face, face_at(0, 300, 200)});
+        const auto names = [&](const Subject& subject) {
+            const auto built = build_scene(two, {}, subject);
+            std::string all;
+            for (std::size_t i = 0; built && i < built->scene.contours.size(); ++i) {
+                all += built->scene.contours[i].name + " ";
+                if (subject.face && (built->features[i].face != *subject.face ||
+                                     built->features[i].name != built->scene.contours[i].name))
+                    all += "(of another) ";
+            }
+            return all;
+        };
+        QCOMPARE(names({0, FacePart::eyes}), std::string("left_eye right_eye left_iris "));
+        QCOMPARE(names({0, FacePart::left_eye}), std::string("left_eye left_iris "));
+        QCOMPARE(names({0, FacePart::right_eye}), std::string("right_eye "));
+        QCOMPARE(names({0, FacePart::mouth}), std::string("outer_lip inner_lip "));
+        QCOMPARE(names({1, FacePart::eyes}), std::string("left_eye "));
+        QCOMPARE(names({std::nullopt, FacePart::eyes}),
+                 std::string("face 1 left_eye face 1 right_eye face 1 left_iris face 2 left_eye "));
+        for (const FacePart part : {FacePart::eyes, FacePart::left_eye, FacePart::right_eye, FacePart::mouth}) {
+            const Rect box = bounds_of(build_scene(two, {}, Subject{0, part})->scene);
+            QVERIFY(std::abs(box.width() - 184.0) < 1e-6 || std::abs(box.height() - 134.0) < 1e-6);
+            QVERIFY(box.width() < 184.1 && box.height() < 134.1);
+        }
+        QVERIFY(build_scene(two, {}, Subject{1, FacePart::mouth}).error().find("not found") != std::string::npos);
+        const auto all = build_scene(two);
+        QCOMPARE(all->features.size(), all->scene.contours.size());
+        QCOMPARE(all->features.back().face, std::size_t(1));
+        QCOMPARE(all->features.back().name, std::string(feature::outline));
+    }
+
     void says_what_is_missing() {
         QVERIFY(!build_scene(photo({})).error().empty());
         Extraction told = photo({});

@@ -7,6 +7,7 @@
 #include "drawn_faces.hpp"
 
 #include <QImage>
+#include <QPoint>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QStandardPaths>

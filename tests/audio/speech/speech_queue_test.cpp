@@ -86,6 +86,17 @@ private slots:
         QCOMPARE(bench.engine.begun.size(), 2);
     }
 
+    void it_is_idle_once_everything_was_spoken_or_dropped() {
+        Bench bench;
+        QVERIFY(bench.queue.idle());
+        bench.queue.set_recording_plays(true);
+        bench.queue.say("one", Priority::message);
+        bench.queue.say("two", Priority::touch);
+        QVERIFY(!bench.queue.idle());
+        bench.queue.set_recording_plays(false);
+        bench.queue.stop();
+        QVERIFY(bench.queue.idle());
+    }
     void stop_silences_the_rest() {
         Bench bench;
         bench.queue.say("a long message", Priority::message);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/recording/recorder.hpp"
+#include "device/recording/recording_device.hpp"
 #include "device/recording/replay_device.hpp"
 #include "device/simulated/simulated_device.hpp"
 #include "recording_check.hpp"
@@ -37,7 +37,7 @@ std::string recorded_session(const QString& path) {
     SimulatedPlant plant;
     plant.quantum = 0.02;
     SimulatedDevice device(200.0, 150.0, plant);
-    Recorder recorder(device, path.toStdString());
+    RecordingDevice recorder(device, path.toStdString());
     const Result<Capabilities> can = recorder.open();
     if (!can.ok())
         return can.error();
@@ -128,7 +128,7 @@ private slots:
 
     void what_the_servo_could_not_write_down_in_time_ends_it() {
         SimulatedDevice device(200.0, 150.0);
-        Recorder recorder(device, path("overrun").toStdString());
+        RecordingDevice recorder(device, path("overrun").toStdString());
         QVERIFY(recorder.open().ok());
         for (int i = 0; i < 20000; ++i) {
             recorder.read(0.001 * i);
@@ -145,7 +145,7 @@ private slots:
         file.write("mine");
         file.close();
         SimulatedDevice device(200.0, 150.0);
-        Recorder recorder(device, path("mine").toStdString());
+        RecordingDevice recorder(device, path("mine").toStdString());
         const Result<Capabilities> can = recorder.open();
         QVERIFY(!can.ok());
         QVERIFY(can.error().find("already") != std::string::npos);

@@ -39,6 +39,10 @@ class AlbumQueriesTest : public QObject {
     void compare(const PhotoList& list, const std::vector<PhotoId>& expected) {
         QCOMPARE(walked(list, Direction::forward), expected);
         QCOMPARE(walked(list, Direction::backward), std::vector<PhotoId>(expected.rbegin(), expected.rend()));
+        AlbumQueries queries(*index_);
+        QCOMPARE(queries.count_before(list, {}).value(), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            QCOMPARE(queries.count_before(list, queries.summary(expected[i]).value()->entry.place).value(), i);
     }
 
     template <typename Wanted>

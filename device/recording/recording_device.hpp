@@ -17,13 +17,13 @@ namespace tp {
 /// A device that passes everything on to another and writes down what passed (FORMAT.md), a tick at each
 /// write. The servo's thread puts ticks into a ring and waits for nothing; another thread, or the same in
 /// simulated time, calls flush() at least every few seconds.
-class Recorder final : public ForceDevice {
+class RecordingDevice final : public ForceDevice {
 public:
     /// The device must outlive it. `file` is made new; an existing one is refused by open().
-    Recorder(ForceDevice& device, std::filesystem::path file);
-    ~Recorder() override;
-    Recorder(const Recorder&) = delete;
-    Recorder& operator=(const Recorder&) = delete;
+    RecordingDevice(ForceDevice& device, std::filesystem::path file);
+    ~RecordingDevice() override;
+    RecordingDevice(const RecordingDevice&) = delete;
+    RecordingDevice& operator=(const RecordingDevice&) = delete;
 
     Result<Capabilities> open() override;
     std::optional<DeviceState> read(double now) noexcept override;

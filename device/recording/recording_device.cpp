@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/recording/recorder.hpp"
+#include "device/recording/recording_device.hpp"
 
 #include <system_error>
 #include <utility>
 
 namespace tp {
 
-Recorder::Recorder(ForceDevice& device, std::filesystem::path file)
+RecordingDevice::RecordingDevice(ForceDevice& device, std::filesystem::path file)
     : device_(device), path_(std::move(file)) {}
 
-Recorder::~Recorder() { flush(); }
+RecordingDevice::~RecordingDevice() { flush(); }
 
-Result<Capabilities> Recorder::open() {
+Result<Capabilities> RecordingDevice::open() {
     std::error_code unused;
     if (std::filesystem::exists(path_, unused))
         return Error{"There is a file " + path_.string() +
@@ -31,7 +31,7 @@ Result<Capabilities> Recorder::open() {
     return can;
 }
 
-std::optional<DeviceState> Recorder::read(double now) noexcept {
+std::optional<DeviceState> RecordingDevice::read(double now) noexcept {
     const std::optional<DeviceState> reading = device_.read(now);
     servo_.store(std::this_thread::get_id(), std::memory_order_relaxed);
     ticking_ = true;
@@ -42,7 +42,7 @@ std::optional<DeviceState> Recorder::read(double now) noexcept {
     return reading;
 }
 
-bool Recorder::write(const SafeForce& force) noexcept {
+bool RecordingDevice::write(const SafeForce& force) noexcept {
     if (servo_.load(std::memory_order_relaxed) != std::this_thread::get_id() || !ticking_)
         return device_.write(force);
     ticking_ = false;
@@ -63,7 +63,7 @@ bool Recorder::write(const SafeForce& force) noexcept {
     return taken;
 }
 
-bool Recorder::flush() {
+bool RecordingDevice::flush() {
     if (!file_.is_open())
         return false;
     const std::uint64_t until = made_.load(std::memory_order_acquire);

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Controls
+import TouchPhoto.Browse
+
+// Names, years, places or keywords to choose from, or the search with what it suggests and finds.
+FocusScope {
+    id: list
+
+    required property BrowseSession session
+    readonly property bool searching: session.view === BrowseSession.Search
+    readonly property int count: session.rows.length
+    property int current: -1 // the row that the keyboard was on last
+
+    // Where the keyboard begins: the field of a search, or the row that was chosen last.
+    function focusFirst() {
+        if (searching && session.chosenRow < 0)
+            field.forceActiveFocus(Qt.OtherFocusReason)
+        else
+            stepTo(Math.max(0, session.chosenRow))
+    }
+    function stepTo(index) {
+        const row = rows.itemAt(index)
+        if (row) {
+            row.forceActiveFocus(Qt.OtherFocusReason)
+        } else if (searching) {
+            current = -1
+            field.forceActiveFocus(Qt.OtherFocusReason)
+        } else {
+            backButton.forceActiveFocus(Qt.OtherFocusReason)
+        }
+    }
+    function step(by) { stepTo(Math.max(searching ? -1 : 0, Math.min(current + by, rows.count - 1))) }
+
+    Connections {
+        target: list.session
+        function onRowsChanged() { list.current = list.session.chosenRow }
+    }
+
+    TpHeading {
+        id: heading
+        width: parent.width - backButton.width - Theme.gap
+        height: backButton.height
+        verticalAlignment: Text.AlignVCenter
+        text: list.session.title
+    }
+    TpButton {
+        id: backButton
+        anchors.right: parent.right
+        width: Math.max(140, implicitWidth)
+        text: qsTr("Back")
+        hint: qsTr("Key: Backspace")
+        onClicked: list.session.back()
+    }
+    TpTextField {
+        id: field
+        objectName: "field"
+        anchors { top: backButton.bottom; topMargin: visible ? Theme.gap : 0 }
+        width: parent.width
+        height: visible ? implicitHeight : 0
+        visible: list.searching
+        label: qsTr("A name, a place or any word")
+        setting: list.session.typed
+        onTyped: (text) => list.session.type(text)
+        onEntered: (text) => {
+            list.session.type(text)
+            list.session.tellFound()
+        }
+        Keys.onDownPressed: list.step(1)
+    }
+    TpStatus {
+        id: found
+        anchors { top: field.bottom; topMargin: Theme.gap }
+        width: parent.width
+        text: list.session.found
+        color: Theme.quiet
+    }
+    TpScroll {
+        anchors { top: found.bottom; topMargin: Theme.gap; bottom: bar.top; bottomMargin: Theme.gap }
+        width: parent.width
+        margin: 6
+
+        Repeater {
+            id: rows
+            model: list.session.rows
+            delegate: TpListRow {
+                required property int index
+                required property var modelData
+                width: parent ? parent.width : 0
+                text: modelData.text
+                detail: modelData.detail
+                position: index + 1
+                count: list.count
+                selected: index === list.session.chosenRow
+                onClicked: list.session.choose(index)
+                onActiveFocusChanged: {
+                    if (!activeFocus)
+                        return
+                    list.current = index
+                    list.session.reach(index)
+                }
+            }
+        }
+    }
+
+    // For a finger that does not see: where it goes from row to row and chooses, these stay.
+    Row {
+        id: bar
+        anchors.bottom: parent.bottom
+        width: parent.width
+        height: list.count > 0 ? implicitHeight : 0
+        visible: list.count > 0
+        spacing: Theme.gap
+        readonly property real third: (width - 2 * spacing) / 3
+
+        TpButton {
+            width: bar.third
+            text: qsTr("Up")
+            hint: qsTr("To the row before. Key: up arrow")
+            onClicked: list.stepTo(Math.max(0, list.current - 1))
+        }
+        TpButton {
+            width: bar.third
+            text: qsTr("Down")
+            hint: qsTr("To the next row. Key: down arrow")
+            onClicked: list.stepTo(Math.min(list.current + 1, list.count - 1))
+        }
+        TpButton {
+            width: bar.third
+            primary: true
+            text: qsTr("Choose")
+            hint: qsTr("The row that was told last. Key: Return")
+            onClicked: list.session.choose(list.current)
+        }
+    }
+}

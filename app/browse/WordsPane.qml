@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Controls
+import TouchPhoto.Browse
+
+// What is known of the photograph: where in the list it is, the summary, the detail one has gone to, what is heard.
+Column {
+    id: words
+
+    required property BrowseSession session
+    readonly property bool ready: session.state === BrowseSession.Ready
+    spacing: 0.5 * Theme.gap
+
+    Item {
+        width: parent.width
+        height: Math.max(heading.implicitHeight, place.implicitHeight)
+        TpHeading {
+            id: heading
+            width: parent.width - (place.visible ? place.width + Theme.gap : 0)
+            text: words.session.title
+            textFormat: Text.PlainText
+        }
+        TpStatus {
+            id: place
+            anchors { right: parent.right; baseline: heading.baseline }
+            visible: words.ready
+            label: qsTr("Photograph")
+            text: words.session.placeText
+            color: Theme.quiet
+        }
+    }
+    TpStatus {
+        width: parent.width
+        visible: !words.ready
+        text: words.session.emptyText
+    }
+    TpStatus {
+        width: parent.width
+        visible: words.ready
+        text: words.session.summary
+        font.bold: true
+        textFormat: Text.PlainText
+    }
+    TpStatus {
+        width: parent.width
+        visible: words.ready && text !== words.session.summary
+        label: qsTr("Detail")
+        text: words.session.detail
+        color: Theme.accent
+        textFormat: Text.PlainText
+    }
+    TpStatus {
+        width: parent.width
+        visible: text !== ""
+        text: words.session.notice
+        color: Theme.finger
+    }
+    TpProgress {
+        width: parent.width
+        visible: words.session.heard !== ""
+        label: words.session.heard
+        value: words.session.heardValue
+    }
+    TpProgress {
+        width: parent.width
+        visible: words.session.scanning
+        label: words.session.scanText
+        value: words.session.scanValue
+    }
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Care
+
+// A dialog that is made when it is needed first. Where it is not installed, the page says so and goes on.
+Loader {
+    id: loader
+
+    required property CareSession session
+    required property string file
+    signal chosen(var files)
+    signal dropped
+
+    active: false
+
+    function open(title) {
+        if (!active)
+            setSource(file)
+        active = true
+        if (status !== Loader.Ready) {
+            session.tellProblem(qsTr("The file dialog is not installed. Drop files or folders on this window instead."))
+            return
+        }
+        if (title !== undefined)
+            item.title = title
+        item.open()
+    }
+    onLoaded: item.currentFolder = session.picturesFolder()
+
+    Connections {
+        target: loader.item
+        ignoreUnknownSignals: true
+        function onChosen(files) { loader.chosen(files) }
+        function onDropped() { loader.dropped() }
+    }
+}

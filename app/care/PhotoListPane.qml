@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Controls
+import TouchPhoto.Care
+
+// The photographs of the album. Tab comes to one row, the arrow keys go from row to row.
+FocusScope {
+    id: pane
+
+    required property CareSession session
+    readonly property Item focused: Window.activeFocusItem
+    property bool keepFocus: false
+    property int keepRow: 0
+    signal photosAsked
+    signal folderAsked
+    signal opened
+
+    function focusRow() {
+        if (list.count === 0) {
+            list.headerItem.focusFirst()
+            return
+        }
+        list.currentIndex = Math.max(0, Math.min(list.currentIndex, list.count - 1))
+        list.positionViewAtIndex(list.currentIndex, ListView.Contain)
+        list.currentItem.focusRow()
+    }
+
+    // What the keyboard comes to above the rows is brought into view.
+    onFocusedChanged: {
+        for (let item = focused; item; item = item.parent)
+            if (item === list.headerItem) {
+                const top = focused.mapToItem(list.contentItem, 0, 0).y
+                const wanted = Math.max(Math.min(list.contentY, top - Theme.gap),
+                                        top + focused.height + Theme.gap - list.height)
+                list.contentY = Math.max(list.originY - list.inset, wanted)
+                return
+            }
+    }
+
+    Connections {
+        target: pane.session.photos
+        function onModelAboutToBeReset() {
+            pane.keepFocus = list.activeFocus && !list.headerItem.activeFocus
+            pane.keepRow = list.currentIndex
+        }
+        function onModelReset() {
+            const row = pane.session.photoRow
+            list.currentIndex = row >= 0 ? row : Math.max(0, Math.min(pane.keepRow, list.count - 1))
+            if (pane.keepFocus)
+                pane.focusRow()
+        }
+    }
+
+    ListView {
+        id: list
+        objectName: "photoList"
+        anchors.fill: parent
+        spacing: Theme.gap
+        clip: true
+        // Room for the ring round what has the keyboard.
+        readonly property real inset: 2 * Theme.ring
+        leftMargin: inset
+        rightMargin: inset
+        topMargin: inset
+        bottomMargin: inset
+        focus: true
+        boundsBehavior: Flickable.StopAtBounds
+        highlightMoveDuration: 0
+        model: pane.session.photos
+        cacheBuffer: 400
+        // Who comes to the page comes to its first control.
+        onActiveFocusChanged: if (activeFocus && Window.activeFocusItem === list) list.headerItem.focusFirst()
+        Keys.onUpPressed: (event) => event.accepted = step(-1)
+        Keys.onDownPressed: (event) => event.accepted = step(1)
+        Keys.onPressed: (event) => {
+            if (list.headerItem.activeFocus)
+                return
+            const page = Math.max(1, Math.floor(list.height / (list.currentItem ? list.currentItem.height : 100)))
+            switch (event.key) {
+            case Qt.Key_Home: event.accepted = step(-list.count); break
+            case Qt.Key_End: event.accepted = step(list.count); break
+            case Qt.Key_PageUp: event.accepted = step(-page); break
+            case Qt.Key_PageDown: event.accepted = step(page); break
+            }
+        }
+        function step(by) {
+            if (list.headerItem.activeFocus || list.count === 0)
+                return false
+            list.currentIndex = Math.max(0, Math.min(list.currentIndex + by, list.count - 1))
+            pane.focusRow()
+            return true
+        }
+
+        header: FocusScope {
+            width: list.width - 2 * list.inset
+            height: above.height + Theme.gap
+            function focusFirst() { importPart.children[0].forceActiveFocus() }
+
+            Column {
+                id: above
+                width: parent.width
+                spacing: Theme.gap
+
+                TpHeading {
+                    width: parent.width
+                    text: qsTr("Photographs of the album")
+                }
+                ImportPart {
+                    id: importPart
+                    width: parent.width
+                    importing: pane.session.importing
+                    onPhotosAsked: pane.photosAsked()
+                    onFolderAsked: pane.folderAsked()
+                }
+                UndoBar {
+                    width: parent.width
+                    session: pane.session
+                    visible: !pane.session.photoOpen && (pane.session.undoText !== "" || pane.session.redoText !== "")
+                }
+                TpChoice {
+                    width: parent.width
+                    visible: pane.session.photos.total > 0
+                    label: qsTr("Order")
+                    options: [qsTr("Newest first"), qsTr("Looks wrong first")]
+                    current: pane.session.photos.order
+                    onPicked: (index) => pane.session.photos.order = index
+                }
+                TpStatus {
+                    width: parent.width
+                    visible: pane.session.photos.leftToJudge > 0
+                    text: qsTr("Looking at faces, %n photograph(s) left…", "", pane.session.photos.leftToJudge)
+                    color: Theme.quiet
+                }
+                TpText {
+                    width: parent.width
+                    visible: pane.session.photos.total === 0
+                    text: pane.session.hasFolders ? qsTr("No photograph is in the album yet.")
+                                                  : qsTr("The album has no folder yet. You are asked for one when you import.")
+                }
+            }
+        }
+
+        delegate: FocusScope {
+            id: item
+            required property int index
+            required property string name
+            required property string detail
+            required property var picture
+
+            width: list.width - 2 * list.inset
+            height: row.height
+            function focusRow() { row.forceActiveFocus() }
+
+            PictureItem {
+                id: thumbnail
+                width: Theme.target
+                height: Theme.target
+                anchors { left: parent.left; verticalCenter: row.verticalCenter }
+                picture: item.picture
+                Accessible.ignored: true
+                MouseArea {
+                    anchors.fill: parent
+                    onClicked: row.clicked()
+                }
+            }
+            TpListRow {
+                id: row
+                anchors { left: thumbnail.right; leftMargin: Theme.gap; right: parent.right }
+                height: Math.max(implicitHeight, thumbnail.height)
+                focus: true
+                activeFocusOnTab: item.ListView.isCurrentItem || activeFocus
+                text: item.name
+                detail: item.detail
+                position: item.index + 1
+                count: pane.session.photos.total
+                selected: pane.session.photoOpen && pane.session.photoRow === item.index
+                onActiveFocusChanged: if (activeFocus) list.currentIndex = item.index
+                onClicked: {
+                    list.currentIndex = item.index
+                    pane.session.openRow(item.index)
+                    pane.opened()
+                }
+            }
+        }
+    }
+}

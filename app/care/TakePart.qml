@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Controls
+import TouchPhoto.Care
+
+// Recording: what it will be, then the one button that begins and finishes it, a meter, pause, and throwing away.
+FocusScope {
+    id: part
+
+    required property Take take
+    required property RecordingList recordings
+    signal filesAsked
+
+    implicitHeight: column.height
+    function focusRecord() { record.forceActiveFocus() }
+
+    Column {
+        id: column
+        width: parent.width
+        spacing: Theme.gap
+
+        TpChoice {
+            width: parent.width
+            visible: !part.take.running
+            label: qsTr("What to record")
+            options: part.recordings.kinds
+            current: part.take.kind
+            onPicked: (index) => part.take.kind = index
+        }
+        Flow {
+            width: parent.width
+            spacing: Theme.gap
+            TpButton {
+                id: record
+                objectName: "record"
+                width: Math.min(implicitWidth, parent.width)
+                primary: true
+                focus: true
+                text: part.take.running ? qsTr("Finish the recording") : qsTr("Record")
+                onClicked: part.take.running ? part.take.finish() : part.take.start()
+            }
+            TpButton {
+                objectName: "pause"
+                visible: part.take.running && !part.take.asking
+                width: Math.min(implicitWidth, parent.width)
+                text: part.take.paused ? qsTr("Go on") : qsTr("Pause")
+                onClicked: part.take.pauseOrGoOn()
+            }
+            TpButton {
+                objectName: "discard"
+                visible: part.take.running && !part.take.asking
+                width: Math.min(implicitWidth, parent.width)
+                text: qsTr("Throw away…")
+                onClicked: {
+                    part.take.askDiscard()
+                    keepIt.forceActiveFocus()
+                }
+            }
+            TpButton {
+                id: keepIt
+                objectName: "keepIt"
+                visible: part.take.asking
+                width: Math.min(implicitWidth, parent.width)
+                text: qsTr("Keep it")
+                onClicked: {
+                    part.take.keepOn()
+                    part.focusRecord()
+                }
+            }
+            TpButton {
+                objectName: "throwAway"
+                visible: part.take.asking
+                width: Math.min(implicitWidth, parent.width)
+                text: qsTr("Yes, throw it away")
+                onClicked: {
+                    part.take.discard()
+                    part.focusRecord()
+                }
+            }
+            TpButton {
+                objectName: "addSound"
+                visible: !part.take.running
+                width: Math.min(implicitWidth, parent.width)
+                text: qsTr("Add a sound file…")
+                onClicked: part.filesAsked()
+            }
+        }
+        Rectangle {
+            width: parent.width
+            height: meter.height + 2 * Theme.gap
+            visible: part.take.running
+            color: Theme.panel
+            radius: Theme.radius
+            Column {
+                id: meter
+                x: Theme.gap
+                y: Theme.gap
+                width: parent.width - 2 * Theme.gap
+                spacing: 8
+                TpStatus {
+                    width: parent.width
+                    label: part.take.stateText
+                    text: part.take.time
+                    font.pixelSize: Theme.bigSize
+                    font.bold: true
+                    color: part.take.paused ? Theme.quiet : Theme.accent
+                }
+                TpProgress {
+                    width: parent.width
+                    label: part.take.stateText
+                    valueText: qsTr("loudness: %1").arg(part.take.levelText)
+                    value: part.take.level
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/care/care_module.hpp"
+
+#include "app/controls/controls_module.hpp"
+
+extern void qml_register_types_TouchPhoto_Care();
+
+namespace tp {
+
+void register_care() {
+    register_controls();
+    qml_register_types_TouchPhoto_Care();
+}
+
+} // namespace tp

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/album/metadata/photo_record.hpp"
+#include "app/care/keeper_steps.hpp"
+
+#include <QObject>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace tp {
+
+/// A photograph and whose album it is in.
+struct PhotoPlace {
+    std::filesystem::path photo;
+    AlbumKeeper* keeper = nullptr;
+};
+
+/// The photograph that is cared for now and what is known of it, kept true with every step on it.
+class CaredPhoto final : public QObject {
+    Q_OBJECT
+public:
+    /// As KeeperSteps::Step, with the photograph that it is about.
+    using PhotoStep = std::function<std::string(AlbumKeeper&, const std::filesystem::path& photo)>;
+
+    /// The steps must outlive it.
+    explicit CaredPhoto(KeeperSteps& steps, QObject* parent = nullptr) : QObject(parent), steps_(steps) {}
+
+    /// `opened` follows, and `changed` when its record was read.
+    void open(const PhotoPlace& place);
+    void close() { open({}); }
+
+    bool is_open() const { return place_.keeper != nullptr; }
+    const PhotoPlace& place() const { return place_; }
+    /// As read last; empty until it was read for the first time.
+    const PhotoRecord& record() const { return record_; }
+
+    /// A step on a photograph, this one or one that was open when the step was begun; then the record is read anew and
+    /// `touched` is told, whether the step was done or not.
+    void change(const PhotoPlace& place, PhotoStep step, KeeperSteps::Then then);
+    /// The record is read again, for somebody else has changed it.
+    void read_again();
+
+signals:
+    /// Another photograph, or none.
+    void opened();
+    /// What is known of it may have changed.
+    void changed();
+    /// A step on this photograph ended.
+    void touched(const std::filesystem::path& photo);
+
+private:
+    void go(const PhotoPlace& place, PhotoStep step, KeeperSteps::Then then);
+
+    KeeperSteps& steps_;
+    PhotoPlace place_;
+    PhotoRecord record_;
+};
+
+} // namespace tp

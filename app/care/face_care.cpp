@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/care/face_care.hpp"
+
+#include <QVariantMap>
+
+#include <algorithm>
+#include <utility>
+
+namespace tp {
+
+namespace {
+
+constexpr int crop_px = 320;
+
+QRectF part_of(const Rect& box, const Extraction& extraction) {
+    return QRectF(QPointF(box.min.x / extraction.width, box.min.y / extraction.height),
+                  QPointF(box.max.x / extraction.width, box.max.y / extraction.height));
+}
+
+/// The face with some of what is round it.
+QImage crop(const QImage& image, const QRectF& part) {
+    if (image.isNull())
+        return {};
+    const double around = 0.25 * std::max(part.width() * image.width(), part.height() * image.height());
+    const QRectF pixels(part.x() * image.width(), part.y() * image.height(), part.width() * image.width(),
+                        part.height() * image.height());
+    const QRect inside = pixels.adjusted(-around, -around, around, around).toAlignedRect() & image.rect();
+    const QImage cut = image.copy(inside);
+    return std::max(cut.width(), cut.height()) <= crop_px
+               ? cut
+               : cut.scaled(crop_px, crop_px, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+}
+
+double size_of_part(const QRectF& part) { return part.width() * part.height(); }
+
+} // namespace
+
+FaceCare::FaceCare(CaredPhoto& photo, FaceFinder& finder, CareTeller& teller, Suggest suggest)
+    : photo_(photo), finder_(finder), teller_(teller), suggest_(std::move(suggest)) {
+    connect(&photo_, &CaredPhoto::opened, this, [this] {
+        found_.reset();
+        chosen_ = -1;
+        list_faces();
+        finder_.want(photo_.place().photo);
+    });
+    connect(&photo_, &CaredPhoto::changed, this, &FaceCare::list_faces);
+    connect(&finder_, &FaceFinder::found, this, [this](std::shared_ptr<const FoundFaces> found) {
+        if (found->photo != photo_.place().photo)
+            return;
+        found_ = std::move(found);
+        list_faces();
+    });
+}
+
+PictureTurn FaceCare::turn() const {
+    return {photo_.record().orientation, found_ ? found_->extraction.turned_degrees : 0};
+}
+
+/// What was found and what was marked, as one list: a found face that somebody marked has the mark's place and name.
+void FaceCare::list_faces() {
+    const QRectF chosen = chosen_ >= 0 ? faces_[static_cast<std::size_t>(chosen_)].part : QRectF();
+    faces_.clear();
+    for (const FaceRegion& region : photo_.record().faces)
+        faces_.push_back({shown_part(region, turn()), region});
+    if (found_ && found_->extraction.width > 0)
+        for (const Face& face : found_->extraction.faces) {
+            const QRectF part = part_of(face.box, found_->extraction);
+            if (std::none_of(faces_.begin(), faces_.end(),
+                             [&](const KnownFace& known) { return same_face(known.part, part); }))
+                faces_.push_back({part, stored_region(part, turn())});
+        }
+    std::stable_sort(faces_.begin(), faces_.end(), [](const KnownFace& a, const KnownFace& b) {
+        return std::pair(!a.region.name.empty(), -size_of_part(a.part)) <
+               std::pair(!b.region.name.empty(), -size_of_part(b.part));
+    });
+    const auto again = std::find_if(faces_.begin(), faces_.end(), [&](const KnownFace& face) { return face.part == chosen; });
+    chosen_ = chosen_ < 0 || again == faces_.end() ? -1 : static_cast<int>(again - faces_.begin());
+    emit changed();
+}
+
+QString FaceCare::face_words(int face) const {
+    const std::string& name = faces_[static_cast<std::size_t>(face)].region.name;
+    return name.empty() ? tr("Face without a name") : QString::fromStdString(name);
+}
+
+QVariantList FaceCare::faces() const {
+    QVariantList list;
+    for (int i = 0; i < count(); ++i) {
+        const KnownFace& face = faces_[static_cast<std::size_t>(i)];
+        list << QVariantMap{{"text", face_words(i)},
+                            {"named", !face.region.name.empty()},
+                            {"picture", found_ ? crop(found_->image, face.part) : QImage()},
+                            {"chosen", i == chosen_}};
+    }
+    return list;
+}
+
+QString FaceCare::chosenName() const {
+    return chosen_ < 0 ? QString() : QString::fromStdString(faces_[static_cast<std::size_t>(chosen_)].region.name);
+}
+
+int FaceCare::next_without_a_name() const {
+    return !faces_.empty() && faces_.front().region.name.empty() ? 0 : -1; // they come first
+}
+
+QString FaceCare::summary() const {
+    if (!photo_.is_open())
+        return {};
+    if (!found_)
+        return tr("Looking for faces…");
+    if (faces_.empty())
+        return found_->extraction.problem.empty() ? tr("No face was found on this photograph.")
+                                                  : QString::fromStdString(found_->extraction.problem);
+    const auto unnamed = static_cast<int>(std::count_if(
+        faces_.begin(), faces_.end(), [](const KnownFace& face) { return face.region.name.empty(); }));
+    const QString faces = tr("%n face(s)", nullptr, count());
+    return unnamed == 0 ? tr("%1, all with a name.").arg(faces)
+                        : tr("%1, %2.").arg(faces, tr("%n without a name", nullptr, unnamed));
+}
+
+void FaceCare::choose(int face) {
+    chosen_ = face >= 0 && face < count() ? face : -1;
+    emit changed();
+    emit faceChosen();
+    if (chosen_ >= 0)
+        teller_.answer(tr("%1, %2 of %3. Type a name or choose one below.")
+                           .arg(face_words(chosen_))
+                           .arg(chosen_ + 1)
+                           .arg(count()));
+}
+
+void FaceCare::name(const QString& name) {
+    if (chosen_ < 0)
+        return;
+    FaceRegion region = faces_[static_cast<std::size_t>(chosen_)].region;
+    region.name = name.simplified().toStdString();
+    photo_.change(
+        photo_.place(), [region](AlbumKeeper& keeper, const std::filesystem::path& photo) { return keeper.name_face(photo, region); },
+        [this, region](const QString& problem) {
+            if (!problem.isEmpty()) {
+                teller_.problem(problem);
+                return;
+            }
+            chosen_ = region.name.empty() ? -1 : next_without_a_name();
+            emit changed();
+            emit faceChosen();
+            const QString told = region.name.empty() ? tr("This face has no name now.")
+                                                     : tr("Saved: %1.").arg(QString::fromStdString(region.name));
+            teller_.did(Earcon::saved,
+                        chosen_ < 0 ? told : tr("%1 Who is the next face?").arg(told));
+        });
+}
+
+QStringList FaceCare::suggestions(const QString& typed) const {
+    QStringList here, elsewhere;
+    for (const QString& person : suggest_(typed)) {
+        const bool on_it = std::any_of(faces_.begin(), faces_.end(), [&](const KnownFace& face) {
+            return QString::fromStdString(face.region.name) == person;
+        });
+        (on_it ? here : elsewhere) << person;
+    }
+    return elsewhere + here;
+}
+
+} // namespace tp

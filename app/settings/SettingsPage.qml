@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Controls
+import TouchPhoto.Settings
+
+// What a person can choose, section by section.
+FocusScope {
+    id: page
+
+    required property SettingsSession session
+    readonly property string help: qsTr("Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. "
+                                        + "Control Z takes the last change back. Each change is kept at once.")
+
+    Keys.onPressed: (event) => {
+        if (event.key === Qt.Key_Z && event.modifiers === Qt.ControlModifier)
+            session.undo()
+        else if (event.key === Qt.Key_Escape || event.key === Qt.Key_Backspace)
+            event.accepted = session.back()
+        else
+            event.accepted = false
+    }
+
+    TpScroll {
+        anchors.fill: parent
+        focus: page.session.choosing
+        visible: page.session.choosing
+        enabled: visible
+        margin: 2 * Theme.gap
+        Loader {
+            width: parent.width
+            active: page.session.choosing
+            focus: true
+            sourceComponent: FolderChooserView { chooser: page.session.chooser }
+            onLoaded: item.forceActiveFocus()
+        }
+    }
+    TpScroll {
+        anchors.fill: parent
+        focus: !page.session.choosing
+        visible: !page.session.choosing
+        enabled: visible
+        margin: 2 * Theme.gap
+
+        TpHeading { width: parent.width; text: qsTr("Speech and sound") }
+        TpChoice {
+            objectName: "voice"
+            width: parent.width
+            label: qsTr("Who speaks")
+            options: page.session.voices
+            current: page.session.voice
+            onPicked: (index) => page.session.chooseVoice(index)
+        }
+        TpChoice {
+            objectName: "rate"
+            width: parent.width
+            label: qsTr("Speed of speech")
+            options: page.session.rates
+            current: page.session.rate
+            onPicked: (index) => page.session.chooseRate(index)
+        }
+        TpChoice {
+            objectName: "language"
+            width: parent.width
+            label: qsTr("Language")
+            options: page.session.languages
+            current: page.session.language
+            onPicked: (index) => page.session.chooseLanguage(index)
+        }
+        TpSlider {
+            width: parent.width
+            label: qsTr("Speed of recordings")
+            valueText: qsTr("%1 times").arg(Number(value).toLocaleString(Qt.locale(), 'f', 2))
+            from: 0.5
+            to: 2
+            stepSize: 0.25
+            setting: page.session.playbackSpeed
+            onChosen: (value) => page.session.setPlaybackSpeed(value)
+        }
+        TpToggle {
+            objectName: "earcons"
+            width: parent.width
+            text: qsTr("Sounds for what happens")
+            on: page.session.earcons
+            onSwitched: (on) => page.session.setEarcons(on)
+        }
+
+        TpHeading { width: parent.width; text: qsTr("What it looks like") }
+        TpChoice {
+            objectName: "theme"
+            width: parent.width
+            label: qsTr("Colours")
+            options: page.session.themes
+            current: page.session.theme
+            onPicked: (index) => page.session.chooseTheme(index)
+        }
+        TpSlider {
+            objectName: "textScale"
+            width: parent.width
+            label: qsTr("Size of text")
+            valueText: qsTr("%1 percent").arg(Math.round(100 * value))
+            from: 1
+            to: 2
+            stepSize: 0.25
+            setting: page.session.textScale
+            onChosen: (value) => page.session.setTextScale(value)
+        }
+        TpToggle {
+            width: parent.width
+            text: qsTr("Pictures may move")
+            on: page.session.motion
+            onSwitched: (on) => page.session.setMotion(on)
+        }
+        TpChoice {
+            width: parent.width
+            label: qsTr("Who uses the tablet most")
+            options: page.session.users
+            current: page.session.user
+            onPicked: (index) => page.session.chooseUser(index)
+        }
+
+        TpHeading { width: parent.width; text: qsTr("What is felt") }
+        TpSlider {
+            objectName: "maxForce"
+            width: parent.width
+            label: qsTr("Strongest force")
+            valueText: qsTr("%1 newtons").arg(Number(value).toLocaleString(Qt.locale(), 'f', 1))
+            from: 0.1
+            to: 1.5
+            stepSize: 0.1
+            setting: page.session.maxForce
+            onChosen: (value) => page.session.setMaxForce(value)
+        }
+        TpButton {
+            width: parent.width
+            text: qsTr("Try the force on a face")
+            onClicked: page.session.pageAsked("explore")
+        }
+        TpChoice {
+            width: parent.width
+            label: qsTr("What guides the finger where no force does")
+            options: page.session.guides
+            current: page.session.guide
+            onPicked: (index) => page.session.chooseGuide(index)
+        }
+        TpToggle {
+            width: parent.width
+            text: qsTr("Brows")
+            on: page.session.brows
+            onSwitched: (on) => page.session.setBrows(on)
+        }
+        TpToggle {
+            width: parent.width
+            text: qsTr("Nose")
+            on: page.session.nose
+            onSwitched: (on) => page.session.setNose(on)
+        }
+        TpToggle {
+            width: parent.width
+            text: qsTr("Irises")
+            on: page.session.irises
+            onSwitched: (on) => page.session.setIrises(on)
+        }
+
+        TpHeading { width: parent.width; text: qsTr("Folders of the album") }
+        TpText {
+            width: parent.width
+            visible: page.session.folders.length === 0
+            text: qsTr("No folder yet.")
+        }
+        Repeater {
+            model: page.session.folders
+            delegate: Column {
+                id: folder
+                required property int index
+                required property string modelData
+                width: parent.width
+                spacing: 6
+                TpText {
+                    width: parent.width
+                    text: folder.modelData
+                    wrapMode: Text.WrapAnywhere
+                }
+                TpButton {
+                    width: parent.width
+                    text: qsTr("Take %1 off the album").arg(folder.modelData.split("/").pop())
+                    hint: qsTr("The photographs stay where they are")
+                    onClicked: page.session.removeFolder(folder.index)
+                }
+            }
+        }
+        TpButton {
+            objectName: "addFolder"
+            width: parent.width
+            text: qsTr("Add a folder")
+            onClicked: page.session.addFolder()
+        }
+
+        TpHeading { width: parent.width; text: qsTr("What is stored about me") }
+        Repeater {
+            model: page.session.stored
+            delegate: TpText {
+                required property string modelData
+                width: parent.width
+                text: modelData
+                wrapMode: Text.Wrap
+            }
+        }
+        TpButton {
+            width: parent.width
+            text: qsTr("Throw the index away and make it anew")
+            onClicked: page.session.discardIndex()
+        }
+
+        TpHeading { width: parent.width; text: qsTr("All settings") }
+        TpButton {
+            objectName: "undo"
+            width: parent.width
+            enabled: page.session.undoable !== ""
+            text: page.session.undoable === "" ? qsTr("Nothing to take back") : qsTr("Take back: %1").arg(page.session.undoable)
+            hint: qsTr("Key: Control Z")
+            onClicked: page.session.undo()
+        }
+        TpButton {
+            width: parent.width
+            text: qsTr("Ask me the five questions again")
+            onClicked: page.session.questionsAsked()
+        }
+        TpButton {
+            objectName: "reset"
+            width: parent.width
+            text: qsTr("Everything as it was at first")
+            hint: qsTr("The album's folders stay; it can be taken back")
+            onClicked: page.session.reset()
+        }
+    }
+}

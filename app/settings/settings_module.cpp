@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/settings/settings_module.hpp"
+
+#include "app/controls/controls_module.hpp"
+
+extern void qml_register_types_TouchPhoto_Settings();
+
+namespace tp {
+
+void register_settings() {
+    register_controls();
+    qml_register_types_TouchPhoto_Settings();
+}
+
+} // namespace tp

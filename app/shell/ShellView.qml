@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import QtQuick.Layouts
+import TouchPhoto.Controls
+import TouchPhoto.Shell
+
+// The window's content: a bar with the way home, the page, and the words that were said last.
+FocusScope {
+    id: view
+
+    required property Shell shell
+    required property var announcer
+    required property var sessions // page → its session, made when the page is opened first
+    required property var pages    // page → its QML file
+    readonly property Item pageItem: current === null ? null : current.item
+    property Loader current: null
+
+    focus: true
+    LayoutMirroring.enabled: Qt.application.layoutDirection === Qt.RightToLeft
+    LayoutMirroring.childrenInherit: true
+
+    Keys.onPressed: (event) => {
+        event.accepted = true
+        if (event.key === Qt.Key_Escape)
+            view.shell.home ? view.shell.open(view.shell.page) : view.shell.goHome()
+        else if (event.key === Qt.Key_F1)
+            view.help()
+        else if (event.key === Qt.Key_F2)
+            view.shell.repeat()
+        else if (event.key === Qt.Key_F3)
+            view.shell.toggleVoice()
+        else if (event.key === Qt.Key_Left && event.modifiers === Qt.AltModifier)
+            view.shell.back()
+        else if (event.key === Qt.Key_Home && event.modifiers === Qt.AltModifier)
+            view.shell.goHome()
+        else
+            event.accepted = false
+    }
+
+    function help() {
+        shell.help(pageItem !== null && pageItem.help !== undefined ? pageItem.help : "")
+    }
+    // Each page is loaded when it is opened first and kept, so that going back to it takes no time.
+    function show() {
+        for (let i = 0; i < loaders.count; ++i) {
+            const loader = loaders.itemAt(i)
+            const shown = loader.page === shell.page
+            if (shown && loader.source == "")
+                loader.setSource(pages[loader.page], { session: sessions.session(loader.page) })
+            loader.visible = shown
+            loader.enabled = shown
+            loader.focus = shown
+            if (shown) {
+                current = loader
+                loader.forceActiveFocus()
+            }
+        }
+    }
+    Component.onCompleted: show()
+    Connections {
+        target: view.shell
+        function onPageChanged() {
+            if (view.current === null || view.current.page !== view.shell.page)
+                view.show()
+        }
+    }
+
+    Binding { target: Theme; property: "scheme"; value: view.sessions.scheme }
+    Binding { target: Theme; property: "textScale"; value: view.sessions.textScale }
+    Binding { target: Theme; property: "motion"; value: view.sessions.motion }
+    Rectangle {
+        anchors.fill: parent
+        color: Theme.ground
+    }
+    ColumnLayout {
+        anchors.fill: parent
+        spacing: 0
+
+        Rectangle {
+            Layout.fillWidth: true
+            Layout.preferredHeight: bar.implicitHeight + 2 * Theme.gap
+            color: Theme.panel
+            RowLayout {
+                id: bar
+                anchors { fill: parent; margins: Theme.gap; leftMargin: 2 * Theme.gap; rightMargin: 2 * Theme.gap }
+                spacing: Theme.gap
+                TpButton {
+                    objectName: "home"
+                    visible: !view.shell.home
+                    text: qsTr("Home")
+                    hint: qsTr("Key: Escape")
+                    onClicked: view.shell.goHome()
+                }
+                TpHeading {
+                    objectName: "title"
+                    Layout.fillWidth: true
+                    text: view.shell.title
+                }
+                TpButton {
+                    objectName: "help"
+                    text: qsTr("Help")
+                    hint: qsTr("Says what can be done here. Key: F1")
+                    onClicked: view.help()
+                }
+            }
+        }
+        Item {
+            Layout.fillWidth: true
+            Layout.fillHeight: true
+            Repeater {
+                id: loaders
+                model: Object.keys(view.pages)
+                delegate: Loader {
+                    required property string modelData
+                    readonly property string page: modelData
+                    anchors.fill: parent
+                    visible: false
+                }
+            }
+        }
+        Rectangle {
+            Layout.fillWidth: true
+            Layout.preferredHeight: said.implicitHeight + 2 * Theme.gap
+            visible: said.text !== ""
+            color: Theme.panel
+            TpStatus {
+                id: said
+                objectName: "said"
+                label: qsTr("Said last")
+                anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: 2 * Theme.gap }
+                maximumLineCount: 3
+                elide: Text.ElideRight
+                text: view.shell.voiceProblem !== "" ? view.shell.sentence + " " + view.shell.voiceProblem : view.shell.sentence
+            }
+        }
+    }
+    TpNotification { announcer: view.announcer }
+}

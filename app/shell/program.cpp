@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/shell/program.hpp"
+
+#include "audio/sound/player.hpp"
+#include "audio/sound/recorder.hpp"
+#include "audio/sound/threaded_filler.hpp"
+
+#include <QQmlEngine>
+
+#include <utility>
+
+namespace tp {
+
+namespace {
+
+Narrator::By by(Choices::Voice voice) {
+    switch (voice) {
+    case Choices::Voice::program: return Narrator::By::voice;
+    case Choices::Voice::screen_reader: return Narrator::By::screen_reader;
+    case Choices::Voice::off: return Narrator::By::nobody;
+    }
+    return Narrator::By::voice;
+}
+
+} // namespace
+
+/// Recordings heard on a page.
+struct Program::Playing {
+    explicit Playing(const ProgramParts& parts) : output(parts.make_loudspeaker()) {}
+    std::unique_ptr<SoundOutput> output;
+    ThreadedFiller filler;
+    Player player{*output, filler};
+};
+
+struct Program::Browsing {
+    explicit Browsing(Program& program)
+        : playing(program.parts_),
+          session(program.album(), program.narrator_, program.earcons_, playing.player, program.preferences_) {}
+    Playing playing;
+    BrowseSession session;
+};
+
+struct Program::Caring {
+    explicit Caring(Program& program)
+        : playing(program.parts_), recorder(program.parts_.make_microphone),
+          session(program.album(), program.narrator_, program.earcons_, recorder, playing.player, program.preferences_) {
+    }
+    Playing playing;
+    Recorder recorder;
+    CareSession session;
+};
+
+Program::Program(ProgramParts parts)
+    : parts_(std::move(parts)), preferences_(parts_.preferences), narrator_(parts_.voice, announcer_),
+      earcon_output_(parts_.make_loudspeaker()), earcons_(*earcon_output_), guide_output_(parts_.make_loudspeaker()),
+      guide_(*guide_output_, vibration_), shell_(narrator_), start_(narrator_, preferences_, parts_.find_devices) {
+    follow_choices();
+    connect(&preferences_, &Preferences::changed, this, &Program::follow_choices);
+    connect(&preferences_, &Preferences::not_kept, this,
+            [this](const QString& sentence) { narrator_.tell(sentence, Priority::message); });
+    connect(&shell_, &Shell::voice_toggled, this, [this](bool on) {
+        parts_.by.reset(); // the person has a wish of their own now
+        preferences_.change([on](Choices& choices) {
+            choices.voice = on ? Choices::Voice::program : Choices::Voice::screen_reader;
+        });
+    });
+    add_pages();
+}
+
+Program::~Program() {
+    caring_.reset();
+    browsing_.reset();
+    album_.reset();
+    if (discard_index_)
+        AlbumIndex::discard(parts_.cache);
+}
+
+void Program::follow_choices() {
+    const Choices& choices = preferences_.choices();
+    const QString before = languages_.current();
+    languages_.use(choices.language);
+    narrator_.set_by(parts_.by.value_or(by(choices.voice)));
+    parts_.voice.set_rate(speech_rate(choices.rate));
+    earcons_.set_on(choices.earcons);
+    if (before != languages_.current()) {
+        parts_.voice.set_language(languages_.current());
+        emit language_changed();
+        shell_.retranslated();
+    }
+    emit appearanceChanged();
+}
+
+void Program::add_pages() {
+    const auto open = [this](const QString& page) { shell_.open(page); };
+    shell_.add({"start", [] { return tr("TouchPhoto"); }, [this] { start_.enter(); }, [this] { start_.leave(); }});
+    shell_.add({"browse", [] { return tr("Listen to photographs"); }, [this] { browse().enter(); },
+                [this] { browse().leave(); }});
+    shell_.add({"explore", [] { return tr("Feel a face"); }, [this] { enter_explore(); }, [this] { explore().leave(); }});
+    shell_.add({"care", [] { return tr("Look after the album"); }, [this] { care().enter(); }, [this] { care().leave(); }});
+    shell_.add({"mend", [] { return tr("Mend contours"); }, [this] { mend().enter(); }, [this] { mend().leave(); }});
+    shell_.add({"settings", [] { return tr("Settings"); }, [this] { settings().enter(); }, [this] { settings().leave(); }});
+    connect(&start_, &StartSession::pageAsked, this, open);
+}
+
+QVariantMap Program::page_files() {
+    const auto file = [](const char* path) { return QString("qrc:/qt-project.org/imports/TouchPhoto/") + path; };
+    return {{"start", file("Start/StartPage.qml")},
+            {"browse", file("Browse/BrowsePage.qml")},
+            {"explore", file("Explore/ExplorePage.qml")},
+            {"care", file("Care/CarePage.qml")},
+            {"mend", file("Mend/MendPage.qml")},
+            {"settings", file("Settings/SettingsPage.qml")}};
+}
+
+QObject* Program::session(const QString& page) {
+    QObject* session = &start_;
+    if (page == "browse")
+        session = &browse();
+    else if (page == "explore")
+        session = &explore();
+    else if (page == "care")
+        session = &care();
+    else if (page == "mend")
+        session = &mend();
+    else if (page == "settings")
+        session = &settings();
+    QQmlEngine::setObjectOwnership(session, QQmlEngine::CppOwnership); // what an invokable returns is else the engine's
+    return session;
+}
+
+OpenAlbum& Program::album() {
+    if (!album_) {
+        album_ = std::make_unique<OpenAlbum>(parts_.cache, preferences_);
+        connect(album_.get(), &OpenAlbum::said, this,
+                [this](const QString& sentence) { narrator_.tell(sentence, Priority::message); });
+    }
+    return *album_;
+}
+
+BrowseSession& Program::browse() {
+    if (!browsing_) {
+        browsing_ = std::make_unique<Browsing>(*this);
+        connect(&browsing_->session, &BrowseSession::exploreAsked, this, &Program::feel);
+        connect(&browsing_->session, &BrowseSession::careAsked, this, &Program::care_for);
+        connect(&browsing_->session, &BrowseSession::settingsAsked, this, [this] { shell_.open("settings"); });
+        connect(&browsing_->session, &BrowseSession::importAsked, this, [this] { shell_.open("care"); });
+    }
+    return browsing_->session;
+}
+
+CareSession& Program::care() {
+    if (!caring_) {
+        caring_ = std::make_unique<Caring>(*this);
+        connect(&caring_->session, &CareSession::mendAsked, this, [this](const QString& photo) {
+            mend().open_file(photo);
+            shell_.open("mend");
+        });
+    }
+    return caring_->session;
+}
+
+MendSession& Program::mend() {
+    if (!mend_)
+        mend_ = std::make_unique<MendSession>(narrator_);
+    return *mend_;
+}
+
+void Program::feel(const QString& photo) {
+    explore().open_file(photo);
+    shell_.open("explore");
+}
+
+void Program::care_for(const QString& photo) {
+    care().open_photo(photo.toStdU16String());
+    shell_.open("care");
+}
+
+/// The photograph that one was at last, where none is open.
+void Program::enter_explore() {
+    const QString& last = preferences_.choices().last_photo;
+    if (explore().state() == ExploreSession::State::Empty && !last.isEmpty())
+        explore().open_file(last);
+    explore().enter();
+}
+
+ExploreSession& Program::explore() {
+    if (!explore_) {
+        explore_ = std::make_unique<ExploreSession>(narrator_, earcons_, guide_, preferences_, parts_.explore);
+        connect(explore_.get(), &ExploreSession::backAsked, &shell_, &Shell::back);
+    }
+    return *explore_;
+}
+
+SettingsSession& Program::settings() {
+    if (!settings_) {
+        settings_ = std::make_unique<SettingsSession>(
+            narrator_, preferences_,
+            SettingsSession::Stored{parts_.preferences, parts_.cache, [this] { discard_index_ = true; }});
+        connect(settings_.get(), &SettingsSession::pageAsked, &shell_, &Shell::open);
+        connect(settings_.get(), &SettingsSession::questionsAsked, this, [this] {
+            shell_.goHome();
+            start_.askAgain();
+        });
+    }
+    return *settings_;
+}
+
+void Program::begin(const QString& photo) {
+    earcons_.play(Earcon::program_start);
+    if (photo.isEmpty()) {
+        shell_.goHome();
+    } else {
+        feel(photo);
+    }
+    if (!preferences_.notice().isEmpty())
+        narrator_.tell(preferences_.notice(), Priority::message);
+}
+
+} // namespace tp

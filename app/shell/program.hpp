@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/browse/browse_session.hpp"
+#include "app/care/care_session.hpp"
+#include "app/controls/notification_announcer.hpp"
+#include "app/album/open/open_album.hpp"
+#include "app/explore/explore_session.hpp"
+#include "app/mend/mend_session.hpp"
+#include "app/narration/narrator.hpp"
+#include "app/preferences/preferences.hpp"
+#include "app/settings/settings_session.hpp"
+#include "app/shell/languages.hpp"
+#include "app/shell/shell.hpp"
+#include "app/start/start_session.hpp"
+#include "audio/guide/sonified_guide.hpp"
+#include "audio/guide/vibration.hpp"
+#include "audio/sound/earcon_player.hpp"
+#include "audio/sound/recorder_worker.hpp"
+#include "audio/sound/sound_output.hpp"
+
+#include <QObject>
+#include <QString>
+#include <QVariantMap>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace tp {
+
+/// What the program is made of that differs between a person's computer and a test.
+struct ProgramParts {
+    Voice& voice;
+    std::function<std::unique_ptr<SoundOutput>()> make_loudspeaker; ///< each thing that sounds has one to itself
+    MakeInput make_microphone;
+    std::filesystem::path preferences; ///< file
+    std::filesystem::path cache;       ///< folder
+    ExploreSettings explore;
+    StartSession::FindDevices find_devices;
+    std::optional<Narrator::By> by = {}; ///< who speaks, whatever was chosen
+};
+
+/// All pages and what they share. A page's session is made when the page is opened first.
+class Program final : public QObject {
+    Q_OBJECT
+    Q_PROPERTY(int scheme READ scheme NOTIFY appearanceChanged)
+    Q_PROPERTY(double textScale READ textScale NOTIFY appearanceChanged)
+    Q_PROPERTY(bool motion READ motion NOTIFY appearanceChanged)
+public:
+    explicit Program(ProgramParts parts);
+    ~Program() override;
+
+    /// The session of a page that the shell knows.
+    Q_INVOKABLE QObject* session(const QString& page);
+    /// Each page's QML file.
+    static QVariantMap page_files();
+
+    Shell& shell() { return shell_; }
+    NotificationAnnouncer& announcer() { return announcer_; }
+    Preferences& preferences() { return preferences_; }
+    StartSession& start() { return start_; }
+    OpenAlbum& album();
+    BrowseSession& browse();
+    ExploreSession& explore();
+    CareSession& care();
+    MendSession& mend();
+    SettingsSession& settings();
+
+    /// The sound of the start, at once, and then the page: Start, or Explore with `photo` where one is given.
+    void begin(const QString& photo);
+
+    int scheme() const { return static_cast<int>(preferences_.choices().theme); }
+    double textScale() const { return preferences_.choices().text_scale; }
+    bool motion() const { return preferences_.choices().motion; }
+
+signals:
+    void appearanceChanged();
+    /// All texts are to be asked for anew.
+    void language_changed();
+
+private:
+    struct Playing;
+    struct Browsing;
+    struct Caring;
+
+    void add_pages();
+    void enter_explore();
+    void feel(const QString& photo);
+    void care_for(const QString& photo);
+    void follow_choices();
+
+    ProgramParts parts_;
+    Preferences preferences_;
+    Languages languages_; ///< before anything that has words
+    NotificationAnnouncer announcer_;
+    Narrator narrator_;
+    std::unique_ptr<SoundOutput> earcon_output_;
+    EarconPlayer earcons_;
+    std::unique_ptr<SoundOutput> guide_output_;
+    NoVibration vibration_;
+    SonifiedGuide guide_;
+    Shell shell_;
+    bool discard_index_ = false; ///< when nobody has it open any more
+    std::unique_ptr<OpenAlbum> album_;
+    StartSession start_;
+    std::unique_ptr<Browsing> browsing_;
+    std::unique_ptr<ExploreSession> explore_;
+    std::unique_ptr<Caring> caring_;
+    std::unique_ptr<MendSession> mend_;
+    std::unique_ptr<SettingsSession> settings_;
+};
+
+} // namespace tp

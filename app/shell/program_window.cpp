@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/shell/program_window.hpp"
+
+#include "app/browse/browse_module.hpp"
+#include "app/care/care_module.hpp"
+#include "app/explore/explore_module.hpp"
+#include "app/mend/mend_module.hpp"
+#include "app/settings/settings_module.hpp"
+#include "app/start/start_module.hpp"
+
+#include <QColor>
+#include <QQmlEngine>
+#include <QScreen>
+#include <QUrl>
+#include <QVariant>
+
+extern void qml_register_types_TouchPhoto_Shell();
+
+namespace tp {
+
+ProgramWindow::ProgramWindow(Program& program) {
+    qml_register_types_TouchPhoto_Shell();
+    register_start();
+    register_browse();
+    register_explore();
+    register_care();
+    register_mend();
+    register_settings();
+    setResizeMode(SizeRootObjectToView);
+    setMinimumSize({480, 560});
+    resize(1280, 800);
+    setColor(QColor(0x0e, 0x12, 0x17));
+    Shell& shell = program.shell();
+    const auto entitle = [this, &shell] {
+        const QString title = shell.home() ? QString() : shell.title() + " – ";
+        setTitle(title + Program::tr("TouchPhoto"));
+    };
+    connect(&shell, &Shell::pageChanged, this, entitle);
+    connect(&program, &Program::language_changed, this, [this] { engine()->retranslate(); });
+    entitle();
+    setInitialProperties({{"shell", QVariant::fromValue(&shell)},
+                          {"announcer", QVariant::fromValue(&program.announcer())},
+                          {"sessions", QVariant::fromValue(&program)},
+                          {"pages", Program::page_files()}});
+    setSource(QUrl("qrc:/qt-project.org/imports/TouchPhoto/Shell/ShellView.qml"));
+}
+
+void ProgramWindow::fit_to_screen() {
+    const QSize room = screen()->availableSize();
+    resize(room.height() > room.width() ? room : size().boundedTo(room));
+}
+
+} // namespace tp

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Controls
+import TouchPhoto.Settings
+import TouchPhoto.Start
+
+// Where the program begins: the questions of the first start, then the way to each page.
+FocusScope {
+    id: page
+
+    required property StartSession session
+    readonly property string help: session.asking
+        ? qsTr("Press the number of an answer, or the answer itself. 0 or Backspace: the question before. R: hear the question again.")
+        : qsTr("Press the number of what you want to do, or go through the buttons by Tab. R: hear this page again.")
+
+    Keys.onPressed: (event) => {
+        const number = event.key - Qt.Key_1
+        event.accepted = true
+        if (event.modifiers & ~Qt.KeypadModifier)
+            event.accepted = false
+        else if (number >= 0 && number < 9)
+            session.asking ? session.answer(number) : session.go(number)
+        else if (event.key === Qt.Key_R)
+            session.repeat()
+        else if (event.key === Qt.Key_0 || event.key === Qt.Key_Backspace || event.key === Qt.Key_Escape)
+            event.accepted = session.back()
+        else
+            event.accepted = false
+    }
+
+    Loader {
+        anchors.fill: parent
+        focus: true
+        sourceComponent: page.session.choosing ? choosing : page.session.asking ? asking : hub
+        onLoaded: item.forceActiveFocus()
+    }
+
+    Component {
+        id: asking
+        TpScroll {
+            margin: 2 * Theme.gap
+            onTappedBeside: page.session.repeat()
+            TpText {
+                width: parent.width
+                text: qsTr("Question %1 of %2").arg(page.session.number).arg(page.session.count)
+                color: Theme.quiet
+            }
+            TpHeading {
+                width: parent.width
+                text: page.session.question
+                font.pixelSize: 1.4 * Theme.headingSize
+            }
+            Repeater {
+                model: page.session.answers
+                delegate: TpButton {
+                    required property int index
+                    required property string modelData
+                    objectName: "answer" + index
+                    width: parent.width
+                    height: Math.max(implicitHeight, (page.height - 260 * Theme.textScale) / page.session.answers.length - Theme.gap)
+                    focus: index === Math.max(0, page.session.current)
+                    primary: index === page.session.current
+                    text: qsTr("%1: %2").arg(index + 1).arg(modelData)
+                    onClicked: page.session.answer(index)
+                }
+            }
+            Row {
+                spacing: Theme.gap
+                TpButton {
+                    text: qsTr("Hear it again")
+                    hint: qsTr("Key: R")
+                    onClicked: page.session.repeat()
+                }
+                TpButton {
+                    visible: page.session.number > 1
+                    text: qsTr("Question before")
+                    hint: qsTr("Key: 0")
+                    onClicked: page.session.back()
+                }
+            }
+        }
+    }
+    Component {
+        id: choosing
+        TpScroll {
+            margin: 2 * Theme.gap
+            FolderChooserView {
+                width: parent.width
+                focus: true
+                chooser: page.session.chooser
+            }
+        }
+    }
+    Component {
+        id: hub
+        TpScroll {
+            margin: 2 * Theme.gap
+            onTappedBeside: page.session.repeat()
+            Repeater {
+                model: page.session.destinations
+                delegate: TpListRow {
+                    required property int index
+                    required property var modelData
+                    readonly property bool main: index < 2
+                    objectName: "destination" + index
+                    width: parent.width
+                    height: main ? Math.max(implicitHeight, 0.22 * page.height) : implicitHeight
+                    focus: index === 0
+                    selected: main
+                    text: qsTr("%1: %2").arg(index + 1).arg(modelData.title)
+                    detail: modelData.hint
+                    onClicked: page.session.go(index)
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/explore/extraction_words.hpp"
+#include "app/explore/feature_labels.hpp"
+#include "app/explore/place_words.hpp"
+#include "app/explore/problem_words.hpp"
+#include "app/scene/feature_words.hpp"
+#include "faces/face.hpp"
+
+#include <QCoreApplication>
+#include <QTest>
+#include <QTranslator>
+
+#include <algorithm>
+
+using namespace tp;
+
+namespace {
+
+/// Every text becomes itself between brackets.
+class Brackets final : public QTranslator {
+public:
+    QString translate(const char*, const char* source, const char*, int) const override {
+        return "[" + QString::fromUtf8(source) + "]";
+    }
+    bool isEmpty() const override { return false; }
+};
+
+} // namespace
+
+class TranslatedWordsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void every_feature_has_a_word_to_translate() {
+        for (const char* name : {feature::left_eye, feature::right_eye, feature::outer_lip, feature::inner_lip,
+                                 feature::outline, feature::left_brow, feature::right_brow, feature::nose,
+                                 feature::left_iris, feature::right_iris}) {
+            const std::string word = spoken_feature(name);
+            QVERIFY2(std::ranges::any_of(translatable_features(), [&](const char* one) { return word == one; }),
+                     word.c_str());
+        }
+    }
+    void every_fault_is_there_to_translate() {
+        for (int i = 1; i <= static_cast<int>(Fault::device_lost); ++i) {
+            const QString sentence = fault_words(static_cast<Fault>(i));
+            QVERIFY2(is_translatable(sentence), qPrintable(sentence));
+        }
+        QCOMPARE(fault_words(Fault::none), QString());
+        QVERIFY(!is_translatable("Another sentence."));
+    }
+    void features_with_their_owners() {
+        QCOMPARE(feature_label(feature::left_eye, "Anna", 2), QString("left eye of Anna"));
+        QCOMPARE(feature_label(feature::left_eye, {}, 2), QString("left eye of face 2"));
+        QCOMPARE(feature_label(feature::outer_lip, {}, 0), QString("lips"));
+        QCOMPARE(at_the_start("left eye"), QString("Left eye"));
+        QCOMPARE(at_the_start({}), QString());
+    }
+    void nothing_is_said_past_the_catalogue() {
+        Brackets brackets;
+        QCoreApplication::installTranslator(&brackets);
+        QCOMPARE(feature_word(feature::left_eye), QString("[left eye]"));
+        QCOMPARE(fault_words(Fault::stale_input),
+                 QString("[The force is off, because the device does not say where the finger is.]"));
+        Extraction extraction;
+        extraction.faces.resize(1);
+        extraction.faces[0].contours = {contour_through(feature::left_eye, {{0, 0}, {1, 1}}, false),
+                                        contour_through(feature::outline, {{0, 0}, {1, 1}}, false)};
+        extraction.problem = "No face was found in this picture.";
+        QCOMPARE(describe(extraction, {"Anna"}), QString("[Anna.] [One face.] [[[eyes] and [outline]] can be felt.] "
+                                                         "[No face was found in this picture.]"));
+        QVERIFY(where_am_i({"Anna", false, "x", false, 2, 6}).startsWith("[Anna. "));
+        QCoreApplication::removeTranslator(&brackets);
+    }
+};
+
+QTEST_GUILESS_MAIN(TranslatedWordsTest)
+#include "translated_words_test.moc"

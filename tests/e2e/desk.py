@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A desk of its own for a test: display, session bus, accessibility bus and window manager, and the program on it as a
+screen reader and a keyboard meet it."""
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import time
+
+INNER = "TOUCHPHOTO_E2E_INNER"
+LAUNCHER = "/usr/libexec/at-spi-bus-launcher"
+SAID = "Said last: "
+PATIENCE = 60.0  # s; how long a thing may take on a busy machine, asserted nowhere
+
+
+def what_is_missing(*more_tools):
+    for tool in ("xvfb-run", "Xvfb", "dbus-run-session", "openbox") + more_tools:
+        if shutil.which(tool) is None:
+            return tool
+    if not os.path.exists(LAUNCHER):
+        return "at-spi2-core"
+    for module in ("gi", "pyatspi"):
+        if importlib.util.find_spec(module) is None:
+            return f"python3-{module}"
+    return None
+
+
+def at_a_desk(script, *more_tools, size="1400x900", seconds=280):
+    """Runs `script` with its arguments once more, at a desk; its exit status, 77 where something is not installed."""
+    missing = what_is_missing(*more_tools)
+    if missing:
+        print(f"SKIP: {missing} is not installed")
+        return 77
+    environment = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", LC_ALL="C.UTF-8",
+                       **{INNER: "1"})
+    environment.pop("WAYLAND_DISPLAY", None)
+    command = ["xvfb-run", "-a", "-s", f"-screen 0 {size}x24", "dbus-run-session", "--", sys.executable, script]
+    return subprocess.run(command + sys.argv[1:], env=environment, timeout=seconds).returncode
+
+
+def is_at_a_desk():
+    return INNER in os.environ
+
+
+class Desk:
+    """What stands on it besides the program."""
+
+    def __enter__(self):
+        self.helpers = [subprocess.Popen([LAUNCHER, "--launch-immediately"]), subprocess.Popen(["openbox"])]
+        time.sleep(1.0)
+        return self
+
+    def __exit__(self, *_):
+        for process in self.helpers:
+            process.terminate()
+            process.wait(timeout=20)
+
+
+class Page:
+    """The program's window as a screen reader sees it, and the keyboard before it."""
+
+    def __init__(self):
+        import pyatspi
+
+        self.atspi = pyatspi
+
+    def everything(self):
+        for application in self.atspi.Registry.getDesktop(0):
+            if application is not None and application.name == "touchphoto":
+                yield from self.below(application)
+
+    def below(self, node):
+        yield node
+        for i in range(node.childCount):
+            try:
+                child = node.getChildAtIndex(i)
+            except Exception:  # it went away while we were looking
+                continue
+            if child is not None:
+                yield from self.below(child)
+
+    def shown(self):
+        """What is to be seen; pages that are not open stay in the tree."""
+        for node in self.everything():
+            try:
+                if node.getState().contains(self.atspi.STATE_SHOWING):
+                    yield node
+            except Exception:
+                continue
+
+    def find(self, name, role=None):
+        """By its name, or the beginning of it with "…" at its end."""
+        for node in self.everything():
+            try:
+                fits = node.name.startswith(name[:-1]) if name.endswith("…") else node.name == name
+                if fits and (role is None or node.getRole() == role):
+                    return node
+            except Exception:
+                continue
+        return None
+
+    def await_name(self, name, role=None):
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            node = self.find(name, role)
+            if node is not None:
+                return node
+            time.sleep(0.1)
+        heard = sorted({f"{n.getRoleName()} \"{n.name}\"" for n in self.everything()})
+        raise AssertionError(f"\"{name}\" never appeared; there are: " + ", ".join(heard))
+
+    def act(self, node, wanted="press"):
+        actions = node.queryAction()
+        for i in range(actions.nActions):
+            if actions.getName(i).lower() == wanted:
+                actions.doAction(i)
+                return
+        raise AssertionError(f"\"{node.name}\" offers no {wanted}")
+
+    def press(self, name, role=None):
+        self.act(self.await_name(name, role))
+
+    def keys(self, *names):
+        """Keys as xdotool names them, one after the other."""
+        for name in names:
+            subprocess.run(["xdotool", "key", "--clearmodifiers", name], check=True)
+
+    def type(self, text):
+        subprocess.run(["xdotool", "type", "--delay", "30", text], check=True)
+
+
+class Listener:
+    """Everything that the program says, in order: the words in its bar at the bottom, as they change."""
+
+    def __init__(self):
+        import gi
+
+        gi.require_version("Atspi", "2.0")
+        from gi.repository import Atspi, GLib
+
+        self.heard = []
+        self.context = GLib.MainContext.default()
+        self.listener = Atspi.EventListener.new(self.note)
+        self.listener.register("object:property-change:accessible-name")
+
+    def note(self, event):
+        try:
+            name = event.source.get_name()
+        except Exception:  # it went away
+            return
+        if name.startswith(SAID):
+            self.heard.append(name[len(SAID):])
+
+    def listen(self, seconds=0.2):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            while self.context.iteration(False):
+                pass
+            time.sleep(0.01)
+
+    def await_words(self, *sentences):
+        """These were said after what was awaited before, in this order; others may come between. What is matched is a
+        part of each."""
+        end = time.monotonic() + PATIENCE
+        for sentence in sentences:
+            while True:
+                places = [i for i, heard in enumerate(self.heard) if sentence in heard]
+                if places:
+                    del self.heard[: places[0] + 1]
+                    break
+                if time.monotonic() > end:
+                    raise AssertionError(f"\"{sentence}\" was never said; heard since: {self.heard}")
+                self.listen()

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAccessible>
+#include <QList>
+#include <QObject>
+#include <QQuickItem>
+#include <QQuickView>
+#include <QSize>
+#include <QString>
+#include <QStringList>
+#include <QTest>
+#include <QUrl>
+#include <QVariant>
+#include <QtGlobal>
+
+/// A page in a window of its own, for tests: what a screen reader finds in it, and every warning of Qt.
+class PageWindow : public QQuickView {
+public:
+    /// `page` such as "Settings/SettingsPage.qml".
+    PageWindow(const QString& page, QObject* session, QSize size = {1280, 800}) {
+        setResizeMode(SizeRootObjectToView);
+        resize(size);
+        setInitialProperties({{"session", QVariant::fromValue(session)}});
+        setSource(QUrl("qrc:/qt-project.org/imports/TouchPhoto/" + page));
+        show();
+        requestActivate();
+        if (rootObject() != nullptr)
+            rootObject()->forceActiveFocus();
+    }
+    bool exposed() { return status() == Ready && QTest::qWaitForWindowExposed(this); }
+
+    /// Everything that a screen reader finds, in reading order.
+    static QList<QAccessibleInterface*> everything(QQuickWindow& window) {
+        QList<QAccessibleInterface*> all;
+        collect(QAccessible::queryAccessibleInterface(&window), all);
+        return all;
+    }
+    static QAccessibleInterface* named(QQuickWindow& window, const QString& name) {
+        for (QAccessibleInterface* one : everything(window))
+            if (one->text(QAccessible::Name) == name)
+                return one;
+        return nullptr;
+    }
+    QAccessibleInterface* named(const QString& name) { return named(*this, name); }
+    /// Presses it as a screen reader does; false where it is not there.
+    static bool press(QQuickWindow& window, const QString& name) {
+        QAccessibleInterface* found = named(window, name);
+        if (found == nullptr || found->actionInterface() == nullptr)
+            return false;
+        found->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        return true;
+    }
+    bool press(const QString& name) { return press(*this, name); }
+
+    /// What can be used and lacks a name or is smaller than `least` pixels; as "role name".
+    static QStringList faulty_targets(QQuickWindow& window, double least) {
+        QStringList faults;
+        for (QAccessibleInterface* one : everything(window)) {
+            const QQuickItem* item = tab_stop(one);
+            if (item == nullptr)
+                continue;
+            if (one->text(QAccessible::Name).isEmpty() || item->width() < least || item->height() < least)
+                faults << QString("%1 \"%2\" %3×%4").arg(one->role()).arg(one->text(QAccessible::Name))
+                              .arg(item->width()).arg(item->height());
+        }
+        return faults;
+    }
+    QStringList faulty_targets(double least = 64.0) { return faulty_targets(*this, least); }
+
+    /// The item that Tab stops at; null where it does not stop here. (Qt 6.4 calls texts focusable too.)
+    static QQuickItem* tab_stop(QAccessibleInterface* one) {
+        auto* item = qobject_cast<QQuickItem*>(one->object());
+        return item != nullptr && item->activeFocusOnTab() && item->isEnabled() ? item : nullptr;
+    }
+    /// Names of what Tab stops at, as a screen reader reads them.
+    static QStringList reading_order(QQuickWindow& window) {
+        QStringList names;
+        for (QAccessibleInterface* one : everything(window))
+            if (tab_stop(one) != nullptr)
+                names << one->text(QAccessible::Name);
+        return names;
+    }
+    /// Names of what Tab comes to, once round.
+    static QStringList tab_order(QQuickWindow& window) {
+        QStringList names;
+        QQuickItem* first = window.activeFocusItem();
+        for (int i = 0; i < 500; ++i) {
+            QAccessibleInterface* one = QAccessible::queryAccessibleInterface(window.activeFocusItem());
+            names << (one == nullptr ? QString() : one->text(QAccessible::Name));
+            QTest::keyClick(&window, Qt::Key_Tab);
+            if (window.activeFocusItem() == first)
+                return names;
+        }
+        return names << "no way round";
+    }
+
+private:
+    static void collect(QAccessibleInterface* root, QList<QAccessibleInterface*>& into) {
+        if (root == nullptr || root->state().invisible)
+            return;
+        into << root;
+        for (int i = 0; i < root->childCount(); ++i)
+            collect(root->child(i), into);
+    }
+};
+
+/// Remembers what Qt warns of while it lives: QML's faults above all.
+class Warnings {
+public:
+    Warnings() {
+        all().clear();
+        before_ = qInstallMessageHandler(remember);
+    }
+    ~Warnings() { qInstallMessageHandler(before_); }
+    static QStringList& all() {
+        static QStringList warnings;
+        return warnings;
+    }
+
+private:
+    static void remember(QtMsgType type, const QMessageLogContext&, const QString& text) {
+        const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("PulseAudio");
+        if ((type == QtWarningMsg || type == QtCriticalMsg) && !of_the_test_machine)
+            all() << text;
+    }
+    QtMessageHandler before_ = nullptr;
+};

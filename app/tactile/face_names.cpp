@@ -39,7 +39,7 @@ Vec2 turned_clockwise(Vec2 p, int degrees) {
 
 } // namespace
 
-std::vector<std::string> names_of_faces(const Extraction& extraction, const PhotoRecord& record) {
+std::vector<std::string> names_at_faces(const Extraction& extraction, const PhotoRecord& record) {
     std::vector<std::string> names(extraction.faces.size());
     for (const FaceRegion& region : record.faces) {
         const Vec2 centre = turned_clockwise(upright({region.x, region.y}, record.orientation), extraction.turned_degrees) *

@@ -11,6 +11,6 @@ namespace tp {
 
 /// Who the faces of an extraction are, by the face regions of the photograph's metadata: one name a face, empty
 /// where nobody marked one there.
-std::vector<std::string> names_of_faces(const Extraction& extraction, const PhotoRecord& record);
+std::vector<std::string> names_at_faces(const Extraction& extraction, const PhotoRecord& record);
 
 } // namespace tp

@@ -6,6 +6,9 @@
 #include "core/geometry/flatten.hpp"
 #include "core/geometry/transform.hpp"
 
+#include <QCoreApplication>
+#include <QString>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -73,6 +76,21 @@ std::string fitted_title(const std::string& title, double width_mm) {
     return clean;
 }
 
+struct TactileNotes {
+    Q_DECLARE_TR_FUNCTIONS(TactileNotes)
+};
+
+/// A contour in the person's language, with its face where there are several.
+QString feature_in(const std::string& name, int face) {
+    const QString word = QCoreApplication::translate("tp::FeatureLabels", spoken_feature(name).c_str());
+    return face < 0 ? word
+                    : QCoreApplication::translate("tp::FeatureLabels", "%1 of face %2", "left eye of face 2")
+                          .arg(word)
+                          .arg(face + 1);
+}
+
+QString quoted_name(const std::string& name) { return QString::fromStdString(quoted_readable(name)); }
+
 class SheetMaker {
 public:
     SheetMaker(const Extraction& extraction, const TactileOptions& options) : options_(options) {
@@ -104,10 +122,7 @@ public:
 
 private:
     bool alone() const { return faces_.size() == 1; }
-    std::string whose(std::size_t face) const {
-        return alone() ? std::string() : " of face " + std::to_string(face + 1);
-    }
-    void note(std::string sentence) { sheet_.notes.push_back(std::move(sentence)); }
+    void note(const QString& sentence) { sheet_.notes.push_back(sentence.toStdString()); }
 
     /// From names to lines of braille, not placed yet.
     std::string write_labels() {
@@ -119,12 +134,14 @@ private:
                 return text.error();
             TactileLabel label{readable(name), wrapped(text->cells, alone() ? most : std::min<std::size_t>(most, 14)), {}};
             if (text->left_out > 0)
-                note(std::to_string(text->left_out) + " character(s) of the name " + quoted_readable(name) +
-                     " have no braille and are left out.");
+                note(TactileNotes::tr("%n character(s) of the name %1 have no braille and are left out.", nullptr,
+                                      text->left_out)
+                         .arg(quoted_name(name)));
             if (label.lines.size() > most_label_lines) {
                 label.lines.resize(most_label_lines);
-                note("The name " + quoted_readable(name) + " is cut after " + std::to_string(most_label_lines) +
-                     " lines of braille.");
+                note(TactileNotes::tr("The name %1 is cut after %n line(s) of braille.", nullptr,
+                                      static_cast<int>(most_label_lines))
+                         .arg(quoted_name(name)));
             }
             written_.push_back(std::move(label));
         }
@@ -170,18 +187,21 @@ private:
                     on_paper.name = "face " + std::to_string(i + 1) + " " + contour.name;
                 const double width = contour.name == feature::outline ? TactileSheet::outline_width_mm
                                                                       : TactileSheet::feature_width_mm;
-                tell(lines_.lay(on_paper, width), "The " + spoken_feature(contour.name) + whose(i));
+                tell(lines_.lay(on_paper, width), feature_in(contour.name, alone() ? -1 : static_cast<int>(i)));
             }
         }
     }
 
-    void tell(LineFate fate, const std::string& feature) {
+    void tell(LineFate fate, const QString& feature) {
         if (fate == LineFate::one_line)
-            note(feature + " is drawn as one line, because its two sides would be too close to be told apart.");
+            note(TactileNotes::tr("The %1 is drawn as one line, because its two sides would be too close to be told apart.")
+                     .arg(feature));
         else if (fate == LineFate::partly)
-            note(feature + " is drawn in part, because the rest would be less than 3 mm from another line.");
+            note(TactileNotes::tr("The %1 is drawn in part, because the rest would be less than 3 mm from another line.")
+                     .arg(feature));
         else if (fate == LineFate::left_out)
-            note(feature + " is left out, because it would be too small or less than 3 mm from another line.");
+            note(TactileNotes::tr("The %1 is left out, because it would be too small or less than 3 mm from another line.")
+                     .arg(feature));
     }
 
     void place_labels(const Affine& map) {
@@ -202,7 +222,8 @@ private:
                                       : Vec2(faces[i].centre().x, faces[i].max.y + clear_mm + 0.5 * size.y);
             const auto place = free_place(size, wish, taken, faces);
             if (!place) {
-                note("The name " + quoted_readable(label.name) + " is left out, because there is no room for its braille.");
+                note(TactileNotes::tr("The name %1 is left out, because there is no room for its braille.")
+                         .arg(quoted_name(label.name)));
                 continue;
             }
             label.corner = *place;

@@ -42,7 +42,7 @@ struct TactileSheet {
     std::vector<TactileLine> lines;
     std::vector<TactileLabel> labels;
     std::string title;              ///< as it is printed, shortened where it is too long
-    std::vector<std::string> notes; ///< sentences: what was simplified or left out
+    std::vector<std::string> notes; ///< sentences, translated: what was simplified or left out
 
     /// Where the title's letters begin, on their base line.
     Vec2 title_place() const { return {margin_mm, height_mm - margin_mm - 1.2}; }

@@ -139,8 +139,8 @@ private slots:
         }
         const auto cut = make_tactile_sheet(one_drawn_face(), named({std::string(300, 'n')}));
         QCOMPARE(cut->labels[0].lines.size(), 3u);
-        QVERIFY(cut->notes.back().ends_with("is cut after 3 lines of braille.") ||
-                cut->notes.front().ends_with("is cut after 3 lines of braille."));
+        QVERIFY(cut->notes.back().ends_with("is cut after 3 line(s) of braille.") ||
+                cut->notes.front().ends_with("is cut after 3 line(s) of braille."));
     }
     void a_long_title_is_shortened() {
         TactileOptions options;
@@ -187,11 +187,11 @@ private slots:
         extraction.faces = {left, right};
         PhotoRecord record;
         record.faces = {{0.7, 0.5, 0.2, 0.6, "Ben"}, {0.2, 0.52, 0.2, 0.6, "Anna"}, {0.95, 0.05, 0.1, 0.1, "nobody"}};
-        QCOMPARE(names_of_faces(extraction, record), (std::vector<std::string>{"Anna", "Ben"}));
+        QCOMPARE(names_at_faces(extraction, record), (std::vector<std::string>{"Anna", "Ben"}));
         // Stored lying on its side: orientation 6 is turned clockwise to stand.
         record.orientation = 6;
         record.faces = {{0.5, 0.8, 0.6, 0.2, "Anna"}, {0.5, 0.3, 0.6, 0.2, "Ben"}};
-        QCOMPARE(names_of_faces(extraction, record), (std::vector<std::string>{"Anna", "Ben"}));
+        QCOMPARE(names_at_faces(extraction, record), (std::vector<std::string>{"Anna", "Ben"}));
     }
 };
 

@@ -40,6 +40,8 @@ public:
     QStringList arguments() const { return parser_.positionalArguments(); }
     bool has(const QString& name) const { return parser_.isSet(name); }
     QString text(const QString& name) const { return parser_.value(name); }
+    /// All values of an option that may be given several times.
+    QStringList texts(const QString& name) const { return parser_.values(name); }
     /// Makes the folder that an option names, where it is missing; the sentence that says why not, else
     /// empty.
     std::string make_folder(const QString& name) const;

@@ -16,11 +16,12 @@ struct Verb {
     int (*run)(const QStringList& words);
 };
 
-constexpr std::array<Verb, 13> verbs{{
+constexpr std::array<Verb, 14> verbs{{
     {"album", "photographs, people and recordings: scan, search, import, export, check", album_verb},
     {"faces", "find the faces of photographs and their contours", faces_verb},
     {"models", "list, check and fetch the models that faces can use", models_verb},
     {"scene", "write the scene that the Explore page would render for a photograph", scene_verb},
+    {"tactile", "write a photograph's faces as a sheet for swell paper or an embosser", tactile_verb},
     {"correction", "say what the mended contours beside a photograph change", correction_verb},
     {"expressions", "say which expressions the contours of faces tell a finger", expressions_verb},
     {"force", "answer the force at places read from stdin", force_verb},

@@ -19,6 +19,7 @@ int models_verb(const QStringList& words);
 int scene_verb(const QStringList& words);
 int servo_verb(const QStringList& words);
 int stability_verb(const QStringList& words);
+int tactile_verb(const QStringList& words);
 int trace_verb(const QStringList& words);
 
 /// Runs the verb that the words begin with, or shows the list of verbs.

@@ -218,4 +218,11 @@ TpScroll {
         hint: qsTr("The contours as they were opened. Can be undone")
         onClicked: panel.session.discard()
     }
+    TpText {
+        width: parent.width
+        visible: panel.ready
+        text: qsTr("Keys on the photograph: Tab and Shift+Tab go from point to point; arrows move it by one pixel, with Shift by ten, with Control by a fifth; Page up and Page down change the feature; A adds a point, Delete deletes it, C turns a corner, M moves the whole feature, F shows the force, plus and minus zoom, 0 shows all, Z this feature, W says where one is.")
+        font.pixelSize: Theme.smallSize
+        color: Theme.quiet
+    }
 }

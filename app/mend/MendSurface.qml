@@ -72,6 +72,15 @@ FocusScope {
         highlightColor: "#ffd166" // on the photograph, whatever the scheme
     }
 
+    TpText {
+        anchors.centerIn: parent
+        width: parent.width - 4 * Theme.gap
+        visible: surface.session.state === MendSession.Empty
+        text: qsTr("No photograph yet.")
+        horizontalAlignment: Text.AlignHCenter
+        font.pixelSize: Theme.headingSize
+    }
+
     // The points for a screen reader. They take no mouse and no touch.
     Repeater {
         model: surface.session.handles

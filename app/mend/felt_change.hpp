@@ -13,7 +13,7 @@ namespace tp {
 
 /// The force field of contours as they are now, and how differently it feels from those found by the program.
 struct FeltChange {
-    QImage field;                              ///< null where there is nothing to feel
+    QImage field;                              ///< transparent where there is no force; null where there is nothing to feel
     QRectF place;                              ///< of `field` in the photograph, px
     std::optional<FieldDifference> difference; ///< none where one of both has nothing to feel
 };

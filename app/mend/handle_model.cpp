@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/mend/handle_model.hpp"
 
+#include <QHash>
+#include <QModelIndex>
+#include <QVariant>
+
 #include <utility>
 
 namespace tp {

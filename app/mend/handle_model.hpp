@@ -2,8 +2,12 @@
 #pragma once
 
 #include <QAbstractListModel>
+#include <QByteArray>
+#include <QHash>
+#include <QModelIndex>
 #include <QPointF>
 #include <QString>
+#include <QVariant>
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/mend/mend_lines_item.hpp"
 
+#include <QLineF>
 #include <QPainterPath>
 #include <QPen>
 

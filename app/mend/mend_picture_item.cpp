@@ -47,8 +47,6 @@ void MendPictureItem::paint(QPainter* painter) {
     if (!session_->forceShown() || felt.field.isNull())
         return;
     const auto corner = [&](QPointF p) { return session_->view().to_window({p.x(), p.y()}); };
-    painter->setCompositionMode(QPainter::CompositionMode_Screen); // black, no force, leaves the picture as it is
-    painter->setOpacity(0.8);
     painter->setRenderHint(QPainter::SmoothPixmapTransform);
     draw_seen(*painter, felt.field, {corner(felt.place.topLeft()), corner(felt.place.bottomRight())}, window);
 }

@@ -2,7 +2,6 @@
 #include "app/mend/mend_words.hpp"
 
 #include "app/scene/feature_words.hpp"
-#include "faces/face.hpp"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -17,30 +16,6 @@ struct MendWords {
     Q_DECLARE_TR_FUNCTIONS(MendWords)
 };
 
-QString plain_words(const std::string& name) {
-    if (name == feature::left_eye)
-        return MendWords::tr("left eye");
-    if (name == feature::right_eye)
-        return MendWords::tr("right eye");
-    if (name == feature::outer_lip)
-        return MendWords::tr("lips");
-    if (name == feature::inner_lip)
-        return MendWords::tr("mouth opening");
-    if (name == feature::outline)
-        return MendWords::tr("face outline");
-    if (name == feature::left_brow)
-        return MendWords::tr("left brow");
-    if (name == feature::right_brow)
-        return MendWords::tr("right brow");
-    if (name == feature::nose)
-        return MendWords::tr("nose");
-    if (name == feature::left_iris)
-        return MendWords::tr("left iris");
-    if (name == feature::right_iris)
-        return MendWords::tr("right iris");
-    return QString::fromStdString(spoken_feature(name)); // what a person named in a drawing program
-}
-
 QString number(double value) {
     const double tenths = std::round(10.0 * value) / 10.0;
     return QLocale().toString(tenths, 'f', tenths == std::floor(tenths) ? 0 : 1);
@@ -49,8 +24,12 @@ QString number(double value) {
 } // namespace
 
 QString feature_words(const std::string& name, int face) {
-    const QString plain = plain_words(name);
-    return face < 0 ? plain : MendWords::tr("%1 of face %2").arg(plain).arg(face + 1);
+    // The words of app/explore, translated where they are.
+    const QString word = QCoreApplication::translate("tp::FeatureLabels", spoken_feature(name).c_str());
+    return face < 0 ? word
+                    : QCoreApplication::translate("tp::FeatureLabels", "%1 of face %2", "left eye of face 2")
+                          .arg(word)
+                          .arg(face + 1);
 }
 
 QString node_words(const MendContour& contour, std::size_t node) {

@@ -11,6 +11,7 @@
 #include <QQuickView>
 #include <QSet>
 #include <QTest>
+#include <QVariant>
 #include <QtGlobal>
 
 #include <memory>

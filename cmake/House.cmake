@@ -49,6 +49,7 @@ tp_may(tp_open_album tp_base tp_files tp_recordings tp_metadata tp_index tp_keep
 set(_below_page ${_below_app} tp_guide tp_metadata tp_index tp_keeper tp_open_album tp_scene tp_picture tp_controls tp_narration tp_preferences tp_tactile)
 tp_may(tp_explore  ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_settings ${_below_page}                   USES Qt6::Quick)
+tp_may(tp_lab      ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_start    ${_below_page} tp_settings       USES Qt6::Quick)
 tp_may(tp_browse   ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_care     ${_below_page}                   USES Qt6::Quick)

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Controls
+import TouchPhoto.Lab
+
+// Everything that can be turned, section by section.
+Column {
+    id: controls
+
+    required property LabSession session
+    readonly property bool free: !session.recording && session.state !== LabSession.Replaying
+    readonly property bool exact: session.law === 0
+    readonly property bool simulated: session.device === 0
+    signal openAsked
+
+    spacing: Theme.gap
+
+    TpHeading { width: parent.width; text: qsTr("What is felt") }
+    TpChoice {
+        objectName: "scene"
+        width: parent.width
+        enabled: controls.free
+        label: qsTr("Scene")
+        options: controls.session.scenes
+        current: controls.session.scene
+        onPicked: (index) => controls.session.chooseScene(index)
+    }
+    TpButton {
+        width: parent.width
+        enabled: controls.free
+        text: qsTr("Open a photograph")
+        hint: qsTr("Key: O. One can be dropped on the page too")
+        onClicked: controls.openAsked()
+    }
+
+    TpHeading { width: parent.width; text: qsTr("Law") }
+    TpChoice {
+        objectName: "law"
+        width: parent.width
+        enabled: controls.free
+        label: qsTr("Law")
+        options: controls.session.laws
+        current: controls.session.law
+        onPicked: (index) => controls.session.chooseLaw(index)
+    }
+    LabSlider { width: parent.width; session: controls.session; key: "stiffness"; enabled: controls.free; label: qsTr("Stiffness K") }
+    LabSlider { width: parent.width; session: controls.session; key: "range"; enabled: controls.free; label: qsTr("Range d") }
+    LabSlider {
+        width: parent.width
+        session: controls.session
+        key: "hold"
+        enabled: controls.free && controls.exact
+        label: qsTr("Hysteresis at switches")
+    }
+    LabSlider {
+        width: parent.width
+        session: controls.session
+        key: "blend"
+        enabled: controls.free && controls.exact
+        label: qsTr("Blending at switches")
+    }
+    LabToggle {
+        width: parent.width
+        session: controls.session
+        key: "cornerCue"
+        enabled: controls.free && controls.exact
+        text: qsTr("Corner cue")
+    }
+    LabSlider {
+        width: parent.width
+        session: controls.session
+        key: "vertexSpacing"
+        enabled: controls.free && !controls.exact
+        label: qsTr("Spacing of vertices")
+    }
+
+    TpHeading { width: parent.width; text: qsTr("Servo") }
+    LabSlider { width: parent.width; session: controls.session; key: "maxForce"; enabled: controls.free; label: qsTr("Strongest force") }
+    LabSlider { width: parent.width; session: controls.session; key: "lineDamping"; enabled: controls.free; label: qsTr("Damping across a line") }
+    LabToggle { width: parent.width; session: controls.session; key: "energyObserver"; enabled: controls.free; text: qsTr("Energy observer") }
+    LabToggle {
+        width: parent.width
+        session: controls.session
+        key: "strictLimits"
+        enabled: controls.free && controls.simulated
+        text: qsTr("Limits of a real device")
+    }
+
+    TpHeading { width: parent.width; text: qsTr("Device") }
+    TpChoice {
+        objectName: "device"
+        width: parent.width
+        enabled: controls.free
+        label: qsTr("Device")
+        options: controls.session.devices
+        current: controls.session.device
+        onPicked: (index) => controls.session.chooseDevice(index)
+    }
+    TpButton {
+        width: parent.width
+        enabled: controls.free
+        text: qsTr("Look for devices again")
+        onClicked: controls.session.findDevices()
+    }
+    Repeater {
+        model: [["mass", qsTr("Mass")], ["damping", qsTr("Damping of the device")], ["friction", qsTr("Dry friction")],
+                ["quantum", qsTr("Encoder step")], ["delay", qsTr("Delay")], ["handStiffness", qsTr("Grip of the hand")],
+                ["handDamping", qsTr("Damping of the hand")]]
+        delegate: LabSlider {
+            required property var modelData
+            width: controls.width
+            session: controls.session
+            key: modelData[0]
+            enabled: controls.free && controls.simulated
+            label: modelData[1]
+        }
+    }
+
+    TpHeading { width: parent.width; text: qsTr("Faults of the simulated device") }
+    LabSlider {
+        width: parent.width
+        session: controls.session
+        key: "drop"
+        enabled: controls.simulated && controls.session.state !== LabSession.Replaying && !controls.session.recording
+        label: qsTr("Readings that do not come")
+    }
+    Repeater {
+        model: [["silent", qsTr("No readings at all")], ["refuses", qsTr("Takes no force")],
+                ["motorsOff", qsTr("Motors off by themselves")], ["unplugged", qsTr("Unplugged")]]
+        delegate: LabToggle {
+            required property var modelData
+            width: controls.width
+            session: controls.session
+            key: modelData[0]
+            enabled: controls.free && controls.simulated
+            text: modelData[1]
+        }
+    }
+    TpButton {
+        width: parent.width
+        enabled: controls.simulated && controls.session.state === LabSession.Running
+        text: qsTr("Hang for 200 milliseconds")
+        onClicked: controls.session.hang()
+    }
+
+    TpHeading { width: parent.width; text: qsTr("All parameters") }
+    TpButton {
+        objectName: "undo"
+        width: parent.width
+        enabled: controls.free && controls.session.undoable !== ""
+        text: controls.session.undoable === "" ? qsTr("Nothing to take back") : qsTr("Take back: %1").arg(controls.session.undoable)
+        hint: qsTr("Key: Control Z")
+        onClicked: controls.session.undo()
+    }
+    TpButton {
+        objectName: "reset"
+        width: parent.width
+        enabled: controls.free
+        text: qsTr("As they were at first")
+        hint: qsTr("It can be taken back")
+        onClicked: controls.session.reset()
+    }
+
+    TpHeading { width: parent.width; text: qsTr("Files") }
+    TpText {
+        width: parent.width
+        text: qsTr("In %1").arg(controls.session.folder)
+        color: Theme.quiet
+        wrapMode: Text.WrapAnywhere
+    }
+    TpButton {
+        objectName: "table"
+        width: parent.width
+        text: qsTr("Write the plots as a table")
+        hint: qsTr("CSV, with the parameters as JSON beside it")
+        onClicked: controls.session.writeTable()
+    }
+    TpText {
+        width: parent.width
+        visible: controls.session.recordings.length === 0
+        text: qsTr("No recordings yet.")
+    }
+    Repeater {
+        model: controls.session.recordings
+        delegate: TpListRow {
+            required property int index
+            required property string modelData
+            width: controls.width
+            enabled: !controls.session.recording
+            text: qsTr("Replay %1").arg(modelData)
+            position: index + 1
+            count: controls.session.recordings.length
+            onClicked: controls.session.replay(index)
+        }
+    }
+}

@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
     options.addPositionalArgument("photo", "A photograph to feel at once; without one the start page opens.", "[photo]");
     const QCommandLineOption voice_option("voice", "Whether the program speaks: on, off, or as it was chosen (default).",
                                           "on|off");
-    const QCommandLineOption page_option("page", "The page to begin with: start, browse, explore, care, settings.", "name");
+    const QCommandLineOption page_option("page", "The page to begin with: start, browse, explore, care, lab, settings.", "name");
     const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.", "file");
     const QCommandLineOption size_option("size", "The window's size in pixels, such as 1280x800.", "WxH");
     const QCommandLineOption with_option("with", "Adds features to eyes, lips and outline: brows, nose, irises.", "list");
@@ -83,7 +83,8 @@ int main(int argc, char** argv) {
 
     tp::SpokenVoice voice;
     tp::ProgramParts parts{voice, [] { return std::make_unique<tp::SystemLoudspeaker>(); }, tp::system_microphone,
-                           tp::Preferences::usual_file(), tp::OpenAlbum::usual_cache(), {}, force_devices};
+                           tp::Preferences::usual_file(), tp::OpenAlbum::usual_cache(),
+                           tp::PrintSession::usual_folder(), {}, force_devices};
     parts.explore.extras = *extras;
     const bool picture = options.isSet(picture_option);
     if (options.isSet(voice_option) || picture)

@@ -98,6 +98,8 @@ void Program::add_pages() {
     shell_.add({"explore", [] { return tr("Feel a face"); }, [this] { enter_explore(); }, [this] { explore().leave(); }});
     shell_.add({"care", [] { return tr("Look after the album"); }, [this] { care().enter(); }, [this] { care().leave(); }});
     shell_.add({"mend", [] { return tr("Mend contours"); }, [this] { mend().enter(); }, [this] { mend().leave(); }});
+    shell_.add({"print", [] { return tr("Print a tactile sheet"); }, [this] { print().enter(); }, [this] { print().leave(); }});
+    shell_.add({"lab", [] { return tr("Lab"); }, [this] { lab().enter(); }, [this] { lab().leave(); }});
     shell_.add({"settings", [] { return tr("Settings"); }, [this] { settings().enter(); }, [this] { settings().leave(); }});
     connect(&start_, &StartSession::pageAsked, this, open);
 }
@@ -109,6 +111,8 @@ QVariantMap Program::page_files() {
             {"explore", file("Explore/ExplorePage.qml")},
             {"care", file("Care/CarePage.qml")},
             {"mend", file("Mend/MendPage.qml")},
+            {"print", file("Print/PrintPage.qml")},
+            {"lab", file("Lab/LabPage.qml")},
             {"settings", file("Settings/SettingsPage.qml")}};
 }
 
@@ -122,6 +126,10 @@ QObject* Program::session(const QString& page) {
         session = &care();
     else if (page == "mend")
         session = &mend();
+    else if (page == "print")
+        session = &print();
+    else if (page == "lab")
+        session = &lab();
     else if (page == "settings")
         session = &settings();
     QQmlEngine::setObjectOwnership(session, QQmlEngine::CppOwnership); // what an invokable returns is else the engine's
@@ -155,6 +163,10 @@ CareSession& Program::care() {
             mend().open_file(photo);
             shell_.open("mend");
         });
+        connect(&caring_->session, &CareSession::printAsked, this, [this](const QString& photo) {
+            print().open_photo(photo.toStdU16String());
+            shell_.open("print");
+        });
     }
     return caring_->session;
 }
@@ -163,6 +175,22 @@ MendSession& Program::mend() {
     if (!mend_)
         mend_ = std::make_unique<MendSession>(narrator_);
     return *mend_;
+}
+
+PrintSession& Program::print() {
+    if (!print_)
+        print_ = std::make_unique<PrintSession>(narrator_, earcons_, preferences_, parts_.documents);
+    return *print_;
+}
+
+LabSession& Program::lab() {
+    if (!lab_) {
+        LabSettings settings;
+        settings.folder = parts_.documents / "Lab";
+        lab_ = std::make_unique<LabSession>(narrator_, preferences_, std::move(settings));
+        connect(lab_.get(), &LabSession::pageAsked, &shell_, &Shell::open);
+    }
+    return *lab_;
 }
 
 void Program::feel(const QString& photo) {

@@ -6,9 +6,11 @@
 #include "app/controls/notification_announcer.hpp"
 #include "app/album/open/open_album.hpp"
 #include "app/explore/explore_session.hpp"
+#include "app/lab/lab_session.hpp"
 #include "app/mend/mend_session.hpp"
 #include "app/narration/narrator.hpp"
 #include "app/preferences/preferences.hpp"
+#include "app/print/print_session.hpp"
 #include "app/settings/settings_session.hpp"
 #include "app/shell/languages.hpp"
 #include "app/shell/shell.hpp"
@@ -37,6 +39,7 @@ struct ProgramParts {
     MakeInput make_microphone;
     std::filesystem::path preferences; ///< file
     std::filesystem::path cache;       ///< folder
+    std::filesystem::path documents;   ///< folder of what is made to be used outside: sheets, tables
     ExploreSettings explore;
     StartSession::FindDevices find_devices;
     std::optional<Narrator::By> by = {}; ///< who speaks, whatever was chosen
@@ -66,6 +69,8 @@ public:
     ExploreSession& explore();
     CareSession& care();
     MendSession& mend();
+    PrintSession& print();
+    LabSession& lab();
     SettingsSession& settings();
 
     /// The sound of the start, at once, and then the page: Start, or Explore with `photo` where one is given.
@@ -109,6 +114,8 @@ private:
     std::unique_ptr<ExploreSession> explore_;
     std::unique_ptr<Caring> caring_;
     std::unique_ptr<MendSession> mend_;
+    std::unique_ptr<PrintSession> print_;
+    std::unique_ptr<LabSession> lab_;
     std::unique_ptr<SettingsSession> settings_;
 };
 

@@ -4,7 +4,9 @@
 #include "app/browse/browse_module.hpp"
 #include "app/care/care_module.hpp"
 #include "app/explore/explore_module.hpp"
+#include "app/lab/lab_module.hpp"
 #include "app/mend/mend_module.hpp"
+#include "app/print/print_module.hpp"
 #include "app/settings/settings_module.hpp"
 #include "app/start/start_module.hpp"
 
@@ -25,6 +27,8 @@ ProgramWindow::ProgramWindow(Program& program) {
     register_explore();
     register_care();
     register_mend();
+    register_print();
+    register_lab();
     register_settings();
     setResizeMode(SizeRootObjectToView);
     setMinimumSize({480, 560});

@@ -133,6 +133,9 @@ QVariantList StartSession::destinations() const {
     const QVariantMap settings{{"page", "settings"},
                                {"title", tr("Settings")},
                                {"hint", tr("Speech, colours, force, where photographs are")}};
+    const QVariantMap lab{{"page", "lab"},
+                          {"title", tr("Lab")},
+                          {"hint", tr("For researchers: guidance laws, their parameters, plots, recordings")}};
     const QVariantMap capture{{"page", ""},
                               {"title", tr("Take a photograph")},
                               {"hint", tr("Not there yet: photographs of any camera can be imported")}};
@@ -141,7 +144,7 @@ QVariantList StartSession::destinations() const {
                             {"hint", tr("Not there yet")}};
     const bool caregiver = preferences_.choices().user == Choices::User::caregiver;
     QVariantList list = caregiver ? QVariantList{care, browse, explore} : QVariantList{browse, explore, care};
-    list << settings << capture << study;
+    list << settings << lab << capture << study;
     return list;
 }
 

@@ -175,8 +175,9 @@
 <context>
     <name>BrowseKeys</name>
     <message>
-        <source>Left, Right: photograph · Up, Down: details · Enter: recordings · Escape: stop · +, −: speed · Home, End: first, last
-S: search · P: people · Y: years · L: places · K: keywords · R: surprise · A: all · Backspace: back · E: feel the face · C: look after it · W: where am I · H: keys</source>
+        <source>Left, Right: photograph · Up, Down: details · Enter: recordings · Escape: stop · +, −: speed
+Home, End: first, last · S: search · P: people · Y: years · L: places · K: keywords · R: surprise
+A: all · Backspace: back · E: feel the face · C: look after it · W: where am I · H: keys</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -458,6 +459,254 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
     </message>
 </context>
 <context>
+    <name>LabControls</name>
+    <message>
+        <source>What is felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key: O. One can be dropped on the page too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range d</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hysteresis at switches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blending at switches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corner cue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spacing of vertices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strongest force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damping across a line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Energy observer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits of a real device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for devices again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damping of the device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dry friction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Encoder step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grip of the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damping of the hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faults of the simulated device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readings that do not come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No readings at all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes no force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motors off by themselves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unplugged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hang for 200 milliseconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to take back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key: Control Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As they were at first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It can be taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the plots as a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV, with the parameters as JSON beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No recordings yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replay %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabOpenDialog</name>
+    <message>
+        <source>Open photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Photographs (*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabPage</name>
+    <message>
+        <source>On the surface arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads the plots, O opens a photograph, Control Z takes a change back. Escape stops what runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the servo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key: Space on the surface; Escape stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key: R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where is the finger?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key: W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key: P</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LabSurface</name>
+    <message>
+        <source>Arrow keys move the hand by 2 millimetres, with Shift by 10. Space starts and stops the servo.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>LabelPart</name>
     <message>
         <source>Kind</source>
@@ -674,6 +923,10 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
         <source>The contours as they were opened. Can be undone</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Keys on the photograph: Tab and Shift+Tab go from point to point; arrows move it by one pixel, with Shift by ten, with Control by a fifth; Page up and Page down change the feature; A adds a point, Delete deletes it, C turns a corner, M moves the whole feature, F shows the force, plus and minus zoom, 0 shows all, Z this feature, W says where one is.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MendSurface</name>
@@ -689,53 +942,13 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
         <source>%1 across, %2 down</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No photograph yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MendWords</name>
-    <message>
-        <source>left eye</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>right eye</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>lips</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>mouth opening</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>face outline</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>left brow</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>right brow</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>nose</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>left iris</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>right iris</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of face %2</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Corner %1 of %2</source>
         <translation type="unfinished"></translation>
@@ -1056,6 +1269,53 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
     </message>
     <message>
         <source>All files (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PrintPage</name>
+    <message>
+        <source>Choose the paper and the face, then store the sheet as PDF for a printer or as SVG for a drawing program. Swell paper and embossers raise its black lines and dots.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sheet, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No sheet yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turned by a quarter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its name in print</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store as PDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Store as SVG</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1477,6 +1737,39 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
     </message>
 </context>
 <context>
+    <name>TactileNotes</name>
+    <message numerus="yes">
+        <source>%n character(s) of the name %1 have no braille and are left out.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The name %1 is cut after %n line(s) of braille.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The %1 is drawn as one line, because its two sides would be too close to be told apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 is drawn in part, because the rest would be less than 3 mm from another line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 is left out, because it would be too small or less than 3 mm from another line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name %1 is left out, because there is no room for its braille.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>TakePart</name>
     <message>
         <source>What to record</source>
@@ -1515,7 +1808,11 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>loudness: %1</source>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loudness</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1824,6 +2121,10 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
     </message>
     <message>
         <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a row first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2321,6 +2622,302 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
     </message>
 </context>
 <context>
+    <name>tp::LabSession</name>
+    <message>
+        <source>Nothing runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lab. A finger on a simulated device, a force field, and everything that can be turned. Space on the surface starts the servo, Escape stops it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Photograph %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circle, radius 40 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangle, 50 mm high</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curved path, 200 mm wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only a photograph that is a file on this computer can be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no photograph yet. Open one, or drop one on the page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for faces in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n line(s) can be felt.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Published Algorithm 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be changed during a recording. Escape ends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be changed during a replay. Escape ends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the law</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 newtons per millimetre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 newtons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 newton seconds per metre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 grams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tick(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 percent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of critical damping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Law, servo, device and faults are as they were at first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to take back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken back: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated: the mouse or a finger on the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording on %1. Escape ends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The servo runs on %1. Escape stops it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only a simulated device that runs can be made to hang.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The device hangs for 200 milliseconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 of the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The finger is %1. </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No line pulls there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm from %2; the law pulls with %3 newtons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The replay has ended. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position: nothing measured yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force |F|: nothing measured yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Energy: nothing measured yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lateness: nothing measured yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position now x %1, y %2 mm; x from %3 to %4, y from %5 to %6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force |F| now %1 newtons, at most %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Energy given to the hand now %1 millijoules, from %2 to %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ticks late by now %1 milliseconds, at most %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording cannot be begun: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording is not whole, because the disk is full or this computer was too busy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded in %1; the parameters lie beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed again, the forces differ by at most %1 newtons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its parameters are not beside it, so it was not computed again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its end was cut short and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replaying %1. Escape ends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to write yet. Start the servo first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) are in %1; the parameters lie beside them.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tp::MendSession</name>
     <message>
         <source>Only a photograph that is a file on this computer can be opened.</source>
@@ -2622,6 +3219,73 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
     </message>
 </context>
 <context>
+    <name>tp::PrintSession</name>
+    <message>
+        <source>Print. Choose a photograph on the page for looking after the album.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print %1. Looking for faces…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print %1 on %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Braille paper, 11 by 11.5 inches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 by %2 millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With its name in print.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a name in print.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no sheet yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 could not be made: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tp::Problems</name>
     <message>
         <source>The force was switched off for a moment, because a measurement was not a number.</source>
@@ -2748,6 +3412,14 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
     </message>
     <message>
         <source>Mend contours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print a tactile sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3207,6 +3879,14 @@ S: search · P: people · Y: years · L: places · K: keywords · R: surprise ·
     </message>
     <message>
         <source>TouchPhoto, start page. 1: %1. 2: %2. More below; F1 for help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For researchers: guidance laws, their parameters, plots, recordings</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -95,6 +95,23 @@
     </message>
 </context>
 <context>
+    <name>TactileNotes</name>
+    <message numerus="yes">
+        <source>%n character(s) of the name %1 have no braille and are left out.</source>
+        <translation>
+            <numerusform>%n character of the name %1 have no braille and are left out.</numerusform>
+            <numerusform>%n characters of the name %1 have no braille and are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The name %1 is cut after %n line(s) of braille.</source>
+        <translation>
+            <numerusform>The name %1 is cut after %n line of braille.</numerusform>
+            <numerusform>The name %1 is cut after %n lines of braille.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tp::BrowseSession</name>
     <message numerus="yes">
         <source>%n photograph(s)</source>
@@ -221,6 +238,30 @@
         <translation>
             <numerusform>%n folder below it</numerusform>
             <numerusform>%n folders below it</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabSession</name>
+    <message numerus="yes">
+        <source>%1: %n line(s) can be felt.</source>
+        <translation>
+            <numerusform>%1: %n line can be felt.</numerusform>
+            <numerusform>%1: %n lines can be felt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tick(s)</source>
+        <translation>
+            <numerusform>%n tick</numerusform>
+            <numerusform>%n ticks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) are in %1; the parameters lie beside them.</source>
+        <translation>
+            <numerusform>%n row are in %1; the parameters lie beside them.</numerusform>
+            <numerusform>%n rows are in %1; the parameters lie beside them.</numerusform>
         </translation>
     </message>
 </context>

@@ -102,7 +102,7 @@ private slots:
 
     void a_page_survives_and_escape_leads_home_data() {
         QTest::addColumn<QString>("page");
-        for (const char* page : {"start", "browse", "explore", "care", "mend", "settings"})
+        for (const char* page : {"start", "browse", "explore", "care", "mend", "print", "lab", "settings"})
             QTest::newRow(page) << page;
     }
     void a_page_survives_and_escape_leads_home() {

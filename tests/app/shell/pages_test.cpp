@@ -9,7 +9,7 @@ using namespace tp;
 
 namespace {
 
-const QStringList every_page{"start", "browse", "explore", "care", "mend", "settings"};
+const QStringList every_page{"start", "browse", "explore", "care", "mend", "print", "lab", "settings"};
 
 /// Marks every text that goes through translation, and makes it longer as other languages are.
 class PseudoLocale final : public QTranslator {

@@ -34,6 +34,7 @@ public:
                                [] { return std::make_unique<tp::testing::FakeMicrophone>(); },
                                file("preferences.json"),
                                file("cache"),
+                               file("Documents"),
                                {},
                                [] { return std::vector<tp::FoundDevice>(); }};
         program = std::make_unique<tp::Program>(std::move(parts));

@@ -113,7 +113,7 @@ private slots:
         session.go(1);
         QCOMPARE(asked.takeFirst().first().toString(), QString("browse"));
         QCOMPARE(asked.takeFirst().first().toString(), QString("explore"));
-        session.go(4); // not there yet
+        session.go(5); // not there yet
         QVERIFY(voice.said().back().contains("Not there yet"));
         session.go(77);
         QVERIFY(asked.isEmpty());

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import QtQuick.Layouts
+import TouchPhoto.Controls
+import TouchPhoto.Print
+
+// A tactile sheet before it is printed: the sheet as it will lie on the table, and what can be chosen.
+FocusScope {
+    id: page
+
+    required property PrintSession session
+    readonly property bool wide: width > 1.15 * height
+    readonly property string help: qsTr("Choose the paper and the face, then store the sheet as PDF for a printer or as SVG for a drawing program. "
+                                        + "Swell paper and embossers raise its black lines and dots.")
+
+    GridLayout {
+        anchors.fill: parent
+        anchors.margins: 2 * Theme.gap
+        columns: page.wide ? 2 : 1
+        columnSpacing: 2 * Theme.gap
+        rowSpacing: 2 * Theme.gap
+
+        Rectangle {
+            Layout.fillWidth: true
+            Layout.fillHeight: page.wide
+            Layout.preferredHeight: page.wide ? -1 : 0.4 * page.height
+            color: Theme.panel
+            radius: Theme.radius
+            Image {
+                anchors { fill: parent; margins: Theme.gap }
+                source: page.session.preview
+                fillMode: Image.PreserveAspectFit
+                Accessible.role: Accessible.Graphic
+                Accessible.name: page.session.ready ? qsTr("The sheet, %1").arg(page.session.size) : qsTr("No sheet yet")
+            }
+        }
+        TpScroll {
+            Layout.fillHeight: true
+            Layout.fillWidth: !page.wide
+            Layout.preferredWidth: page.wide ? 420 * Math.min(1.4, Theme.textScale) : -1
+            focus: true
+            margin: 6
+            TpHeading {
+                width: parent.width
+                text: page.session.photoName === "" ? qsTr("No photograph") : page.session.photoName
+            }
+            TpProgress {
+                width: parent.width
+                visible: page.session.looking
+                label: qsTr("Looking for faces")
+                value: -1
+            }
+            TpChoice {
+                width: parent.width
+                label: qsTr("Paper")
+                options: page.session.papers
+                current: page.session.paper
+                onPicked: (index) => page.session.choosePaper(index)
+            }
+            TpToggle {
+                width: parent.width
+                text: qsTr("Turned by a quarter")
+                on: page.session.landscape
+                onSwitched: (on) => page.session.setLandscape(on)
+            }
+            TpChoice {
+                width: parent.width
+                visible: page.session.faces.length > 1
+                label: qsTr("Who")
+                options: page.session.faces
+                current: page.session.face
+                onPicked: (index) => page.session.chooseFace(index)
+            }
+            TpToggle {
+                width: parent.width
+                text: qsTr("Its name in print")
+                on: page.session.titled
+                onSwitched: (on) => page.session.setTitled(on)
+            }
+            Repeater {
+                model: page.session.notes
+                delegate: TpText {
+                    required property string modelData
+                    width: parent.width
+                    text: modelData
+                    color: Theme.quiet
+                }
+            }
+            TpButton {
+                width: parent.width
+                primary: true
+                enabled: page.session.ready
+                text: qsTr("Store as PDF")
+                onClicked: page.session.store("pdf")
+            }
+            TpButton {
+                width: parent.width
+                enabled: page.session.ready
+                text: qsTr("Store as SVG")
+                onClicked: page.session.store("svg")
+            }
+        }
+    }
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import QtQuick
 import TouchPhoto.Controls
+import TouchPhoto.Folders
 import TouchPhoto.Settings
 
 // What a person can choose, section by section.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import QtQuick
 import TouchPhoto.Controls
-import TouchPhoto.Settings
+import TouchPhoto.Folders
 import TouchPhoto.Start
 
 // Where the program begins: the questions of the first start, then the way to each page.

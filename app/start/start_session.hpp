@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/folders/folder_chooser.hpp"
 #include "app/narration/narrator.hpp"
 #include "app/preferences/preferences.hpp"
-#include "app/settings/folder_chooser.hpp"
 #include "app/start/questions.hpp"
 
 #include <QObject>

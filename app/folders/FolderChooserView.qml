@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import QtQuick
 import TouchPhoto.Controls
-import TouchPhoto.Settings
+import TouchPhoto.Folders
 
 // Choosing a folder: where one is, what is below, and a way up. One goes into a folder by pressing its row.
 FocusScope {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/settings/folder_chooser.hpp"
+#include "app/folders/folder_chooser.hpp"
 
 #include <QDir>
 #include <QFileInfo>

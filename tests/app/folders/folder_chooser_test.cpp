@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/controls/recording_announcer.hpp"
-#include "app/settings/folder_chooser.hpp"
+#include "app/folders/folder_chooser.hpp"
 #include "audio/speech/recording_voice.hpp"
 
 #include <QDir>

@@ -66,7 +66,7 @@ FocusScope {
                     height: Math.max(implicitHeight, crop.height)
                     focus: true
                     text: face.entry.text || ""
-                    detail: face.entry.named ? "" : qsTr("Press to name it")
+                    detail: face.entry.problem ? face.entry.problem : face.entry.named ? "" : qsTr("Press to name it")
                     position: face.index + 1
                     count: part.faces.count
                     selected: face.entry.chosen === true

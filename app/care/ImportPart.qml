@@ -8,12 +8,14 @@ Column {
     id: part
 
     required property ImportCare importing
+    readonly property Item firstControl: first
     signal photosAsked
     signal folderAsked
 
     spacing: Theme.gap
 
     TpButton {
+        id: first
         objectName: "importPhotos"
         width: parent.width
         primary: !part.importing.running
@@ -25,7 +27,6 @@ Column {
     TpButton {
         objectName: "importFolder"
         width: parent.width
-        visible: !part.importing.running
         text: qsTr("Import a folder…")
         onClicked: part.folderAsked()
     }
@@ -63,13 +64,19 @@ Column {
         width: parent.width
         visible: part.importing.unfinished
         text: qsTr("Go on with the unfinished import")
-        onClicked: part.importing.goOn()
+        onClicked: {
+            first.forceActiveFocus() // this one vanishes
+            part.importing.goOn()
+        }
     }
     TpButton {
         width: parent.width
         visible: part.importing.unfinished
         text: qsTr("Give the unfinished import up")
         hint: qsTr("What it brought stays.")
-        onClicked: part.importing.giveUp()
+        onClicked: {
+            first.forceActiveFocus()
+            part.importing.giveUp()
+        }
     }
 }

@@ -25,6 +25,10 @@ FocusScope {
         input.setting = typed // so that leaving the field enters nothing
         names = suggest(typed)
     }
+    function take(name) {
+        input.forceActiveFocus() // the rows are made anew
+        chosen(name)
+    }
     onInitialChanged: reset(initial)
     Component.onCompleted: reset(initial)
 
@@ -55,14 +59,14 @@ FocusScope {
                     position: index + 1
                     count: field.names.length
                     selected: modelData === field.initial
-                    onClicked: field.chosen(modelData)
+                    onClicked: field.take(modelData)
                 }
             }
             TpButton {
                 visible: field.none !== ""
                 width: Math.min(implicitWidth, parent.width)
                 text: field.none
-                onClicked: field.chosen("")
+                onClicked: field.take("")
             }
         }
     }

@@ -9,8 +9,8 @@ FocusScope {
 
     required property CareSession session
     readonly property Item focused: Window.activeFocusItem
+    property int row: 0 // that Tab comes to; the list's own current item would take the keyboard whenever rows change
     property bool keepFocus: false
-    property int keepRow: 0
     signal photosAsked
     signal folderAsked
     signal opened
@@ -20,9 +20,10 @@ FocusScope {
             list.headerItem.focusFirst()
             return
         }
-        list.currentIndex = Math.max(0, Math.min(list.currentIndex, list.count - 1))
-        list.positionViewAtIndex(list.currentIndex, ListView.Contain)
-        list.currentItem.focusRow()
+        pane.row = Math.max(0, Math.min(pane.row, list.count - 1))
+        list.positionViewAtIndex(pane.row, ListView.Contain)
+        list.forceLayout()
+        list.itemAtIndex(pane.row).focusRow()
     }
 
     // What the keyboard comes to above the rows is brought into view.
@@ -41,11 +42,10 @@ FocusScope {
         target: pane.session.photos
         function onModelAboutToBeReset() {
             pane.keepFocus = list.activeFocus && !list.headerItem.activeFocus
-            pane.keepRow = list.currentIndex
         }
         function onModelReset() {
-            const row = pane.session.photoRow
-            list.currentIndex = row >= 0 ? row : Math.max(0, Math.min(pane.keepRow, list.count - 1))
+            const open = pane.session.photoRow
+            pane.row = open >= 0 ? open : Math.max(0, Math.min(pane.row, list.count - 1))
             if (pane.keepFocus)
                 pane.focusRow()
         }
@@ -65,7 +65,7 @@ FocusScope {
         bottomMargin: inset
         focus: true
         boundsBehavior: Flickable.StopAtBounds
-        highlightMoveDuration: 0
+        currentIndex: -1
         model: pane.session.photos
         cacheBuffer: 400
         // Who comes to the page comes to its first control.
@@ -75,7 +75,7 @@ FocusScope {
         Keys.onPressed: (event) => {
             if (list.headerItem.activeFocus)
                 return
-            const page = Math.max(1, Math.floor(list.height / (list.currentItem ? list.currentItem.height : 100)))
+            const page = Math.max(1, Math.floor(list.height / (2 * Theme.target)))
             switch (event.key) {
             case Qt.Key_Home: event.accepted = step(-list.count); break
             case Qt.Key_End: event.accepted = step(list.count); break
@@ -86,7 +86,7 @@ FocusScope {
         function step(by) {
             if (list.headerItem.activeFocus || list.count === 0)
                 return false
-            list.currentIndex = Math.max(0, Math.min(list.currentIndex + by, list.count - 1))
+            pane.row = Math.max(0, Math.min(pane.row + by, list.count - 1))
             pane.focusRow()
             return true
         }
@@ -94,7 +94,7 @@ FocusScope {
         header: FocusScope {
             width: list.width - 2 * list.inset
             height: above.height + Theme.gap
-            function focusFirst() { importPart.children[0].forceActiveFocus() }
+            function focusFirst() { importPart.firstControl.forceActiveFocus() }
 
             Column {
                 id: above
@@ -150,6 +150,7 @@ FocusScope {
             width: list.width - 2 * list.inset
             height: row.height
             function focusRow() { row.forceActiveFocus() }
+            onIndexChanged: if (row.activeFocus) pane.row = index // it was moved
 
             PictureItem {
                 id: thumbnail
@@ -168,15 +169,15 @@ FocusScope {
                 anchors { left: thumbnail.right; leftMargin: Theme.gap; right: parent.right }
                 height: Math.max(implicitHeight, thumbnail.height)
                 focus: true
-                activeFocusOnTab: item.ListView.isCurrentItem || activeFocus
+                activeFocusOnTab: item.index === pane.row || activeFocus
                 text: item.name
                 detail: item.detail
                 position: item.index + 1
                 count: pane.session.photos.total
                 selected: pane.session.photoOpen && pane.session.photoRow === item.index
-                onActiveFocusChanged: if (activeFocus) list.currentIndex = item.index
+                onActiveFocusChanged: if (activeFocus) pane.row = item.index
                 onClicked: {
-                    list.currentIndex = item.index
+                    pane.row = item.index
                     pane.session.openRow(item.index)
                     pane.opened()
                 }

@@ -9,9 +9,11 @@ FocusScope {
 
     required property Take take
     required property RecordingList recordings
+    readonly property bool running: take.running
     signal filesAsked
 
     implicitHeight: column.height
+    onRunningChanged: if (activeFocus) focusRecord() // the other buttons come and go
     function focusRecord() { record.forceActiveFocus() }
 
     Column {

@@ -4,30 +4,48 @@ import TouchPhoto.Controls
 import TouchPhoto.Care
 
 // Taking the last step back, and doing it again; each button says what it is about.
-Flow {
+FocusScope {
     id: bar
 
     required property CareSession session
 
-    spacing: Theme.gap
+    implicitHeight: flow.height
+    height: implicitHeight
     visible: session.undoText !== "" || session.redoText !== ""
 
-    TpButton {
-        id: undo
-        objectName: "undo"
-        visible: bar.session.undoText !== ""
-        width: Math.min(implicitWidth, bar.width)
-        text: qsTr("Undo: %1").arg(bar.session.undoText)
-        hint: qsTr("Key: Control Z")
-        onClicked: bar.session.undo()
+    // The keyboard is never left on a button that is gone: what was undone can be done again.
+    function keepFocus() {
+        const on_one = (undo.activeFocus && undo.visible) || (redo.activeFocus && redo.visible)
+        if (bar.activeFocus && !on_one)
+            (redo.visible ? redo : undo).forceActiveFocus()
     }
-    TpButton {
-        id: redo
-        objectName: "redo"
-        visible: bar.session.redoText !== ""
-        width: Math.min(implicitWidth, bar.width)
-        text: qsTr("Do again: %1").arg(bar.session.redoText)
-        hint: qsTr("Key: Control Shift Z")
-        onClicked: bar.session.redo()
+    Connections {
+        target: bar.session
+        function onStepsChanged() { Qt.callLater(bar.keepFocus) }
+    }
+
+    Flow {
+        id: flow
+        width: parent.width
+        spacing: Theme.gap
+
+        TpButton {
+            id: undo
+            objectName: "undo"
+            visible: bar.session.undoText !== ""
+            width: Math.min(implicitWidth, flow.width)
+            text: qsTr("Undo: %1").arg(bar.session.undoText)
+            hint: qsTr("Key: Control Z")
+            onClicked: bar.session.undo()
+        }
+        TpButton {
+            id: redo
+            objectName: "redo"
+            visible: bar.session.redoText !== ""
+            width: Math.min(implicitWidth, flow.width)
+            text: qsTr("Do again: %1").arg(bar.session.redoText)
+            hint: qsTr("Key: Control Shift Z")
+            onClicked: bar.session.redo()
+        }
     }
 }

@@ -62,13 +62,18 @@ void FaceCare::list_faces() {
     const QRectF chosen = chosen_ >= 0 ? faces_[static_cast<std::size_t>(chosen_)].part : QRectF();
     faces_.clear();
     for (const FaceRegion& region : photo_.record().faces)
-        faces_.push_back({shown_part(region, turn()), region});
+        faces_.push_back({shown_part(region, turn()), region, {}});
     if (found_ && found_->extraction.width > 0)
         for (const Face& face : found_->extraction.faces) {
             const QRectF part = part_of(face.box, found_->extraction);
-            if (std::none_of(faces_.begin(), faces_.end(),
-                             [&](const KnownFace& known) { return same_face(known.part, part); }))
-                faces_.push_back({part, stored_region(part, turn())});
+            const auto same = std::find_if(faces_.begin(), faces_.end(), [&](const KnownFace& known) {
+                return same_face(known.part, part);
+            });
+            const QString problem = face.mended.empty() ? QString::fromStdString(face.problem) : QString();
+            if (same == faces_.end())
+                faces_.push_back({part, stored_region(part, turn()), problem});
+            else
+                same->problem = problem;
         }
     std::stable_sort(faces_.begin(), faces_.end(), [](const KnownFace& a, const KnownFace& b) {
         return std::pair(!a.region.name.empty(), -size_of_part(a.part)) <
@@ -89,6 +94,7 @@ QVariantList FaceCare::faces() const {
     for (int i = 0; i < count(); ++i) {
         const KnownFace& face = faces_[static_cast<std::size_t>(i)];
         list << QVariantMap{{"text", face_words(i)},
+                            {"problem", face.problem},
                             {"named", !face.region.name.empty()},
                             {"picture", found_ ? crop(found_->image, face.part) : QImage()},
                             {"chosen", i == chosen_}};

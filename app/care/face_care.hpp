@@ -8,6 +8,7 @@
 
 #include <QImage>
 #include <QRectF>
+#include <QString>
 #include <QStringList>
 #include <QVariantList>
 #include <QtQml/qqmlregistration.h>
@@ -24,7 +25,7 @@ class FaceCare final : public QObject {
     QML_ELEMENT
     QML_UNCREATABLE("Made by the program.")
 
-    /// One entry a face: {text, named, picture (a QImage), chosen}.
+    /// One entry a face: {text, problem, named, picture (a QImage), chosen}.
     Q_PROPERTY(QVariantList faces READ faces NOTIFY changed)
     Q_PROPERTY(int count READ count NOTIFY changed)
     /// Index of the face that is being named; -1: none.
@@ -65,6 +66,7 @@ private:
     struct KnownFace {
         QRectF part;       ///< of the picture in which faces were found, 0 … 1
         FaceRegion region; ///< stored picture; with the name
+        QString problem;   ///< why its contours may be wrong, in a sentence
     };
     void list_faces();
     PictureTurn turn() const;

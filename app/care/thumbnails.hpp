@@ -28,8 +28,6 @@ public:
     /// The picture where it is known; else `came` follows, also for a photograph that cannot be read, whose picture stays
     /// null.
     QImage picture(const std::filesystem::path& photo);
-    /// It is to be read again when it is asked for next.
-    void forget(const std::filesystem::path& photo) { known_.erase(photo); }
 
 signals:
     void came(const std::filesystem::path& photo);

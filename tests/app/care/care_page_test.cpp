@@ -26,7 +26,9 @@ namespace {
 QStringList warnings;
 
 void remember_warnings(QtMsgType type, const QMessageLogContext&, const QString& text) {
-    const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("Using QCharRef");
+    // The last is Qt 6.4's own, where a window closes on a busy machine while something in it is being drawn.
+    const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("Using QCharRef") ||
+                                     text.startsWith("QUnifiedTimer::stopAnimationDriver");
     if ((type == QtWarningMsg || type == QtCriticalMsg) && !of_the_test_machine)
         warnings << text;
 }
@@ -447,6 +449,7 @@ private slots:
         QVERIFY(press(named(page, "Anna, 1 of 1")));
         QVERIFY(page.bench.rests());
         QCOMPARE(page.bench.record("a.png").tags.at(0).label.person, std::string("Anna"));
+        QCOMPARE(page.focused(), QString("About whom"));
         QVERIFY(page.tab_to("Who speaks"));
         for (const char letter : std::string("Tom"))
             QTest::keyClick(&page.window, letter);
@@ -461,6 +464,39 @@ private slots:
         QVERIFY(press(named(page, "Language: Deutsch")));
         QVERIFY(page.bench.rests());
         QCOMPARE(page.bench.record("a.png").tags.at(0).label.language, std::string("de"));
+    }
+
+    void the_keyboard_stays_on_undo_and_redo_as_long_as_there_is_one() {
+        Page page({"a.png"});
+        page.session().openRow(0);
+        QVERIFY(page.bench.rests());
+        page.session().descriptions()->typeAltText("A garden");
+        page.session().descriptions()->save();
+        QVERIFY(page.bench.rests());
+        page.item("back")->forceActiveFocus();
+        QVERIFY(page.tab_to("Undo: a.png was described"));
+        page.key(Qt::Key_Return);
+        QVERIFY(page.bench.rests());
+        CARE_TRY_COMPARE(page.focused(), QString("Do again: a.png was described"));
+        page.key(Qt::Key_Space);
+        QVERIFY(page.bench.rests());
+        CARE_TRY_COMPARE(page.focused(), QString("Undo: a.png was described"));
+    }
+
+    void an_unfinished_import_goes_on_and_the_keyboard_is_on_its_stop() {
+        Page page({"a.png"});
+        for (int i = 0; i < 20; ++i)
+            a_photo(page.bench.folder, "card/" + std::to_string(i) + ".jpg", 50 + i);
+        page.session().importing()->import({QUrl::fromLocalFile(QString::fromStdString((page.bench.folder / "card").string()))});
+        QVERIFY(named(page, "Stop the import") != nullptr);
+        QVERIFY(press(named(page, "Stop the import")));
+        CARE_TRY_VERIFY(named(page, "Go on with the unfinished import") != nullptr);
+        QVERIFY(page.tab_to("Go on with the unfinished import"));
+        page.key(Qt::Key_Return);
+        QVERIFY(page.focused() == "Stop the import" || page.focused() == "Import photographs…");
+        CARE_TRY_VERIFY(!page.session().importing()->running());
+        CARE_TRY_COMPARE(page.session().photos()->total(), 21);
+        QCOMPARE(page.focused(), QString("Import photographs…"));
     }
 
     void a_deleted_photograph_leaves_the_keyboard_in_the_list_and_undo_opens_it_again() {

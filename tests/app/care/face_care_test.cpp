@@ -26,6 +26,7 @@ FoundFaces two_faces() {
     found.extraction.width = 200;
     found.extraction.height = 100;
     found.extraction.faces = {face_at(20, 20, 50), face_at(140, 30, 30)};
+    found.extraction.faces[1].problem = "It is turned to the side.";
     return found;
 }
 
@@ -65,6 +66,7 @@ private slots:
         bench.open();
         QCOMPARE(bench.texts(), QStringList({"Face without a name", "Face without a name"}));
         QCOMPARE(bench.faces.summary(), QString("2 face(s), 2 without a name."));
+        QCOMPARE(bench.faces.faces().at(1).toMap()["problem"].toString(), QString("It is turned to the side."));
         const QImage crop = bench.faces.faces().at(0).toMap()["picture"].value<QImage>();
         QCOMPARE(crop.size(), QSize(76, 76)); // with a quarter more at each side, in whole pixels
     }

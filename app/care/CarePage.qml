@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import QtQuick
 import TouchPhoto.Controls
+import TouchPhoto.Folders
 import TouchPhoto.Care
 
 // The page: on a wide window the photographs at the left and the care of one at the right; on a tall one, one after the
@@ -46,10 +47,11 @@ FocusScope {
         anchors { left: parent.left; top: parent.top; bottom: parent.bottom; margins: 2 * Theme.gap }
         width: page.wide ? 0.38 * page.width : page.width - 4 * Theme.gap
         visible: page.wide || !page.session.photoOpen
+        enabled: !page.session.choosing
         focus: true
         session: page.session
         onPhotosAsked: photosDialog.open()
-        onFolderAsked: sourceDialog.open(qsTr("Import a folder"))
+        onFolderAsked: page.session.importFolder()
         onOpened: photoPane.focusFirst()
     }
     PhotoPane {
@@ -57,10 +59,32 @@ FocusScope {
         anchors { right: parent.right; top: parent.top; bottom: parent.bottom; margins: 2 * Theme.gap }
         width: page.wide ? page.width - listPane.width - 7 * Theme.gap : page.width - 4 * Theme.gap
         visible: page.wide || page.session.photoOpen
+        enabled: !page.session.choosing
         session: page.session
         onSoundsAsked: soundsDialog.open()
     }
 
+    // Choosing a folder takes the place of everything else for as long as it lasts.
+    Rectangle {
+        anchors.fill: parent
+        visible: page.session.choosing
+        color: Theme.ground
+        MouseArea { anchors.fill: parent }
+        Loader {
+            anchors.fill: parent
+            active: page.session.choosing
+            sourceComponent: TpScroll {
+                margin: 2 * Theme.gap
+                FolderChooserView {
+                    width: parent.width
+                    focus: true
+                    chooser: page.session.chooser
+                }
+            }
+            onLoaded: item.forceActiveFocus()
+            onActiveChanged: if (!active) listPane.forceActiveFocus()
+        }
+    }
     DropArea {
         anchors.fill: parent
         onDropped: (drop) => {
@@ -68,31 +92,12 @@ FocusScope {
                 page.session.importing.import(drop.urls)
         }
     }
-    Connections {
-        target: page.session.importing
-        function onFolderWanted() { folderDialog.open(qsTr("Folder for the album")) }
-    }
     DialogLoader {
         id: photosDialog
         objectName: "photosDialog"
         session: page.session
         file: "PhotosDialog.qml"
         onChosen: (files) => page.session.importing.import(files)
-    }
-    DialogLoader {
-        id: sourceDialog
-        objectName: "sourceDialog"
-        session: page.session
-        file: "FoldersDialog.qml"
-        onChosen: (files) => page.session.importing.import(files)
-    }
-    DialogLoader {
-        id: folderDialog
-        objectName: "folderDialog"
-        session: page.session
-        file: "FoldersDialog.qml"
-        onChosen: (files) => page.session.importing.chooseFolder(files[0])
-        onDropped: page.session.importing.dropWish()
     }
     DialogLoader {
         id: soundsDialog

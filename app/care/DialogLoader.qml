@@ -9,11 +9,10 @@ Loader {
     required property CareSession session
     required property string file
     signal chosen(var files)
-    signal dropped
 
     active: false
 
-    function open(title) {
+    function open() {
         if (!active)
             setSource(file)
         active = true
@@ -21,8 +20,6 @@ Loader {
             session.tellProblem(qsTr("The file dialog is not installed. Drop files or folders on this window instead."))
             return
         }
-        if (title !== undefined)
-            item.title = title
         item.open()
     }
     onLoaded: item.currentFolder = session.picturesFolder()
@@ -31,6 +28,5 @@ Loader {
         target: loader.item
         ignoreUnknownSignals: true
         function onChosen(files) { loader.chosen(files) }
-        function onDropped() { loader.dropped() }
     }
 }

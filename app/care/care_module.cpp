@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/care/care_module.hpp"
 
-#include "app/controls/controls_module.hpp"
+#include "app/folders/folders_module.hpp"
 
 extern void qml_register_types_TouchPhoto_Care();
 
 namespace tp {
 
 void register_care() {
-    register_controls();
+    register_folders();
     qml_register_types_TouchPhoto_Care();
 }
 

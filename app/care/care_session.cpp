@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QStandardPaths>
+#include <QUrl>
 
 #include <system_error>
 
@@ -22,7 +23,7 @@ constexpr std::size_t most_people = 12; ///< suggested at a time
 
 CareSession::CareSession(OpenAlbum& album, Narrator& narrator, EarconPlayer& earcons, Recorder& recorder,
                          Player& player, Preferences& preferences)
-    : album_(album), preferences_(preferences), teller_(narrator, earcons), photo_(steps_),
+    : album_(album), preferences_(preferences), teller_(narrator, earcons), chooser_(narrator), photo_(steps_),
       photos_(album, finder_, thumbnails_, [this] { return language(); }), import_(album, preferences, teller_),
       faces_(photo_, finder_, teller_, [this](const QString& typed) { return people(typed); }),
       recordings_(photo_, teller_), listening_(player, teller_),
@@ -35,6 +36,13 @@ CareSession::CareSession(OpenAlbum& album, Narrator& narrator, EarconPlayer& ear
     connect(&photos_, &PhotoRows::rowsMoved, this, &CareSession::photoChanged);
     connect(&steps_, &KeeperSteps::changed, this, &CareSession::stepsChanged);
     connect(&album_, &OpenAlbum::folders_changed, this, &CareSession::albumChanged);
+    connect(&import_, &ImportCare::folderWanted, this, [this] { choose(Choosing::album); });
+    connect(&chooser_, &FolderChooser::chosen, this, &CareSession::folder_chosen);
+    connect(&chooser_, &FolderChooser::cancelled, this, [this] {
+        import_.dropWish();
+        choose(Choosing::nothing);
+        teller_.answer(tr("No folder was chosen."));
+    });
     connect(&take_, &Take::begins, &listening_, &Listening::stop);
 }
 
@@ -71,7 +79,29 @@ void CareSession::leave() {
     teller_.silence();
 }
 
+void CareSession::importFolder() { choose(Choosing::source); }
+
+void CareSession::choose(Choosing what) {
+    choosing_ = what;
+    emit choosingChanged();
+    if (choosing())
+        chooser_.begin();
+}
+
+void CareSession::folder_chosen(const QString& folder) {
+    const Choosing what = choosing_;
+    choose(Choosing::nothing);
+    if (what == Choosing::source)
+        import_.import({QUrl::fromLocalFile(folder)});
+    else
+        import_.chooseFolder(QUrl::fromLocalFile(folder));
+}
+
 bool CareSession::stop() {
+    if (choosing()) {
+        chooser_.cancel();
+        return true;
+    }
     const bool sounding = listening_.playing();
     const bool recording = take_.running();
     listening_.stop();

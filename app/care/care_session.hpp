@@ -15,6 +15,7 @@
 #include "app/care/take.hpp"
 #include "app/care/thumbnails.hpp"
 #include "app/care/trimming.hpp"
+#include "app/folders/folder_chooser.hpp"
 #include "app/narration/narrator.hpp"
 #include "app/preferences/preferences.hpp"
 #include "audio/sound/earcon_player.hpp"
@@ -48,6 +49,9 @@ class CareSession final : public QObject {
     Q_PROPERTY(QString undoText READ undoText NOTIFY stepsChanged) ///< empty: nothing to undo
     Q_PROPERTY(QString redoText READ redoText NOTIFY stepsChanged)
     Q_PROPERTY(bool hasFolders READ hasFolders NOTIFY albumChanged)
+    /// A folder is being chosen, to import from or for the album.
+    Q_PROPERTY(bool choosing READ choosing NOTIFY choosingChanged)
+    Q_PROPERTY(tp::FolderChooser* chooser READ chooser CONSTANT)
 public:
     /// All must outlive it.
     CareSession(OpenAlbum& album, Narrator& narrator, EarconPlayer& earcons, Recorder& recorder, Player& player,
@@ -63,6 +67,8 @@ public:
     Trimming* trimming() { return &trimming_; }
     DescriptionCare* descriptions() { return &descriptions_; }
 
+    bool choosing() const { return choosing_ != Choosing::nothing; }
+    FolderChooser* chooser() { return &chooser_; }
     bool photoOpen() const { return photo_.is_open(); }
     QString photoName() const;
     int photoRow() const { return photos_.row_of(photo_.place().photo); }
@@ -77,6 +83,8 @@ public:
     /// Stops what sounds; a recording that is being made is ended and kept. False: there was nothing.
     Q_INVOKABLE bool stop();
 
+    /// Lets a person choose a folder, whose photographs are then imported.
+    Q_INVOKABLE void importFolder();
     /// A row of `photos` is to be cared for.
     Q_INVOKABLE void openRow(int row);
     void open_photo(const std::filesystem::path& photo);
@@ -99,18 +107,24 @@ signals:
     void photoChanged();
     void stepsChanged();
     void albumChanged();
+    void choosingChanged();
     /// Contours of this photograph are to be mended by hand.
     void mendAsked(const QString& photo);
     /// A tactile sheet of this photograph is to be made.
     void printAsked(const QString& photo);
 
 private:
+    enum class Choosing { nothing, source, album };
+    void choose(Choosing what);
+    void folder_chosen(const QString& folder);
     QString language() const;
     void step_taken_back(bool back, const QString& what, const QString& problem);
 
     OpenAlbum& album_;
     Preferences& preferences_;
     CareTeller teller_;
+    FolderChooser chooser_;
+    Choosing choosing_ = Choosing::nothing;
     KeeperSteps steps_;
     FaceFinder finder_;
     Thumbnails thumbnails_;

@@ -550,7 +550,6 @@ private slots:
         page.session().openRow(0);
         QVERIFY(page.bench.rests());
         const std::pair<const char*, const char*> dialogs[] = {{"Import photographs…", "photosDialog"},
-                                                               {"Import a folder…", "sourceDialog"},
                                                                {"Add a sound file…", "soundsDialog"}};
         for (const auto& [button, name] : dialogs) {
             QVERIFY2(press(named(page, button)), button);
@@ -560,12 +559,29 @@ private slots:
             QMetaObject::invokeMethod(dialog, "reject");
             CARE_TRY_VERIFY(!dialog->property("visible").toBool());
         }
+    }
+
+    void a_folder_is_imported_by_a_screen_readers_actions_alone() {
+        Page page({"a.png"});
+        a_picture(page.bench.folder, "card/new.png", 5);
+        QVERIFY(press(named(page, "Import a folder…")));
+        page.session().chooser()->begin_in(QString::fromStdString(page.bench.folder.string()));
+        CARE_TRY_VERIFY(beginning(page, "card") != nullptr);
+        QVERIFY(press(beginning(page, "card")));
+        QVERIFY(press(named(page, "Take this folder")));
+        QVERIFY(!page.session().choosing());
+        CARE_TRY_VERIFY(named(page, "1 photograph(s) imported.") != nullptr);
+        CARE_TRY_VERIFY(beginning(page, "new.png") != nullptr);
+    }
+
+    void a_folder_for_the_album_is_chosen_on_the_page_and_escape_ends_that() {
+        Page page({"a.png"});
         emit page.session().importing()->folderWanted();
-        auto* const dialog = page.item("folderDialog")->property("item").value<QObject*>();
-        QVERIFY(dialog != nullptr);
-        QCOMPARE(dialog->property("title").toString(), QString("Folder for the album"));
-        QMetaObject::invokeMethod(dialog, "reject");
-        CARE_TRY_VERIFY(!dialog->property("visible").toBool());
+        CARE_TRY_VERIFY(named(page, "Take this folder") != nullptr);
+        QVERIFY(page.window.activeFocusItem() != nullptr);
+        page.key(Qt::Key_Escape);
+        QVERIFY(!page.session().choosing());
+        CARE_TRY_VERIFY(named(page, "Take this folder") == nullptr);
     }
 
     void mending_and_printing_are_asked_for() {

@@ -565,7 +565,7 @@ private slots:
         Page page({"a.png"});
         a_picture(page.bench.folder, "card/new.png", 5);
         QVERIFY(press(named(page, "Import a folder…")));
-        page.session().chooser()->begin_in(QString::fromStdString(page.bench.folder.string()));
+        page.session().chooser()->begin_in(QString::fromStdString(page.bench.folder.path().string()));
         CARE_TRY_VERIFY(beginning(page, "card") != nullptr);
         QVERIFY(press(beginning(page, "card")));
         QVERIFY(press(named(page, "Take this folder")));

@@ -29,7 +29,7 @@
     </message>
     <message>
         <source>Previous</source>
-        <translation>Zurück</translation>
+        <translation>Vorheriges</translation>
     </message>
     <message>
         <source>Photograph. Key: left arrow</source>
@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>Next</source>
-        <translation>Weiter</translation>
+        <translation>Nächstes</translation>
     </message>
     <message>
         <source>Photograph. Key: right arrow</source>
@@ -69,7 +69,7 @@
     </message>
     <message>
         <source>Back</source>
-        <translation>Zur Liste zurück</translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>To the list before. Key: Backspace</source>
@@ -187,7 +187,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <name>CarePage</name>
     <message>
         <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
-        <translation>Tab geht von Bedienelement zu Bedienelement, die Pfeiltasten gehen von Foto zu Foto, die Eingabetaste öffnet eines. Strg Z nimmt den letzten Schritt zurück, Strg Umschalt Z wiederholt ihn. Escape hält an, was gerade spielt; eine Aufnahme wird beendet und behalten.</translation>
+        <translation>Tab geht von Bedienelement zu Bedienelement, die Pfeiltasten gehen von Foto zu Foto, die Eingabetaste öffnet eines. Strg Z nimmt den letzten Schritt zurück, Strg Umschalt Z wiederholt ihn. Escape hält an, was gerade spielt; eine laufende Aufnahme wird beendet und behalten.</translation>
     </message>
     <message>
         <source>Import a folder</source>
@@ -273,8 +273,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message numerus="yes">
         <source>%n of them there already</source>
         <translation>
-            <numerusform>%n davon schon vorhanden</numerusform>
-            <numerusform>%n davon schon vorhanden</numerusform>
+            <numerusform>%n davon schon da</numerusform>
+            <numerusform>%n davon schon da</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -1267,7 +1267,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Photographs and bundles (%1)</source>
-        <translation>Fotos und Bündel (%1)</translation>
+        <translation>Fotos und Pakete (%1)</translation>
     </message>
     <message>
         <source>All files (%1)</source>
@@ -1476,7 +1476,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Irises</source>
-        <translation>Iris beider Augen</translation>
+        <translation>Iris</translation>
     </message>
     <message>
         <source>Folders of the album</source>
@@ -2410,7 +2410,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>irises</source>
-        <translation>Iris beider Augen</translation>
+        <translation>Iris</translation>
     </message>
     <message>
         <source>%1.</source>
@@ -2682,7 +2682,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.</source>
-        <translation>Kraftfeld von %1: Farben und Pfeile von 0 bis %2 Newton. Der Maßstab ist 20 mm lang.</translation>
+        <translation>Kraftfeld, %1: Farben und Pfeile von 0 bis %2 Newton. Der Maßstab ist 20 mm lang.</translation>
     </message>
     <message>
         <source>Exact</source>
@@ -2885,7 +2885,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Computed again, the forces differ by at most %1 newtons.</source>
-        <translation>Neu berechnet weichen die Kräfte um höchstens %1 Newton ab.</translation>
+        <translation>Neu berechnet, weichen die Kräfte um höchstens %1 Newton ab.</translation>
     </message>
     <message>
         <source>Its parameters are not beside it, so it was not computed again.</source>
@@ -2994,7 +2994,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Put back.</source>
-        <translation>Zurückgelegt.</translation>
+        <translation>Wieder am alten Platz.</translation>
     </message>
     <message>
         <source>%1.</source>
@@ -3186,8 +3186,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message numerus="yes">
         <source>%1. On the %2, at its %3 o&apos;clock, %n millimetre(s) from its middle.</source>
         <translation>
-            <numerusform>%1. Auf dem Merkmal %2, bei %3 Uhr, %n Millimeter von der Mitte.</numerusform>
-            <numerusform>%1. Auf dem Merkmal %2, bei %3 Uhr, %n Millimeter von der Mitte.</numerusform>
+            <numerusform>%1. Auf der Linie: %2, auf %3 Uhr, %n Millimeter von der Mitte.</numerusform>
+            <numerusform>%1. Auf der Linie: %2, auf %3 Uhr, %n Millimeter von der Mitte.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3461,7 +3461,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>No, the words on the screen are enough</source>
-        <translation>Nein, die Wörter auf dem Bildschirm genügen</translation>
+        <translation>Nein, der Text auf dem Bildschirm genügt</translation>
     </message>
     <message>
         <source>My screen reader shall speak</source>
@@ -3552,7 +3552,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Deleted: %1. Undo brings it back.</source>
-        <translation>Gelöscht: %1. „Rückgängig“ bringt es zurück.</translation>
+        <translation>Gelöscht: %1. „Rückgängig“ bringt die Aufnahme zurück.</translation>
     </message>
     <message>
         <source>Saved: %1.</source>
@@ -3763,15 +3763,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>irises</source>
-        <translation>Iris beider Augen</translation>
+        <translation>Iris</translation>
     </message>
     <message>
         <source>Irises are felt.</source>
-        <translation>Die Iris beider Augen ist zu fühlen.</translation>
+        <translation>Die Iris ist zu fühlen.</translation>
     </message>
     <message>
         <source>Irises are not felt.</source>
-        <translation>Die Iris beider Augen ist nicht zu fühlen.</translation>
+        <translation>Die Iris ist nicht zu fühlen.</translation>
     </message>
     <message>
         <source>the folder that left the album</source>
@@ -3955,7 +3955,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>%1 It is saved.</source>
-        <translation>%1 Es ist gespeichert.</translation>
+        <translation>%1 Gespeichert.</translation>
     </message>
 </context>
 <context>

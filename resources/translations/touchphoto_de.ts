@@ -5,171 +5,171 @@
     <name>BrowseButtons</name>
     <message>
         <source>Choose folders</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner auswählen</translation>
     </message>
     <message>
         <source>On the settings page</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf der Seite Einstellungen</translation>
     </message>
     <message>
         <source>Import photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos importieren</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Play recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahmen abspielen</translation>
     </message>
     <message>
         <source>On the detail of a recording: that one alone. Key: Return</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei der Einzelheit einer Aufnahme: nur diese. Taste: Eingabetaste</translation>
     </message>
     <message>
         <source>Previous</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorheriges</translation>
     </message>
     <message>
         <source>Photograph. Key: left arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto. Taste: Pfeil links</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes</translation>
     </message>
     <message>
         <source>Photograph. Key: right arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto. Taste: Pfeil rechts</translation>
     </message>
     <message>
         <source>Detail before</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzelheit davor</translation>
     </message>
     <message>
         <source>Key: up arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: Pfeil nach oben</translation>
     </message>
     <message>
         <source>Next detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächste Einzelheit</translation>
     </message>
     <message>
         <source>People, recordings, descriptions, place and time. Key: down arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen, Aufnahmen, Beschreibungen, Ort und Zeit. Taste: Pfeil nach unten</translation>
     </message>
     <message>
         <source>Feel the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gesicht fühlen</translation>
     </message>
     <message>
         <source>Key: E</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: E</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>To the list before. Key: Backspace</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Liste davor. Taste: Rücktaste</translation>
     </message>
     <message>
         <source>All photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Fotos</translation>
     </message>
     <message>
         <source>Key: A</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: A</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Key: S</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: S</translation>
     </message>
     <message>
         <source>Surprise me</source>
-        <translation type="unfinished"></translation>
+        <translation>Überraschung</translation>
     </message>
     <message>
         <source>Any photograph. Key: R</source>
-        <translation type="unfinished"></translation>
+        <translation>Irgendein Foto. Taste: R</translation>
     </message>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen</translation>
     </message>
     <message>
         <source>Key: P</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: P</translation>
     </message>
     <message>
         <source>Years</source>
-        <translation type="unfinished"></translation>
+        <translation>Jahre</translation>
     </message>
     <message>
         <source>Key: Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: Y</translation>
     </message>
     <message>
         <source>Places</source>
-        <translation type="unfinished"></translation>
+        <translation>Orte</translation>
     </message>
     <message>
         <source>Key: L</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: L</translation>
     </message>
     <message>
         <source>Keywords</source>
-        <translation type="unfinished"></translation>
+        <translation>Stichwörter</translation>
     </message>
     <message>
         <source>Key: K</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: K</translation>
     </message>
     <message>
         <source>Slower</source>
-        <translation type="unfinished"></translation>
+        <translation>Langsamer</translation>
     </message>
     <message>
         <source>%1. Key: minus</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Taste: Minus</translation>
     </message>
     <message>
         <source>Faster</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneller</translation>
     </message>
     <message>
         <source>%1. Key: plus</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Taste: Plus</translation>
     </message>
     <message>
         <source>Where am I?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo bin ich?</translation>
     </message>
     <message>
         <source>Key: W</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: W</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>Tells every key of this page. Key: H</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennt alle Tasten dieser Seite. Taste: H</translation>
     </message>
     <message>
         <source>Look after this photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Foto pflegen</translation>
     </message>
     <message>
         <source>Its names, recordings and descriptions. Key: C</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Namen, Aufnahmen und Beschreibungen. Taste: C</translation>
     </message>
 </context>
 <context>
@@ -178,2742 +178,2744 @@
         <source>Left, Right: photograph · Up, Down: details · Enter: recordings · Escape: stop · +, −: speed
 Home, End: first, last · S: search · P: people · Y: years · L: places · K: keywords · R: surprise
 A: all · Backspace: back · E: feel the face · C: look after it · W: where am I · H: keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, Rechts: Foto · Auf, Ab: Einzelheiten · Eingabetaste: Aufnahmen · Escape: anhalten · +, −: Tempo
+Pos1, Ende: erstes, letztes · S: suchen · P: Personen · Y: Jahre · L: Orte · K: Stichwörter · R: Überraschung
+A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo bin ich · H: Tasten</translation>
     </message>
 </context>
 <context>
     <name>CarePage</name>
     <message>
         <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tab geht von Bedienelement zu Bedienelement, die Pfeiltasten gehen von Foto zu Foto, die Eingabetaste öffnet eines. Strg Z nimmt den letzten Schritt zurück, Strg Umschalt Z wiederholt ihn. Escape hält an, was gerade spielt; eine laufende Aufnahme wird beendet und behalten.</translation>
     </message>
     <message>
         <source>Import a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Ordner importieren</translation>
     </message>
     <message>
         <source>Folder for the album</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner für das Album</translation>
     </message>
 </context>
 <context>
     <name>CareWords</name>
     <message>
         <source>Memo</source>
-        <translation type="unfinished"></translation>
+        <translation>Memo</translation>
     </message>
     <message>
         <source>Who it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer das ist</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort</translation>
     </message>
     <message>
         <source>Story</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschichte</translation>
     </message>
     <message>
         <source>Sounds around</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräusche ringsum</translation>
     </message>
     <message>
         <source>%1, about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, über %2</translation>
     </message>
     <message>
         <source>spoken by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>gesprochen von %1</translation>
     </message>
     <message>
         <source>%1 seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Sekunden</translation>
     </message>
     <message>
         <source>%1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message numerus="yes">
         <source>%n recording(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Aufnahme.</numerusform>
+            <numerusform>%n Aufnahmen.</numerusform>
         </translation>
     </message>
     <message>
         <source>No description.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Beschreibung.</translation>
     </message>
     <message>
         <source>%1 of %2 photographs, %3 of %4 megabytes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Fotos, %3 von %4 Megabyte</translation>
     </message>
     <message>
         <source>%1, about %2 left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, noch etwa %2</translation>
     </message>
     <message>
         <source>The import was stopped before the first photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Import wurde vor dem ersten Foto angehalten.</translation>
     </message>
     <message>
         <source>There is no photograph among what was chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Auswahl ist kein Foto.</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s) imported</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Foto importiert</numerusform>
+            <numerusform>%n Fotos importiert</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n of them there already</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n davon schon da</numerusform>
+            <numerusform>%n davon schon da</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n failed</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n fehlgeschlagen</numerusform>
+            <numerusform>%n fehlgeschlagen</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1 The import was stopped; it can go on later.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Der Import wurde angehalten; er kann später weitergehen.</translation>
     </message>
 </context>
 <context>
     <name>DescriptionPart</name>
     <message>
         <source>Description</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschreibung</translation>
     </message>
     <message>
         <source>In one sentence (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>In einem Satz (%1)</translation>
     </message>
     <message>
         <source>%1 characters; a screen reader reads up to 250 in one piece.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zeichen; ein Screenreader liest bis zu 250 in einem Stück.</translation>
     </message>
     <message>
         <source>%1 of 250 characters</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von 250 Zeichen</translation>
     </message>
     <message>
         <source>In more words (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausführlicher (%1)</translation>
     </message>
     <message>
         <source>%1 characters</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zeichen</translation>
     </message>
     <message>
         <source>Save the description</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Beschreibung speichern</translation>
     </message>
     <message>
         <source>The description is saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Beschreibung ist gespeichert</translation>
     </message>
     <message>
         <source>It is saved too when a field is left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wird auch gespeichert, wenn Sie ein Feld verlassen.</translation>
     </message>
 </context>
 <context>
     <name>DialogLoader</name>
     <message>
         <source>The file dialog is not installed. Drop files or folders on this window instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Dateidialog ist nicht installiert. Ziehen Sie stattdessen Dateien oder Ordner auf dieses Fenster.</translation>
     </message>
 </context>
 <context>
     <name>ExplorePage</name>
     <message>
         <source>The file dialog is not installed. Drop a photograph on this window instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Dateidialog ist nicht installiert. Ziehen Sie stattdessen ein Foto auf dieses Fenster.</translation>
     </message>
 </context>
 <context>
     <name>FaceTargets</name>
     <message>
         <source>Fits this face into the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Passt dieses Gesicht in die Tastfläche ein</translation>
     </message>
     <message>
         <source>Sets the finger down there</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt den Finger dorthin</translation>
     </message>
 </context>
 <context>
     <name>FacesPart</name>
     <message>
         <source>Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichter</translation>
     </message>
     <message>
         <source>Press to name it</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken, um einen Namen zu geben</translation>
     </message>
     <message>
         <source>Who is face %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer ist Gesicht %1?</translation>
     </message>
     <message>
         <source>Nobody I know</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand, den ich kenne</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Leaves the face as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt das Gesicht, wie es ist.</translation>
     </message>
 </context>
 <context>
     <name>FingerMarks</name>
     <message>
         <source>%1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
     <name>FolderChooserView</name>
     <message>
         <source>Take this folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Ordner nehmen</translation>
     </message>
     <message>
         <source>To the folder above</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Ordner darüber</translation>
     </message>
     <message>
         <source>Do not choose a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Keinen Ordner auswählen</translation>
     </message>
 </context>
 <context>
     <name>ImportPart</name>
     <message>
         <source>Stop the import</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Import anhalten</translation>
     </message>
     <message>
         <source>Import photographs…</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos importieren…</translation>
     </message>
     <message>
         <source>Or drop them on this window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Oder ziehen Sie sie auf dieses Fenster.</translation>
     </message>
     <message>
         <source>Import a folder…</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Ordner importieren…</translation>
     </message>
     <message>
         <source>Into</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Importieren</translation>
     </message>
     <message>
         <source>Go on with the unfinished import</source>
-        <translation type="unfinished"></translation>
+        <translation>Den unfertigen Import fortsetzen</translation>
     </message>
     <message>
         <source>Give the unfinished import up</source>
-        <translation type="unfinished"></translation>
+        <translation>Den unfertigen Import aufgeben</translation>
     </message>
     <message>
         <source>What it brought stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was er gebracht hat, bleibt.</translation>
     </message>
 </context>
 <context>
     <name>KeyHelp</name>
     <message>
         <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. Enter: force on. Escape: stop. V: voice. O: open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiltasten, mit Umschalt schneller: die Hand bewegen. Tab: nächstes Merkmal. W: wo bin ich. Z, Umschalt+Z: vergrößern und verkleinern. Leertaste: Rundgang um das Merkmal. T: Rundgang durch das Gesicht. G: Führung. F: nächstes Gesicht. Eingabetaste: Kraft ein. Escape: anhalten. V: Stimme. O: öffnen.</translation>
     </message>
     <message>
         <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I.</source>
-        <translation type="unfinished"></translation>
+        <translation>Berühren: Ein Finger erkundet. Doppeltippen: wo bin ich. Doppeltippen und halten: vergrößern, was dort ist, oder verkleinern. Mit zwei Fingern tippen: anhalten. Mit zwei Fingern doppeltippen: Rundgang. Mit drei Fingern tippen: wo bin ich.</translation>
     </message>
     <message>
         <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Bild: Ring, die Hand; Scheibe, der Finger; Pfeil, der Zug der Linie.</translation>
     </message>
 </context>
 <context>
     <name>LabControls</name>
     <message>
         <source>What is felt</source>
-        <translation type="unfinished"></translation>
+        <translation>Was zu fühlen ist</translation>
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene</translation>
     </message>
     <message>
         <source>Open a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Foto öffnen</translation>
     </message>
     <message>
         <source>Key: O. One can be dropped on the page too</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: O. Sie können auch eines auf die Seite ziehen</translation>
     </message>
     <message>
         <source>Law</source>
-        <translation type="unfinished"></translation>
+        <translation>Führungsgesetz</translation>
     </message>
     <message>
         <source>Stiffness K</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit K</translation>
     </message>
     <message>
         <source>Range d</source>
-        <translation type="unfinished"></translation>
+        <translation>Reichweite d</translation>
     </message>
     <message>
         <source>Hysteresis at switches</source>
-        <translation type="unfinished"></translation>
+        <translation>Hysterese beim Wechsel</translation>
     </message>
     <message>
         <source>Blending at switches</source>
-        <translation type="unfinished"></translation>
+        <translation>Überblendung beim Wechsel</translation>
     </message>
     <message>
         <source>Corner cue</source>
-        <translation type="unfinished"></translation>
+        <translation>Eckenhinweis</translation>
     </message>
     <message>
         <source>Spacing of vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Stützpunkte</translation>
     </message>
     <message>
         <source>Servo</source>
-        <translation type="unfinished"></translation>
+        <translation>Servo</translation>
     </message>
     <message>
         <source>Strongest force</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Kraft</translation>
     </message>
     <message>
         <source>Damping across a line</source>
-        <translation type="unfinished"></translation>
+        <translation>Dämpfung quer zur Linie</translation>
     </message>
     <message>
         <source>Energy observer</source>
-        <translation type="unfinished"></translation>
+        <translation>Energiebeobachter</translation>
     </message>
     <message>
         <source>Limits of a real device</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen eines echten Geräts</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Look for devices again</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte erneut suchen</translation>
     </message>
     <message>
         <source>Mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Masse</translation>
     </message>
     <message>
         <source>Damping of the device</source>
-        <translation type="unfinished"></translation>
+        <translation>Dämpfung des Geräts</translation>
     </message>
     <message>
         <source>Dry friction</source>
-        <translation type="unfinished"></translation>
+        <translation>Trockene Reibung</translation>
     </message>
     <message>
         <source>Encoder step</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflösung des Encoders</translation>
     </message>
     <message>
         <source>Delay</source>
-        <translation type="unfinished"></translation>
+        <translation>Verzögerung</translation>
     </message>
     <message>
         <source>Grip of the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Griff der Hand</translation>
     </message>
     <message>
         <source>Damping of the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Dämpfung der Hand</translation>
     </message>
     <message>
         <source>Faults of the simulated device</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler des simulierten Geräts</translation>
     </message>
     <message>
         <source>Readings that do not come</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausbleibende Messwerte</translation>
     </message>
     <message>
         <source>No readings at all</source>
-        <translation type="unfinished"></translation>
+        <translation>Gar keine Messwerte</translation>
     </message>
     <message>
         <source>Takes no force</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt keine Kraft an</translation>
     </message>
     <message>
         <source>Motors off by themselves</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren schalten sich selbst ab</translation>
     </message>
     <message>
         <source>Unplugged</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgesteckt</translation>
     </message>
     <message>
         <source>Hang for 200 milliseconds</source>
-        <translation type="unfinished"></translation>
+        <translation>200 Millisekunden hängen</translation>
     </message>
     <message>
         <source>All parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Parameter</translation>
     </message>
     <message>
         <source>Nothing to take back</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts zurückzunehmen</translation>
     </message>
     <message>
         <source>Take back: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurücknehmen: %1</translation>
     </message>
     <message>
         <source>Key: Control Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten: Strg Z</translation>
     </message>
     <message>
         <source>As they were at first</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles wie am Anfang</translation>
     </message>
     <message>
         <source>It can be taken back</source>
-        <translation type="unfinished"></translation>
+        <translation>Kann zurückgenommen werden</translation>
     </message>
     <message>
         <source>Files</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien</translation>
     </message>
     <message>
         <source>In %1</source>
-        <translation type="unfinished"></translation>
+        <translation>In %1</translation>
     </message>
     <message>
         <source>Write the plots as a table</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Diagramme als Tabelle schreiben</translation>
     </message>
     <message>
         <source>CSV, with the parameters as JSON beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV, mit den Parametern als JSON daneben</translation>
     </message>
     <message>
         <source>No recordings yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Aufnahmen.</translation>
     </message>
     <message>
         <source>Replay %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wiedergeben</translation>
     </message>
 </context>
 <context>
     <name>LabOpenDialog</name>
     <message>
         <source>Open photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto öffnen</translation>
     </message>
     <message>
         <source>Photographs (*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos (*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
     <name>LabPage</name>
     <message>
         <source>On the surface arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads the plots, O opens a photograph, Control Z takes a change back. Escape stops what runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf der Tastfläche bewegen die Pfeiltasten die Hand, die Leertaste startet und stoppt den Servo. R nimmt auf, W sagt, wo der Finger ist, P liest die Diagramme vor, O öffnet ein Foto, Strg Z nimmt eine Änderung zurück. Escape hält an, was läuft.</translation>
     </message>
     <message>
         <source>Start the servo</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Servo starten</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Key: Space on the surface; Escape stops</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: Leertaste auf der Tastfläche; Escape hält an</translation>
     </message>
     <message>
         <source>End the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahme beenden</translation>
     </message>
     <message>
         <source>Record</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnehmen</translation>
     </message>
     <message>
         <source>Key: R</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: R</translation>
     </message>
     <message>
         <source>Where is the finger?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo ist der Finger?</translation>
     </message>
     <message>
         <source>Key: W</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: W</translation>
     </message>
     <message>
         <source>Read the plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Diagramme vorlesen</translation>
     </message>
     <message>
         <source>Key: P</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: P</translation>
     </message>
 </context>
 <context>
     <name>LabSurface</name>
     <message>
         <source>Arrow keys move the hand by 2 millimetres, with Shift by 10. Space starts and stops the servo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Pfeiltasten bewegen die Hand um 2 Millimeter, mit Umschalt um 10. Die Leertaste startet und stoppt den Servo.</translation>
     </message>
 </context>
 <context>
     <name>LabelPart</name>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>About whom</source>
-        <translation type="unfinished"></translation>
+        <translation>Über wen</translation>
     </message>
     <message>
         <source>About nobody in particular</source>
-        <translation type="unfinished"></translation>
+        <translation>Über niemand Bestimmten</translation>
     </message>
     <message>
         <source>Who speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer spricht</translation>
     </message>
     <message>
         <source>Speaker not said</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Angabe, wer spricht</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
 </context>
 <context>
     <name>MendPanel</name>
     <message>
         <source>Mend contours</source>
-        <translation type="unfinished"></translation>
+        <translation>Konturen korrigieren</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Leaving this page saves too. Key: Control+S</source>
-        <translation type="unfinished"></translation>
+        <translation>Auch das Verlassen dieser Seite speichert. Tasten: Strg+S</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Key: Control+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten: Strg+Z</translation>
     </message>
     <message>
         <source>Feature</source>
-        <translation type="unfinished"></translation>
+        <translation>Merkmal</translation>
     </message>
     <message>
         <source>In hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählt</translation>
     </message>
     <message>
         <source>%1: not there</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: nicht da</translation>
     </message>
     <message>
         <source>%1 of the %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: %3</translation>
     </message>
     <message>
         <source>Previous point</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriger Punkt</translation>
     </message>
     <message>
         <source>Key: Shift+Tab on the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten: Umschalt+Tab auf dem Foto</translation>
     </message>
     <message>
         <source>Next point</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Punkt</translation>
     </message>
     <message>
         <source>Key: Tab on the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: Tab auf dem Foto</translation>
     </message>
     <message>
         <source>Move left</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach links</translation>
     </message>
     <message>
         <source>Move right</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach rechts</translation>
     </message>
     <message>
         <source>Move up</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach oben</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach unten</translation>
     </message>
     <message>
         <source>By one pixel of the photograph. Arrow keys: with Shift by ten, with Control by a fifth</source>
-        <translation type="unfinished"></translation>
+        <translation>Um ein Pixel des Fotos. Pfeiltasten: mit Umschalt um zehn, mit Strg um ein Fünftel</translation>
     </message>
     <message>
         <source>Move the whole feature</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ganze Merkmal verschieben</translation>
     </message>
     <message>
         <source>Add a point</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Punkt hinzufügen</translation>
     </message>
     <message>
         <source>Behind the one in hand. Key: A. Or double-click beside a line</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinter dem ausgewählten. Taste: A. Oder Doppelklick neben eine Linie</translation>
     </message>
     <message>
         <source>Delete the point</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Punkt löschen</translation>
     </message>
     <message>
         <source>Key: Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: Entf</translation>
     </message>
     <message>
         <source>Make it smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Glatt machen</translation>
     </message>
     <message>
         <source>Make it a corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Ecke machen</translation>
     </message>
     <message>
         <source>Key: C</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: C</translation>
     </message>
     <message>
         <source>As it was found</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gefunden</translation>
     </message>
     <message>
         <source>Takes back what was done to this feature alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt nur die Änderungen an diesem Merkmal zurück</translation>
     </message>
     <message>
         <source>Remove the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Merkmal entfernen</translation>
     </message>
     <message>
         <source>It will not be felt</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist dann nicht zu fühlen</translation>
     </message>
     <message>
         <source>Add the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzufügen: %1</translation>
     </message>
     <message>
         <source>Larger</source>
-        <translation type="unfinished"></translation>
+        <translation>Größer</translation>
     </message>
     <message>
         <source>Key: Plus</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: Plus</translation>
     </message>
     <message>
         <source>Smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleiner</translation>
     </message>
     <message>
         <source>Key: Minus</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: Minus</translation>
     </message>
     <message>
         <source>Whole photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganzes Foto</translation>
     </message>
     <message>
         <source>Key: 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: 0</translation>
     </message>
     <message>
         <source>This feature</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Merkmal</translation>
     </message>
     <message>
         <source>Fits it into view. Key: Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt es so groß wie möglich. Taste: Z</translation>
     </message>
     <message>
         <source>Show the force</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft zeigen</translation>
     </message>
     <message>
         <source>What is felt</source>
-        <translation type="unfinished"></translation>
+        <translation>Was zu fühlen ist</translation>
     </message>
     <message>
         <source>Do again</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Key: Control+Shift+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten: Strg+Umschalt+Z</translation>
     </message>
     <message>
         <source>Add a face</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gesicht hinzufügen</translation>
     </message>
     <message>
         <source>One of usual shape, to be put in place</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines in üblicher Form, zum Zurechtrücken</translation>
     </message>
     <message>
         <source>Discard all changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Änderungen verwerfen</translation>
     </message>
     <message>
         <source>The contours as they were opened. Can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Konturen wie beim Öffnen. Kann rückgängig gemacht werden</translation>
     </message>
     <message>
         <source>Keys on the photograph: Tab and Shift+Tab go from point to point; arrows move it by one pixel, with Shift by ten, with Control by a fifth; Page up and Page down change the feature; A adds a point, Delete deletes it, C turns a corner, M moves the whole feature, F shows the force, plus and minus zoom, 0 shows all, Z this feature, W says where one is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten auf dem Foto: Tab und Umschalt+Tab gehen von Punkt zu Punkt; die Pfeiltasten verschieben ihn um ein Pixel, mit Umschalt um zehn, mit Strg um ein Fünftel; Bild auf und Bild ab wechseln das Merkmal; A fügt einen Punkt hinzu, Entf löscht ihn, C macht ihn zur Ecke oder glatt, M verschiebt das ganze Merkmal, F zeigt die Kraft, Plus und Minus zoomen, 0 zeigt alles, Z dieses Merkmal, W sagt, wo Sie sind.</translation>
     </message>
 </context>
 <context>
     <name>MendSurface</name>
     <message>
         <source>Contours</source>
-        <translation type="unfinished"></translation>
+        <translation>Konturen</translation>
     </message>
     <message>
         <source>Tab goes from point to point. Arrow keys move it by one pixel of the photograph, with Shift by ten, with Control by a fifth. Page up and page down change the feature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tab geht von Punkt zu Punkt. Die Pfeiltasten verschieben ihn um ein Pixel des Fotos, mit Umschalt um zehn, mit Strg um ein Fünftel. Bild auf und Bild ab wechseln das Merkmal.</translation>
     </message>
     <message>
         <source>%1 across, %2 down</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von links, %2 von oben</translation>
     </message>
     <message>
         <source>No photograph yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Foto.</translation>
     </message>
 </context>
 <context>
     <name>MendWords</name>
     <message>
         <source>Corner %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecke %1 von %2</translation>
     </message>
     <message>
         <source>Point %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt %1 von %2</translation>
     </message>
     <message>
         <source>Bend %1 of %2</source>
         <comment>a control point beside the line</comment>
-        <translation type="unfinished"></translation>
+        <translation>Biegepunkt %1 von %2</translation>
     </message>
     <message>
         <source>%1 across, %2 down</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von links, %2 von oben</translation>
     </message>
     <message>
         <source>It feels as the program found it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es fühlt sich an, wie das Programm es gefunden hat.</translation>
     </message>
     <message>
         <source>A finger will not notice the difference to what the program found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Finger wird den Unterschied zu dem, was das Programm gefunden hat, nicht bemerken.</translation>
     </message>
     <message>
         <source>A finger notices the difference to what the program found on %1 % of the surface; there the force differs by up to %2 N.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Finger bemerkt den Unterschied zu dem, was das Programm gefunden hat, auf %1 % der Fläche; dort weicht die Kraft um bis zu %2 N ab.</translation>
     </message>
 </context>
 <context>
     <name>NameField</name>
     <message>
         <source>Type, or choose below</source>
-        <translation type="unfinished"></translation>
+        <translation>Tippen oder unten auswählen</translation>
     </message>
 </context>
 <context>
     <name>NameList</name>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Key: Backspace</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: Rücktaste</translation>
     </message>
     <message>
         <source>A name, a place or any word</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Name, ein Ort oder irgendein Wort</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach oben</translation>
     </message>
     <message>
         <source>To the row before. Key: up arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Zeile davor. Taste: Pfeil nach oben</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach unten</translation>
     </message>
     <message>
         <source>To the next row. Key: down arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur nächsten Zeile. Taste: Pfeil nach unten</translation>
     </message>
     <message>
         <source>Choose</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswählen</translation>
     </message>
     <message>
         <source>The row that was told last. Key: Return</source>
-        <translation type="unfinished"></translation>
+        <translation>Die zuletzt genannte Zeile. Taste: Eingabetaste</translation>
     </message>
 </context>
 <context>
     <name>OpenDialog</name>
     <message>
         <source>Open photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto öffnen</translation>
     </message>
     <message>
         <source>Photographs (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos (%1)</translation>
     </message>
     <message>
         <source>All files (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dateien (%1)</translation>
     </message>
 </context>
 <context>
     <name>PhotoListPane</name>
     <message>
         <source>Photographs of the album</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos des Albums</translation>
     </message>
     <message>
         <source>Order</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihenfolge</translation>
     </message>
     <message>
         <source>Newest first</source>
-        <translation type="unfinished"></translation>
+        <translation>Neueste zuerst</translation>
     </message>
     <message>
         <source>Looks wrong first</source>
-        <translation type="unfinished"></translation>
+        <translation>Auffällige zuerst</translation>
     </message>
     <message numerus="yes">
         <source>Looking at faces, %n photograph(s) left…</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Gesichter werden geprüft, noch %n Foto…</numerusform>
+            <numerusform>Gesichter werden geprüft, noch %n Fotos…</numerusform>
         </translation>
     </message>
     <message>
         <source>No photograph is in the album yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist kein Foto im Album.</translation>
     </message>
     <message>
         <source>The album has no folder yet. You are asked for one when you import.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Album hat noch keinen Ordner. Beim Importieren werden Sie nach einem gefragt.</translation>
     </message>
 </context>
 <context>
     <name>PhotoPane</name>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>Left and right arrow: other photographs. Up and down: what is known. Return: recordings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeil links und rechts: andere Fotos. Nach oben und unten: was bekannt ist. Eingabetaste: Aufnahmen.</translation>
     </message>
     <message>
         <source>Back to the photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zu den Fotos</translation>
     </message>
     <message>
         <source>The photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Foto</translation>
     </message>
     <message>
         <source>Mend the contours…</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Konturen korrigieren…</translation>
     </message>
     <message>
         <source>Print a tactile sheet…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Tastblatt drucken…</translation>
     </message>
     <message>
         <source>Delete the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Foto löschen</translation>
     </message>
     <message>
         <source>With everything that is its own. Undo brings it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit allem, was dazugehört. „Rückgängig“ bringt es zurück.</translation>
     </message>
     <message>
         <source>Choose a photograph to care for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie ein Foto aus, um es zu pflegen.</translation>
     </message>
 </context>
 <context>
     <name>PhotoWords</name>
     <message numerus="yes">
         <source>%n face(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Gesicht</numerusform>
+            <numerusform>%n Gesichter</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n more face(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n weiteres Gesicht</numerusform>
+            <numerusform>%n weitere Gesichter</numerusform>
         </translation>
     </message>
     <message>
         <source>, </source>
         <comment>between who, when and where</comment>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>%1; no recordings yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; noch keine Aufnahmen.</translation>
     </message>
     <message numerus="yes">
         <source>%1; %n recording(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1; %n Aufnahme.</numerusform>
+            <numerusform>%1; %n Aufnahmen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n face(s) without a name.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Gesicht ohne Namen.</numerusform>
+            <numerusform>%n Gesichter ohne Namen.</numerusform>
         </translation>
     </message>
     <message>
         <source>Recording %1 of %2: %3, %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme %1 von %2: %3, %4.</translation>
     </message>
     <message>
         <source>Place: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort: %1.</translation>
     </message>
     <message>
         <source>Place: %1 degrees north, %2 degrees east.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort: %1 Grad Nord, %2 Grad Ost.</translation>
     </message>
     <message>
         <source>Taken: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgenommen: %1.</translation>
     </message>
     <message>
         <source>Keywords: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stichwörter: %1.</translation>
     </message>
     <message>
         <source>, </source>
         <comment>between keywords</comment>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>File: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei: %1.</translation>
     </message>
     <message>
         <source>memo</source>
-        <translation type="unfinished"></translation>
+        <translation>Memo</translation>
     </message>
     <message>
         <source>memo by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Memo von %1</translation>
     </message>
     <message>
         <source>about a person</source>
-        <translation type="unfinished"></translation>
+        <translation>über eine Person</translation>
     </message>
     <message>
         <source>about a person, by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>über eine Person, von %1</translation>
     </message>
     <message>
         <source>about %1</source>
-        <translation type="unfinished"></translation>
+        <translation>über %1</translation>
     </message>
     <message>
         <source>about %1, by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>über %1, von %2</translation>
     </message>
     <message>
         <source>about the place</source>
-        <translation type="unfinished"></translation>
+        <translation>über den Ort</translation>
     </message>
     <message>
         <source>about the place, by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>über den Ort, von %1</translation>
     </message>
     <message>
         <source>story</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschichte</translation>
     </message>
     <message>
         <source>story by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschichte von %1</translation>
     </message>
     <message>
         <source>sounds around the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräusche rund um die Kamera</translation>
     </message>
     <message numerus="yes">
         <source>%n hour(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Stunde</numerusform>
+            <numerusform>%n Stunden</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n minute(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Minute</numerusform>
+            <numerusform>%n Minuten</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n second(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Sekunde</numerusform>
+            <numerusform>%n Sekunden</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 %2</source>
         <comment>the month&apos;s name and the year</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>a day and a time</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
     <name>PhotosDialog</name>
     <message>
         <source>Import photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos importieren</translation>
     </message>
     <message>
         <source>Photographs and bundles (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos und Pakete (%1)</translation>
     </message>
     <message>
         <source>All files (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dateien (%1)</translation>
     </message>
 </context>
 <context>
     <name>PrintPage</name>
     <message>
         <source>Choose the paper and the face, then store the sheet as PDF for a printer or as SVG for a drawing program. Swell paper and embossers raise its black lines and dots.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie Papier und Gesicht; speichern Sie das Tastblatt dann als PDF für einen Drucker oder als SVG für ein Zeichenprogramm. Schwellpapier und Punktschriftdrucker lassen die schwarzen Linien und Punkte hervortreten.</translation>
     </message>
     <message>
         <source>The sheet, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Tastblatt, %1</translation>
     </message>
     <message>
         <source>No sheet yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Tastblatt</translation>
     </message>
     <message>
         <source>No photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Foto</translation>
     </message>
     <message>
         <source>Looking for faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichter werden gesucht</translation>
     </message>
     <message>
         <source>Paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Papier</translation>
     </message>
     <message>
         <source>Turned by a quarter</source>
-        <translation type="unfinished"></translation>
+        <translation>Um ein Viertel gedreht</translation>
     </message>
     <message>
         <source>Who</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer</translation>
     </message>
     <message>
         <source>Its name in print</source>
-        <translation type="unfinished"></translation>
+        <translation>Name in Schwarzschrift</translation>
     </message>
     <message>
         <source>Store as PDF</source>
-        <translation type="unfinished"></translation>
+        <translation>Als PDF speichern</translation>
     </message>
     <message>
         <source>Store as SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>Als SVG speichern</translation>
     </message>
 </context>
 <context>
     <name>RecordingsPart</name>
     <message>
         <source>Recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahmen</translation>
     </message>
     <message>
         <source>No recording yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Aufnahme.</translation>
     </message>
     <message>
         <source>Chosen: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgewählt: %1</translation>
     </message>
     <message>
         <source>Stop playing</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiedergabe anhalten</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen</translation>
     </message>
     <message>
         <source>Play earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>Früher abspielen</translation>
     </message>
     <message>
         <source>Moves it up in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückt sie in der Liste nach oben.</translation>
     </message>
     <message>
         <source>Play later</source>
-        <translation type="unfinished"></translation>
+        <translation>Später abspielen</translation>
     </message>
     <message>
         <source>Moves it down in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückt sie in der Liste nach unten.</translation>
     </message>
     <message>
         <source>Record it anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu aufnehmen</translation>
     </message>
     <message>
         <source>The old one goes to the trash when the new one is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die alte kommt in den Papierkorb, wenn die neue behalten wird.</translation>
     </message>
     <message>
         <source>Close the label</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Angaben schließen</translation>
     </message>
     <message>
         <source>Label…</source>
-        <translation type="unfinished"></translation>
+        <translation>Angaben…</translation>
     </message>
     <message>
         <source>Kind, person, speaker and language.</source>
-        <translation type="unfinished"></translation>
+        <translation>Art, Person, wer spricht und Sprache.</translation>
     </message>
     <message>
         <source>Delete the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahme löschen</translation>
     </message>
     <message>
         <source>Undo brings it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>„Rückgängig“ bringt sie zurück.</translation>
     </message>
 </context>
 <context>
     <name>SettingsPage</name>
     <message>
         <source>Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. Control Z takes the last change back. Each change is kept at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tab geht von Einstellung zu Einstellung, Leertaste oder Eingabetaste ändert eine, die Pfeiltasten bewegen einen Regler. Strg Z nimmt die letzte Änderung zurück. Jede Änderung wird sofort gespeichert.</translation>
     </message>
     <message>
         <source>Speech and sound</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache und Ton</translation>
     </message>
     <message>
         <source>Who speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer spricht</translation>
     </message>
     <message>
         <source>Speed of speech</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprechtempo</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>Speed of recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo der Aufnahmen</translation>
     </message>
     <message>
         <source>%1 times</source>
-        <translation type="unfinished"></translation>
+        <translation>%1-fach</translation>
     </message>
     <message>
         <source>Sounds for what happens</source>
-        <translation type="unfinished"></translation>
+        <translation>Töne bei Ereignissen</translation>
     </message>
     <message>
         <source>What it looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie es aussieht</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>Size of text</source>
-        <translation type="unfinished"></translation>
+        <translation>Textgröße</translation>
     </message>
     <message>
         <source>%1 percent</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Prozent</translation>
     </message>
     <message>
         <source>Pictures may move</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder dürfen sich bewegen</translation>
     </message>
     <message>
         <source>Who uses the tablet most</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer das Tablet meistens benutzt</translation>
     </message>
     <message>
         <source>What is felt</source>
-        <translation type="unfinished"></translation>
+        <translation>Was zu fühlen ist</translation>
     </message>
     <message>
         <source>Strongest force</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Kraft</translation>
     </message>
     <message>
         <source>%1 newtons</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Newton</translation>
     </message>
     <message>
         <source>Try the force on a face</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft an einem Gesicht ausprobieren</translation>
     </message>
     <message>
         <source>What guides the finger where no force does</source>
-        <translation type="unfinished"></translation>
+        <translation>Was den Finger führt, wo keine Kraft es tut</translation>
     </message>
     <message>
         <source>Brows</source>
-        <translation type="unfinished"></translation>
+        <translation>Augenbrauen</translation>
     </message>
     <message>
         <source>Nose</source>
-        <translation type="unfinished"></translation>
+        <translation>Nase</translation>
     </message>
     <message>
         <source>Irises</source>
-        <translation type="unfinished"></translation>
+        <translation>Iris</translation>
     </message>
     <message>
         <source>Folders of the album</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner des Albums</translation>
     </message>
     <message>
         <source>No folder yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Ordner.</translation>
     </message>
     <message>
         <source>Take %1 off the album</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 aus dem Album nehmen</translation>
     </message>
     <message>
         <source>The photographs stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Fotos bleiben, wo sie sind</translation>
     </message>
     <message>
         <source>Add a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Ordner hinzufügen</translation>
     </message>
     <message>
         <source>What is stored about me</source>
-        <translation type="unfinished"></translation>
+        <translation>Was über mich gespeichert ist</translation>
     </message>
     <message>
         <source>Throw the index away and make it anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Index verwerfen und neu anlegen</translation>
     </message>
     <message>
         <source>All settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Einstellungen</translation>
     </message>
     <message>
         <source>Nothing to take back</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts zurückzunehmen</translation>
     </message>
     <message>
         <source>Take back: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurücknehmen: %1</translation>
     </message>
     <message>
         <source>Key: Control Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten: Strg Z</translation>
     </message>
     <message>
         <source>Ask me the five questions again</source>
-        <translation type="unfinished"></translation>
+        <translation>Mir die fünf Fragen noch einmal stellen</translation>
     </message>
     <message>
         <source>Everything as it was at first</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles wie am Anfang</translation>
     </message>
     <message>
         <source>The album&apos;s folders stay; it can be taken back</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ordner des Albums bleiben; es kann zurückgenommen werden</translation>
     </message>
 </context>
 <context>
     <name>ShellView</name>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Startseite</translation>
     </message>
     <message>
         <source>Key: Escape</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: Escape</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <source>Says what can be done here. Key: F1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagt, was man hier tun kann. Taste: F1</translation>
     </message>
     <message>
         <source>Said last</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt gesagt</translation>
     </message>
 </context>
 <context>
     <name>SidePanel</name>
     <message>
         <source>Explore</source>
-        <translation type="unfinished"></translation>
+        <translation>Erkunden</translation>
     </message>
     <message>
         <source>Under the finger: nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter dem Finger: nichts</translation>
     </message>
     <message>
         <source>Under the finger: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter dem Finger: %1</translation>
     </message>
     <message>
         <source>End the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Rundgang beenden</translation>
     </message>
     <message>
         <source>Guided tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Geführter Rundgang</translation>
     </message>
     <message>
         <source>Leads the finger once round the feature. Key: Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Führt den Finger einmal um das Merkmal. Taste: Leertaste</translation>
     </message>
     <message>
         <source>Tour of the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundgang durch das Gesicht</translation>
     </message>
     <message>
         <source>Leads the finger round every feature, each named before. Key: T</source>
-        <translation type="unfinished"></translation>
+        <translation>Führt den Finger um jedes Merkmal und nennt es vorher. Taste: T</translation>
     </message>
     <message>
         <source>Where am I?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo bin ich?</translation>
     </message>
     <message>
         <source>Tells face, feature, direction and distance. Key: W</source>
-        <translation type="unfinished"></translation>
+        <translation>Nennt Gesicht, Merkmal, Richtung und Abstand. Taste: W</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Force on</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft ein</translation>
     </message>
     <message>
         <source>Ends tour, speech and force. Key: Escape</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet Rundgang, Sprache und Kraft. Taste: Escape</translation>
     </message>
     <message>
         <source>Key: Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: Eingabetaste</translation>
     </message>
     <message>
         <source>Zoom in</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößern</translation>
     </message>
     <message>
         <source>To the face, its eyes, its mouth, and back. Key: Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf das Gesicht, seine Augen, seinen Mund und zurück. Taste: Z</translation>
     </message>
     <message>
         <source>Zoom out</source>
-        <translation type="unfinished"></translation>
+        <translation>Verkleinern</translation>
     </message>
     <message>
         <source>Key: Shift and Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten: Umschalt und Z</translation>
     </message>
     <message>
         <source>Next feature</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes Merkmal</translation>
     </message>
     <message>
         <source>Sets the finger down on it. Key: Tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt den Finger darauf. Taste: Tab</translation>
     </message>
     <message>
         <source>Next face</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes Gesicht</translation>
     </message>
     <message>
         <source>Fits one face after the other into the surface. Key: F</source>
-        <translation type="unfinished"></translation>
+        <translation>Passt ein Gesicht nach dem anderen in die Tastfläche ein. Taste: F</translation>
     </message>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Führung</translation>
     </message>
     <message>
         <source>Strongest force</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Kraft</translation>
     </message>
     <message>
         <source>%1 newtons</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Newton</translation>
     </message>
     <message>
         <source>Voice</source>
-        <translation type="unfinished"></translation>
+        <translation>Stimme</translation>
     </message>
     <message>
         <source>Open photograph…</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto öffnen…</translation>
     </message>
     <message>
         <source>Key: O</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: O</translation>
     </message>
 </context>
 <context>
     <name>SoundsDialog</name>
     <message>
         <source>Add sound files</source>
-        <translation type="unfinished"></translation>
+        <translation>Tondateien hinzufügen</translation>
     </message>
     <message>
         <source>Sounds (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Töne (%1)</translation>
     </message>
     <message>
         <source>All files (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dateien (%1)</translation>
     </message>
 </context>
 <context>
     <name>StartPage</name>
     <message>
         <source>Press the number of an answer, or the answer itself. 0 or Backspace: the question before. R: hear the question again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken Sie die Nummer einer Antwort oder die Antwort selbst. 0 oder Rücktaste: die Frage davor. R: die Frage noch einmal hören.</translation>
     </message>
     <message>
         <source>Press the number of what you want to do, or go through the buttons by Tab. R: hear this page again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken Sie die Nummer dessen, was Sie tun möchten, oder gehen Sie mit Tab durch die Schaltflächen. R: diese Seite noch einmal hören.</translation>
     </message>
     <message>
         <source>Question %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Frage %1 von %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Hear it again</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal hören</translation>
     </message>
     <message>
         <source>Key: R</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: R</translation>
     </message>
     <message>
         <source>Question before</source>
-        <translation type="unfinished"></translation>
+        <translation>Frage davor</translation>
     </message>
     <message>
         <source>Key: 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste: 0</translation>
     </message>
 </context>
 <context>
     <name>SurfaceView</name>
     <message>
         <source>Touch surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastfläche</translation>
     </message>
     <message>
         <source>Move a finger to hear what is under it. Arrow keys move the hand, Tab goes from feature to feature, Space starts the guided tour, Z zooms in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegen Sie einen Finger, um zu hören, was darunter ist. Die Pfeiltasten bewegen die Hand, Tab geht von Merkmal zu Merkmal, die Leertaste startet den geführten Rundgang, Z vergrößert.</translation>
     </message>
     <message>
         <source>No photograph yet. Press O, or drop one here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Foto. Drücken Sie O oder ziehen Sie eines hierher.</translation>
     </message>
 </context>
 <context>
     <name>TactileNotes</name>
     <message numerus="yes">
         <source>%n character(s) of the name %1 have no braille and are left out.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Zeichen des Namens %1 gibt es nicht in Punktschrift; es wird weggelassen.</numerusform>
+            <numerusform>%n Zeichen des Namens %1 gibt es nicht in Punktschrift; sie werden weggelassen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>The name %1 is cut after %n line(s) of braille.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Der Name %1 wird nach %n Punktschriftzeile abgeschnitten.</numerusform>
+            <numerusform>Der Name %1 wird nach %n Punktschriftzeilen abgeschnitten.</numerusform>
         </translation>
     </message>
     <message>
         <source>The %1 is drawn as one line, because its two sides would be too close to be told apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Als eine einzige Linie gezeichnet: %1. Die beiden Seiten lägen zu dicht beieinander, um sie zu unterscheiden.</translation>
     </message>
     <message>
         <source>The %1 is drawn in part, because the rest would be less than 3 mm from another line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur zum Teil gezeichnet: %1. Der Rest wäre weniger als 3 mm von einer anderen Linie entfernt.</translation>
     </message>
     <message>
         <source>The %1 is left out, because it would be too small or less than 3 mm from another line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Weggelassen: %1. Das Merkmal wäre zu klein oder weniger als 3 mm von einer anderen Linie entfernt.</translation>
     </message>
     <message>
         <source>The name %1 is left out, because there is no room for its braille.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Name %1 wird weggelassen, weil für seine Punktschrift kein Platz ist.</translation>
     </message>
 </context>
 <context>
     <name>TakePart</name>
     <message>
         <source>What to record</source>
-        <translation type="unfinished"></translation>
+        <translation>Was aufgenommen wird</translation>
     </message>
     <message>
         <source>Finish the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahme beenden</translation>
     </message>
     <message>
         <source>Record</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnehmen</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Throw away…</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen…</translation>
     </message>
     <message>
         <source>Keep it</source>
-        <translation type="unfinished"></translation>
+        <translation>Behalten</translation>
     </message>
     <message>
         <source>Yes, throw it away</source>
-        <translation type="unfinished"></translation>
+        <translation>Ja, verwerfen</translation>
     </message>
     <message>
         <source>Add a sound file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Tondatei hinzufügen…</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>Loudness</source>
-        <translation type="unfinished"></translation>
+        <translation>Lautstärke</translation>
     </message>
 </context>
 <context>
     <name>TpButton</name>
     <message>
         <source>%1, not available</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, nicht verfügbar</translation>
     </message>
 </context>
 <context>
     <name>TpChoice</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
     <name>TpListRow</name>
     <message>
         <source>%1, %2 of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 von %3</translation>
     </message>
 </context>
 <context>
     <name>TrimPart</name>
     <message>
         <source>Begin of what stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfang des Teils, der bleibt</translation>
     </message>
     <message>
         <source>End of what stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Ende des Teils, der bleibt</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Listen to what stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhören, was bleibt</translation>
     </message>
     <message>
         <source>Trim to what stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf das kürzen, was bleibt</translation>
     </message>
     <message>
         <source>The rest can be brought back with Undo.</source>
-        <translation type="unfinished"></translation>
+        <translation>„Rückgängig“ kann den Rest zurückbringen.</translation>
     </message>
     <message>
         <source>Keep all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles behalten</translation>
     </message>
 </context>
 <context>
     <name>UndoBar</name>
     <message>
         <source>Undo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig: %1</translation>
     </message>
     <message>
         <source>Key: Control Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten: Strg Z</translation>
     </message>
     <message>
         <source>Do again: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholen: %1</translation>
     </message>
     <message>
         <source>Key: Control Shift Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten: Strg Umschalt Z</translation>
     </message>
 </context>
 <context>
     <name>WordsPane</name>
     <message>
         <source>Photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto</translation>
     </message>
     <message>
         <source>Detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzelheit</translation>
     </message>
 </context>
 <context>
     <name>tp::BrowseSession</name>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>Personen</translation>
     </message>
     <message>
         <source>Years</source>
-        <translation type="unfinished"></translation>
+        <translation>Jahre</translation>
     </message>
     <message>
         <source>Places</source>
-        <translation type="unfinished"></translation>
+        <translation>Orte</translation>
     </message>
     <message>
         <source>Keywords</source>
-        <translation type="unfinished"></translation>
+        <translation>Stichwörter</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche</translation>
     </message>
     <message>
         <source>There is no photograph of that any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Davon gibt es kein Foto mehr.</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
         <comment>list, place in it, summary</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: %3</translation>
     </message>
     <message>
         <source>These are all photographs; there is no list above them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das sind alle Fotos; darüber gibt es keine Liste.</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Foto</numerusform>
+            <numerusform>%n Fotos</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n year(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Jahr</numerusform>
+            <numerusform>%n Jahre</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n person(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Person</numerusform>
+            <numerusform>%n Personen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n place(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Ort</numerusform>
+            <numerusform>%n Orte</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n keyword(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Stichwort</numerusform>
+            <numerusform>%n Stichwörter</numerusform>
         </translation>
     </message>
     <message>
         <source>The first %1</source>
         <comment>of a long list</comment>
-        <translation type="unfinished"></translation>
+        <translation>Die ersten %1</translation>
     </message>
     <message>
         <source>Show more</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr zeigen</translation>
     </message>
     <message>
         <source>person, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Person, %1</translation>
     </message>
     <message>
         <source>place, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort, %1</translation>
     </message>
     <message>
         <source>keyword, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Stichwort, %1</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s) or more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Foto oder mehr</numerusform>
+            <numerusform>%n Fotos oder mehr</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>two counts</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
         <source>%n suggestion(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Vorschlag</numerusform>
+            <numerusform>%n Vorschläge</numerusform>
         </translation>
     </message>
     <message>
         <source>%1.</source>
         <comment>what was found</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>Search. Type a name, a place or a word; the arrow keys go through what is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche. Tippen Sie einen Namen, einen Ort oder ein Wort; die Pfeiltasten gehen durch das Gefundene.</translation>
     </message>
     <message>
         <source>Search for %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche nach %1: %2.</translation>
     </message>
     <message>
         <source>%1: there are none yet.</source>
         <comment>a list</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: noch keine.</translation>
     </message>
     <message>
         <source>%1: %2. Choose one with the arrow keys and Return.</source>
         <comment>a list, how many</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2. Wählen Sie mit den Pfeiltasten und der Eingabetaste.</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>a row and what belongs to it</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Found: %1</source>
         <comment>a search</comment>
-        <translation type="unfinished"></translation>
+        <translation>Gefunden: %1</translation>
     </message>
     <message>
         <source>All photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Fotos</translation>
     </message>
     <message>
         <source>%1 is gone from this list. Now: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht mehr in dieser Liste. Jetzt: %2</translation>
     </message>
     <message>
         <source>There is no album yet. Choose the folders of your photographs on the settings page, or import photographs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch kein Album. Wählen Sie auf der Seite Einstellungen die Ordner Ihrer Fotos aus oder importieren Sie Fotos.</translation>
     </message>
     <message>
         <source>Looking for photographs in your folders.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos werden in Ihren Ordnern gesucht.</translation>
     </message>
     <message>
         <source>There is no photograph in your folders yet. Import some, or choose other folders on the settings page.</source>
-        <translation type="unfinished"></translation>
+        <translation>In Ihren Ordnern ist noch kein Foto. Importieren Sie welche oder wählen Sie auf der Seite Einstellungen andere Ordner aus.</translation>
     </message>
     <message>
         <source>Looking for what is new in your folders</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues wird in Ihren Ordnern gesucht</translation>
     </message>
     <message>
         <source>Reading new photographs, %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Fotos werden gelesen, %1 von %2</translation>
     </message>
     <message>
         <source>%1, about %2 left</source>
         <comment>progress, and a time</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, noch etwa %2</translation>
     </message>
     <message>
         <source>%1 of %2</source>
         <comment>a place in a list</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>Swipe or use the arrow keys to go on; double tap or press Return to hear.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wischen Sie oder drücken Sie die Pfeiltasten, um weiterzugehen; zum Anhören tippen Sie doppelt oder drücken Sie die Eingabetaste.</translation>
     </message>
     <message>
         <source>Swipe or use the arrow keys to go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wischen Sie oder drücken Sie die Pfeiltasten, um weiterzugehen.</translation>
     </message>
     <message>
         <source>Your photographs, %1: %2 %3</source>
         <comment>place, summary, what can be done</comment>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Fotos, %1: %2 %3</translation>
     </message>
     <message>
         <source>This is the last photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist das letzte Foto.</translation>
     </message>
     <message>
         <source>This is the first photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist das erste Foto.</translation>
     </message>
     <message>
         <source>%1 Paused: %2, at %3.</source>
         <comment>where one is; the recording and the time in it</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 Pause: %2, bei %3.</translation>
     </message>
     <message>
         <source>This photograph has no recordings yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Foto hat noch keine Aufnahmen.</translation>
     </message>
     <message>
         <source>%1, %2 of %3</source>
         <comment>a recording, and times in it</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 von %3</translation>
     </message>
     <message>
         <source>Speed %1</source>
         <comment>of recordings</comment>
-        <translation type="unfinished"></translation>
+        <translation>Tempo %1</translation>
     </message>
     <message>
         <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links und rechts: voriges und nächstes Foto. Nach oben und unten: was darüber bekannt ist. Eingabetaste: die Aufnahmen hören oder Pause. Escape: anhalten. Plus und Minus: schneller und langsamer. Pos1 und Ende: erstes und letztes Foto. S: suchen. P: Personen. Y: Jahre. L: Orte. K: Stichwörter. R: Überraschung. A: alle Fotos. Rücktaste: zurück. E: das Gesicht fühlen. C: dieses Foto pflegen. W: wo bin ich. H: diese Tasten.</translation>
     </message>
     <message>
         <source>Go to a row first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehen Sie zuerst zu einer Zeile.</translation>
     </message>
 </context>
 <context>
     <name>tp::CareSession</name>
     <message>
         <source>Care for the album. It has no folder yet. Import photographs, and choose where they are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Album pflegen. Es hat noch keinen Ordner. Importieren Sie Fotos und wählen Sie, wo sie aufbewahrt werden.</translation>
     </message>
     <message>
         <source>Care for the album. %1 is open: its faces, recordings and description.</source>
-        <translation type="unfinished"></translation>
+        <translation>Album pflegen. %1 ist geöffnet: Gesichter, Aufnahmen und Beschreibung.</translation>
     </message>
     <message>
         <source>Care for the album. %1 Choose one, or import more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Album pflegen. %1 Wählen Sie eines aus oder importieren Sie weitere.</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Foto.</numerusform>
+            <numerusform>%n Fotos.</numerusform>
         </translation>
     </message>
     <message>
         <source>Deleted: %1. Undo brings it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelöscht: %1. „Rückgängig“ bringt es zurück.</translation>
     </message>
     <message>
         <source>Undone: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig gemacht: %1.</translation>
     </message>
     <message>
         <source>Done again: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholt: %1.</translation>
     </message>
 </context>
 <context>
     <name>tp::DescriptionCare</name>
     <message>
         <source>The description is saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Beschreibung ist gespeichert.</translation>
     </message>
 </context>
 <context>
     <name>tp::ExploreSession</name>
     <message>
         <source>Tour ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundgang beendet.</translation>
     </message>
     <message numerus="yes">
         <source>%1 o&apos;clock, %n millimetre(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 Uhr, %n Millimeter</numerusform>
+            <numerusform>%1 Uhr, %n Millimeter</numerusform>
         </translation>
     </message>
     <message>
         <source>the face</source>
-        <translation type="unfinished"></translation>
+        <translation>das Gesicht</translation>
     </message>
     <message>
         <source>face %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesicht %1</translation>
     </message>
     <message>
         <source>There is no photograph yet. Press O, or the button Open photograph, to choose one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist kein Foto da. Drücken Sie O oder die Schaltfläche „Foto öffnen“, um eines auszuwählen.</translation>
     </message>
     <message>
         <source>Looking for faces…</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichter werden gesucht…</translation>
     </message>
     <message>
         <source>Explore. %1 Move a finger over the picture; W tells where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erkunden. %1 Bewegen Sie einen Finger über das Bild; W sagt, wo er ist.</translation>
     </message>
     <message>
         <source>Explore. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Erkunden. %1</translation>
     </message>
     <message>
         <source>Only a photograph that is a file on this computer can be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur ein Foto, das als Datei auf diesem Computer liegt, kann geöffnet werden.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>face</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesicht</translation>
     </message>
     <message>
         <source>Zoomed out to the whole face.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verkleinert: das ganze Gesicht.</translation>
     </message>
     <message numerus="yes">
         <source>Zoomed out to all %n face(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Verkleinert: %n Gesicht.</numerusform>
+            <numerusform>Verkleinert: alle %n Gesichter.</numerusform>
         </translation>
     </message>
     <message>
         <source>Zoomed to the eyes of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößert: die Augen von %1.</translation>
     </message>
     <message>
         <source>Zoomed to the eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößert: die Augen.</translation>
     </message>
     <message>
         <source>Zoomed to the left eye of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößert: das linke Auge von %1.</translation>
     </message>
     <message>
         <source>Zoomed to the left eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößert: das linke Auge.</translation>
     </message>
     <message>
         <source>Zoomed to the right eye of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößert: das rechte Auge von %1.</translation>
     </message>
     <message>
         <source>Zoomed to the right eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößert: das rechte Auge.</translation>
     </message>
     <message>
         <source>Zoomed to the mouth of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößert: der Mund von %1.</translation>
     </message>
     <message>
         <source>Zoomed to the mouth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößert: der Mund.</translation>
     </message>
     <message>
         <source>Zoomed to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößert: %1.</translation>
     </message>
     <message>
         <source>This part is too small in the picture to zoom to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Teil ist im Bild zu klein, um ihn zu vergrößern.</translation>
     </message>
     <message>
         <source>This is the whole picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist das ganze Bild.</translation>
     </message>
     <message>
         <source>There is nothing nearer to zoom to here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier lässt sich nichts weiter vergrößern.</translation>
     </message>
     <message>
         <source>The force is off. Press Enter to switch it on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
     </message>
     <message>
         <source>Tour round the %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundgang: %1.</translation>
     </message>
     <message numerus="yes">
         <source>Tour of %1: %n feature(s). %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Rundgang: %1, %n Merkmal. %2.</numerusform>
+            <numerusform>Rundgang: %1, %n Merkmale. %2.</numerusform>
         </translation>
     </message>
     <message>
         <source>Tour finished.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundgang zu Ende.</translation>
     </message>
     <message>
         <source>%1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>Stopped looking. Press O to open a photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche abgebrochen. Drücken Sie O, um ein Foto zu öffnen.</translation>
     </message>
     <message>
         <source>Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche abgebrochen. %1 ist wieder geöffnet. Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
     </message>
     <message>
         <source>Stopped looking. %1 is open again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche abgebrochen. %1 ist wieder geöffnet.</translation>
     </message>
     <message>
         <source>Stopped. The force is off. Press Enter to switch it on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten. Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
     </message>
     <message>
         <source>The force is on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft ist ein.</translation>
     </message>
     <message>
         <source>There is nothing to feel here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier gibt es nichts zu fühlen.</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>Sonar</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonar</translation>
     </message>
     <message>
         <source>Clock voice</source>
-        <translation type="unfinished"></translation>
+        <translation>Uhrzeitansage</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>Beides</translation>
     </message>
     <message>
         <source>Guide: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Führung: %1.</translation>
     </message>
 </context>
 <context>
     <name>tp::ExploreWindow</name>
     <message>
         <source>%1 – TouchPhoto</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – TouchPhoto</translation>
     </message>
 </context>
 <context>
     <name>tp::ExtractionWords</name>
     <message>
         <source>One face.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gesicht.</translation>
     </message>
     <message>
         <source>Two faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Gesichter.</translation>
     </message>
     <message>
         <source>Three faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Gesichter.</translation>
     </message>
     <message>
         <source>Four faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vier Gesichter.</translation>
     </message>
     <message numerus="yes">
         <source>%n face(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Gesicht.</numerusform>
+            <numerusform>%n Gesichter.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 and %2</source>
         <comment>the end of a list</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>eyes</source>
-        <translation type="unfinished"></translation>
+        <translation>Augen</translation>
     </message>
     <message>
         <source>mouth</source>
-        <translation type="unfinished"></translation>
+        <translation>Mund</translation>
     </message>
     <message>
         <source>outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichtsumriss</translation>
     </message>
     <message>
         <source>brows</source>
-        <translation type="unfinished"></translation>
+        <translation>Augenbrauen</translation>
     </message>
     <message>
         <source>nose</source>
-        <translation type="unfinished"></translation>
+        <translation>Nase</translation>
     </message>
     <message>
         <source>irises</source>
-        <translation type="unfinished"></translation>
+        <translation>Iris</translation>
     </message>
     <message>
         <source>%1.</source>
         <comment>who is on the picture</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>%1 can be felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu fühlen: %1.</translation>
     </message>
     <message>
         <source>%1 of each can be felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei jedem zu fühlen: %1.</translation>
     </message>
 </context>
 <context>
     <name>tp::FaceCare</name>
     <message>
         <source>Face without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesicht ohne Namen</translation>
     </message>
     <message>
         <source>Looking for faces…</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichter werden gesucht…</translation>
     </message>
     <message>
         <source>No face was found on this photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf diesem Foto wurde kein Gesicht gefunden.</translation>
     </message>
     <message numerus="yes">
         <source>%n face(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Gesicht</numerusform>
+            <numerusform>%n Gesichter</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, all with a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, alle mit Namen.</translation>
     </message>
     <message>
         <source>%1, %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2.</translation>
     </message>
     <message numerus="yes">
         <source>%n without a name</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n ohne Namen</numerusform>
+            <numerusform>%n ohne Namen</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, %2 of %3. Type a name or choose one below.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 von %3. Tippen Sie einen Namen oder wählen Sie unten einen aus.</translation>
     </message>
     <message>
         <source>This face has no name now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gesicht hat jetzt keinen Namen.</translation>
     </message>
     <message>
         <source>Saved: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert: %1.</translation>
     </message>
     <message>
         <source>%1 Who is the next face?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Wer ist das nächste Gesicht?</translation>
     </message>
 </context>
 <context>
     <name>tp::FeatureLabels</name>
     <message>
         <source>left eye</source>
-        <translation type="unfinished"></translation>
+        <translation>linkes Auge</translation>
     </message>
     <message>
         <source>right eye</source>
-        <translation type="unfinished"></translation>
+        <translation>rechtes Auge</translation>
     </message>
     <message>
         <source>lips</source>
-        <translation type="unfinished"></translation>
+        <translation>Lippen</translation>
     </message>
     <message>
         <source>mouth opening</source>
-        <translation type="unfinished"></translation>
+        <translation>Mundöffnung</translation>
     </message>
     <message>
         <source>face outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichtsumriss</translation>
     </message>
     <message>
         <source>left brow</source>
-        <translation type="unfinished"></translation>
+        <translation>linke Augenbraue</translation>
     </message>
     <message>
         <source>right brow</source>
-        <translation type="unfinished"></translation>
+        <translation>rechte Augenbraue</translation>
     </message>
     <message>
         <source>nose</source>
-        <translation type="unfinished"></translation>
+        <translation>Nase</translation>
     </message>
     <message>
         <source>left iris</source>
-        <translation type="unfinished"></translation>
+        <translation>linke Iris</translation>
     </message>
     <message>
         <source>right iris</source>
-        <translation type="unfinished"></translation>
+        <translation>rechte Iris</translation>
     </message>
     <message>
         <source>%1 of %2</source>
         <comment>left eye of Anna</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>%1 of face %2</source>
         <comment>left eye of face 2</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 von Gesicht %2</translation>
     </message>
 </context>
 <context>
     <name>tp::FolderChooser</name>
     <message>
         <source>no photographs in this folder itself</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Fotos in diesem Ordner selbst</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s) in this folder itself</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Foto in diesem Ordner selbst</numerusform>
+            <numerusform>%n Fotos in diesem Ordner selbst</numerusform>
         </translation>
     </message>
     <message>
         <source>The folder %1 cannot be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner %1 kann nicht gelesen werden.</translation>
     </message>
     <message>
         <source>the whole computer</source>
-        <translation type="unfinished"></translation>
+        <translation>der ganze Computer</translation>
     </message>
     <message>
         <source>no folders below it</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Ordner darunter</translation>
     </message>
     <message numerus="yes">
         <source>%n folder(s) below it</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Ordner darunter</numerusform>
+            <numerusform>%n Ordner darunter</numerusform>
         </translation>
     </message>
     <message>
         <source>Folder %1: %2, %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner %1: %2, %3.</translation>
     </message>
 </context>
 <context>
     <name>tp::ImportCare</name>
     <message>
         <source>Looking for photographs…</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos werden gesucht…</translation>
     </message>
     <message>
         <source>An import is under way. Wait for its end, or stop it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Import läuft gerade. Warten Sie sein Ende ab oder halten Sie ihn zuerst an.</translation>
     </message>
     <message>
         <source>Only photographs and folders on this computer can be imported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Fotos und Ordner auf diesem Computer können importiert werden.</translation>
     </message>
     <message>
         <source>Choose the folder in which the album is to lie. The photographs are copied into it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie den Ordner, in dem das Album liegen soll. Die Fotos werden dorthin kopiert.</translation>
     </message>
     <message>
         <source>Importing…</source>
-        <translation type="unfinished"></translation>
+        <translation>Import läuft…</translation>
     </message>
     <message>
         <source>The album needs a folder on this computer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Album braucht einen Ordner auf diesem Computer.</translation>
     </message>
     <message>
         <source>The album has the folder %1 now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Album hat jetzt den Ordner %1.</translation>
     </message>
     <message>
         <source>Stopping after this photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach diesem Foto wird angehalten.</translation>
     </message>
     <message>
         <source>The import goes on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Import geht weiter.</translation>
     </message>
     <message>
         <source>The import is not gone on with. What it brought stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Import wird nicht fortgesetzt. Was er gebracht hat, bleibt.</translation>
     </message>
 </context>
 <context>
     <name>tp::KeeperSteps</name>
     <message>
         <source>There is nothing to undo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
     </message>
     <message>
         <source>There is nothing to do again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts zu wiederholen.</translation>
     </message>
 </context>
 <context>
     <name>tp::LabSession</name>
     <message>
         <source>Nothing runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts läuft.</translation>
     </message>
     <message>
         <source>The lab. A finger on a simulated device, a force field, and everything that can be turned. Space on the surface starts the servo, Escape stops it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Labor. Ein Finger auf einem simulierten Gerät, ein Kraftfeld und alles, was sich einstellen lässt. Die Leertaste auf der Tastfläche startet den Servo, Escape hält ihn an.</translation>
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten.</translation>
     </message>
     <message>
         <source>Photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto</translation>
     </message>
     <message>
         <source>Photograph %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Foto %1</translation>
     </message>
     <message>
         <source>Circle, radius 40 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreis, Radius 40 mm</translation>
     </message>
     <message>
         <source>Triangle, 50 mm high</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreieck, 50 mm hoch</translation>
     </message>
     <message>
         <source>Curved path, 200 mm wide</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebogener Pfad, 200 mm breit</translation>
     </message>
     <message>
         <source>Only a photograph that is a file on this computer can be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur ein Foto, das als Datei auf diesem Computer liegt, kann geöffnet werden.</translation>
     </message>
     <message>
         <source>There is no photograph yet. Open one, or drop one on the page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist kein Foto da. Öffnen Sie eines oder ziehen Sie eines auf die Seite.</translation>
     </message>
     <message>
         <source>Looking for faces in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichter werden in %1 gesucht.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n line(s) can be felt.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n Linie ist zu fühlen.</numerusform>
+            <numerusform>%1: %n Linien sind zu fühlen.</numerusform>
         </translation>
     </message>
     <message>
         <source>Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraftfeld, %1: Farben und Pfeile von 0 bis %2 Newton. Der Maßstab ist 20 mm lang.</translation>
     </message>
     <message>
         <source>Exact</source>
-        <translation type="unfinished"></translation>
+        <translation>Exakt</translation>
     </message>
     <message>
         <source>Published Algorithm 1</source>
-        <translation type="unfinished"></translation>
+        <translation>Veröffentlichter Algorithmus 1</translation>
     </message>
     <message>
         <source>Nothing can be changed during a recording. Escape ends it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Während einer Aufnahme kann nichts geändert werden. Escape beendet sie.</translation>
     </message>
     <message>
         <source>Nothing can be changed during a replay. Escape ends it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Während einer Wiedergabe kann nichts geändert werden. Escape beendet sie.</translation>
     </message>
     <message>
         <source>the law</source>
-        <translation type="unfinished"></translation>
+        <translation>das Führungsgesetz</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2.</translation>
     </message>
     <message>
         <source>%1: on.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: ein.</translation>
     </message>
     <message>
         <source>%1: off.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: aus.</translation>
     </message>
     <message>
         <source>%1 newtons per millimetre</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Newton pro Millimeter</translation>
     </message>
     <message>
         <source>%1 newtons</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Newton</translation>
     </message>
     <message>
         <source>%1 newton seconds per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Newtonsekunden pro Meter</translation>
     </message>
     <message>
         <source>%1 grams</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Gramm</translation>
     </message>
     <message numerus="yes">
         <source>%n tick(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Takt</numerusform>
+            <numerusform>%n Takte</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 percent</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Prozent</translation>
     </message>
     <message>
         <source>%1 of critical damping</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 der kritischen Dämpfung</translation>
     </message>
     <message>
         <source>%1 millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Millimeter</translation>
     </message>
     <message>
         <source>the reset</source>
-        <translation type="unfinished"></translation>
+        <translation>das Zurücksetzen</translation>
     </message>
     <message>
         <source>Law, servo, device and faults are as they were at first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Führungsgesetz, Servo, Gerät und Fehler sind wie am Anfang.</translation>
     </message>
     <message>
         <source>There is nothing to take back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts zurückzunehmen.</translation>
     </message>
     <message>
         <source>Taken back: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurückgenommen: %1.</translation>
     </message>
     <message>
         <source>Simulated: the mouse or a finger on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Simuliert: die Maus oder ein Finger auf dem Bildschirm</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Opening %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird geöffnet.</translation>
     </message>
     <message>
         <source>Recording on %1. Escape ends it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme auf %1. Escape beendet sie.</translation>
     </message>
     <message>
         <source>The servo runs on %1. Escape stops it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Servo läuft auf %1. Escape hält ihn an.</translation>
     </message>
     <message>
         <source>Only a simulated device that runs can be made to hang.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hängen kann nur ein simuliertes Gerät, das läuft.</translation>
     </message>
     <message>
         <source>The device hangs for 200 milliseconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät hängt 200 Millisekunden lang.</translation>
     </message>
     <message>
         <source>%1, %2 of the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 der Mitte</translation>
     </message>
     <message>
         <source>%1 mm left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm links</translation>
     </message>
     <message>
         <source>%1 mm right</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm rechts</translation>
     </message>
     <message>
         <source>%1 mm below</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm unterhalb</translation>
     </message>
     <message>
         <source>%1 mm above</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm oberhalb</translation>
     </message>
     <message>
         <source>The finger is %1. </source>
-        <translation type="unfinished"></translation>
+        <translation>Der Finger ist %1. </translation>
     </message>
     <message>
         <source>No line pulls there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dort zieht keine Linie.</translation>
     </message>
     <message>
         <source>%1 mm from %2; the law pulls with %3 newtons.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm von %2; das Führungsgesetz zieht mit %3 Newton.</translation>
     </message>
     <message>
         <source>The replay has ended. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Wiedergabe ist zu Ende. %1</translation>
     </message>
     <message>
         <source>Position: nothing measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Position: noch nichts gemessen.</translation>
     </message>
     <message>
         <source>Force |F|: nothing measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft |F|: noch nichts gemessen.</translation>
     </message>
     <message>
         <source>Energy: nothing measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Energie: noch nichts gemessen.</translation>
     </message>
     <message>
         <source>Lateness: nothing measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verspätung: noch nichts gemessen.</translation>
     </message>
     <message>
         <source>Position now x %1, y %2 mm; x from %3 to %4, y from %5 to %6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Position jetzt x %1, y %2 mm; x von %3 bis %4, y von %5 bis %6.</translation>
     </message>
     <message>
         <source>Force |F| now %1 newtons, at most %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft |F| jetzt %1 Newton, höchstens %2.</translation>
     </message>
     <message>
         <source>Energy given to the hand now %1 millijoules, from %2 to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>An die Hand abgegebene Energie jetzt %1 Millijoule, von %2 bis %3.</translation>
     </message>
     <message>
         <source>Ticks late by now %1 milliseconds, at most %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Takte jetzt um %1 Millisekunden verspätet, höchstens um %2.</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner %1 kann nicht angelegt werden: %2</translation>
     </message>
     <message>
         <source>The recording cannot be begun: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahme kann nicht begonnen werden: %1</translation>
     </message>
     <message>
         <source>The recording is not whole, because the disk is full or this computer was too busy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahme ist nicht vollständig, weil der Datenträger voll ist oder dieser Computer zu beschäftigt war.</translation>
     </message>
     <message>
         <source>Recorded in %1; the parameters lie beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgenommen in %1; die Parameter liegen daneben.</translation>
     </message>
     <message>
         <source>Reading %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird gelesen.</translation>
     </message>
     <message>
         <source>Computed again, the forces differ by at most %1 newtons.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu berechnet, weichen die Kräfte um höchstens %1 Newton ab.</translation>
     </message>
     <message>
         <source>Its parameters are not beside it, so it was not computed again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Parameter liegen nicht daneben, deshalb wurde sie nicht neu berechnet.</translation>
     </message>
     <message>
         <source>Its end was cut short and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ende war abgeschnitten und wird weggelassen.</translation>
     </message>
     <message>
         <source>%1 holds nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist leer.</translation>
     </message>
     <message>
         <source>Replaying %1. Escape ends it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird wiedergegeben. Escape beendet die Wiedergabe.</translation>
     </message>
     <message>
         <source>There is nothing to write yet. Start the servo first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch nichts zu schreiben. Starten Sie zuerst den Servo.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kann nicht geschrieben werden: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) are in %1; the parameters lie beside them.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Zeile ist in %1; die Parameter liegen daneben.</numerusform>
+            <numerusform>%n Zeilen sind in %1; die Parameter liegen daneben.</numerusform>
         </translation>
     </message>
 </context>
@@ -2921,242 +2923,242 @@ A: all · Backspace: back · E: feel the face · C: look after it · W: where am
     <name>tp::MendSession</name>
     <message>
         <source>Only a photograph that is a file on this computer can be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur ein Foto, das als Datei auf diesem Computer liegt, kann geöffnet werden.</translation>
     </message>
     <message>
         <source>Looking for faces…</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichter werden gesucht…</translation>
     </message>
     <message>
         <source>Here the contours of a photograph are mended. There is no photograph yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier werden die Konturen eines Fotos korrigiert. Noch ist kein Foto da.</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>a photograph and what is wrong with it</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>No face was found in %1. One of usual shape can be added and put in place.</source>
-        <translation type="unfinished"></translation>
+        <translation>In %1 wurde kein Gesicht gefunden. Eines in üblicher Form kann hinzugefügt und zurechtgerückt werden.</translation>
     </message>
     <message>
         <source>Contours of %1. In hand: %2. Tab goes from point to point, the arrow keys move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Konturen von %1. Ausgewählt: %2. Tab geht von Punkt zu Punkt, die Pfeiltasten verschieben ihn.</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n point(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, %n Punkt.</numerusform>
+            <numerusform>%1, %n Punkte.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: not there. It can be added.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: nicht da, kann aber hinzugefügt werden.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2.</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n point(s), none in hand.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, %n Punkt, keiner ausgewählt.</numerusform>
+            <numerusform>%1, %n Punkte, keiner ausgewählt.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of the %2: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: %3.</translation>
     </message>
     <message>
         <source>The whole feature moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ganze Merkmal wird verschoben.</translation>
     </message>
     <message>
         <source>One point moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Punkt wird verschoben.</translation>
     </message>
     <message>
         <source>the %1 was moved</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verschoben</translation>
     </message>
     <message>
         <source>a point of the %1 was moved</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt verschoben, %1</translation>
     </message>
     <message>
         <source>%1 moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verschoben.</translation>
     </message>
     <message>
         <source>Put back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder am alten Platz.</translation>
     </message>
     <message>
         <source>%1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>No point is in hand. Tab goes from point to point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Punkt ist ausgewählt. Tab geht von Punkt zu Punkt.</translation>
     </message>
     <message>
         <source>a point of the %1 was added</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt hinzugefügt, %1</translation>
     </message>
     <message>
         <source>Added. %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzugefügt. %1: %2.</translation>
     </message>
     <message>
         <source>The %1 needs its last points. The whole feature can be removed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Merkmal braucht seine letzten Punkte: %1. Das ganze Merkmal kann entfernt werden.</translation>
     </message>
     <message>
         <source>a point of the %1 was deleted</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt gelöscht, %1</translation>
     </message>
     <message>
         <source>Deleted. In hand: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelöscht. Ausgewählt: %1.</translation>
     </message>
     <message>
         <source>This point can be no corner.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Punkt kann keine Ecke sein.</translation>
     </message>
     <message>
         <source>a point of the %1 was turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt umgewandelt, %1</translation>
     </message>
     <message>
         <source>A corner now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt eine Ecke.</translation>
     </message>
     <message>
         <source>Smooth now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt glatt.</translation>
     </message>
     <message>
         <source>The %1 is as the program found it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schon so, wie das Programm es gefunden hat: %1.</translation>
     </message>
     <message>
         <source>the %1 was reset</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 zurückgesetzt</translation>
     </message>
     <message>
         <source>The %1 is as the program found it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder so, wie das Programm es gefunden hat: %1.</translation>
     </message>
     <message>
         <source>The %1 is gone again: the program did not find it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder weg, weil das Programm es nicht gefunden hat: %1.</translation>
     </message>
     <message>
         <source>The %1 is there already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schon da: %1.</translation>
     </message>
     <message>
         <source>the %1 was added</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hinzugefügt</translation>
     </message>
     <message>
         <source>The %1 is there, as the program found it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder da, wie vom Programm gefunden: %1.</translation>
     </message>
     <message>
         <source>The %1 was added in its usual shape. Move it into place.</source>
-        <translation type="unfinished"></translation>
+        <translation>In üblicher Form hinzugefügt: %1. Rücken Sie das Merkmal zurecht.</translation>
     </message>
     <message>
         <source>the %1 was removed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 entfernt</translation>
     </message>
     <message>
         <source>The %1 is removed. It will not be felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt: %1. Das Merkmal ist dann nicht zu fühlen.</translation>
     </message>
     <message>
         <source>a face was added</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Gesicht hinzugefügt</translation>
     </message>
     <message>
         <source>A face of usual shape was added. Move its features into place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gesicht in üblicher Form wurde hinzugefügt. Rücken Sie seine Merkmale zurecht.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
     </message>
     <message>
         <source>Undone: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig gemacht: %1.</translation>
     </message>
     <message>
         <source>There is nothing to do again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts zu wiederholen.</translation>
     </message>
     <message>
         <source>Done again: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholt: %1.</translation>
     </message>
     <message>
         <source>%1 Your work is kept here; nothing is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Ihre Arbeit bleibt hier erhalten; nichts geht verloren.</translation>
     </message>
     <message>
         <source>The contours are saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Konturen sind gespeichert.</translation>
     </message>
     <message>
         <source>The contours are saved. Another program had changed them; what it wrote is kept as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Konturen sind gespeichert. Ein anderes Programm hatte sie geändert; was es geschrieben hat, ist als %1 aufbewahrt.</translation>
     </message>
     <message>
         <source>Nothing was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>all changes were discarded</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Änderungen verworfen</translation>
     </message>
     <message>
         <source>All changes are discarded: the contours are as they were opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Änderungen sind verworfen: Die Konturen sind wie beim Öffnen.</translation>
     </message>
     <message>
         <source>The force is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft wird gezeigt.</translation>
     </message>
     <message>
         <source>The force is hidden.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft ist ausgeblendet.</translation>
     </message>
 </context>
 <context>
     <name>tp::Narrator</name>
     <message>
         <source>Voice on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stimme ein.</translation>
     </message>
     <message>
         <source>Voice off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stimme aus.</translation>
     </message>
     <message>
         <source>No speech engine was found on this computer, so nothing is spoken here. A screen reader is told instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf diesem Computer wurde keine Sprachausgabe gefunden, deshalb wird hier nichts gesprochen. Stattdessen erhält ein Screenreader die Texte.</translation>
     </message>
 </context>
 <context>
     <name>tp::OpenAlbum</name>
     <message numerus="yes">
         <source>%n more thing(s) in the album need a look.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Im Album sollten Sie noch %n weitere Sache ansehen.</numerusform>
+            <numerusform>Im Album sollten Sie noch %n weitere Sachen ansehen.</numerusform>
         </translation>
     </message>
 </context>
@@ -3164,42 +3166,42 @@ A: all · Backspace: back · E: feel the face · C: look after it · W: where am
     <name>tp::PhotoRows</name>
     <message>
         <source>Not looked at yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht geprüft.</translation>
     </message>
     <message>
         <source>No face found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Gesicht gefunden.</translation>
     </message>
     <message>
         <source>Faces look wrong: %1 % off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichter sehen falsch aus: %1 % Abweichung.</translation>
     </message>
     <message>
         <source>Faces about %1 % off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesichter mit etwa %1 % Abweichung.</translation>
     </message>
 </context>
 <context>
     <name>tp::PlaceWords</name>
     <message numerus="yes">
         <source>%1. On the %2, at its %3 o&apos;clock, %n millimetre(s) from its middle.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1. Auf der Linie: %2, auf %3 Uhr, %n Millimeter von der Mitte.</numerusform>
+            <numerusform>%1. Auf der Linie: %2, auf %3 Uhr, %n Millimeter von der Mitte.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Beside %1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Daneben: %1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
+            <numerusform>Daneben: %1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
+            <numerusform>%1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
         </translation>
     </message>
 </context>
@@ -3207,780 +3209,780 @@ A: all · Backspace: back · E: feel the face · C: look after it · W: where am
     <name>tp::Preferences</name>
     <message>
         <source>Your settings could not be read. The usual ones are used until that is mended.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Einstellungen konnten nicht gelesen werden. Bis das behoben ist, gelten die üblichen.</translation>
     </message>
     <message>
         <source>Your settings could not be read and were set aside. The usual ones are used; you can choose anew on the settings page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Einstellungen konnten nicht gelesen werden und wurden beiseitegelegt. Es gelten die üblichen; auf der Seite Einstellungen können Sie neu wählen.</translation>
     </message>
     <message>
         <source>Your settings could not be kept: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Einstellungen konnten nicht gespeichert werden: %1</translation>
     </message>
 </context>
 <context>
     <name>tp::PrintSession</name>
     <message>
         <source>Print. Choose a photograph on the page for looking after the album.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drucken. Wählen Sie ein Foto auf der Seite „Album pflegen“.</translation>
     </message>
     <message>
         <source>Print %1. Looking for faces…</source>
-        <translation type="unfinished"></translation>
+        <translation>Drucken: %1. Gesichter werden gesucht…</translation>
     </message>
     <message>
         <source>Print %1 on %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drucken: %1 auf %2.</translation>
     </message>
     <message>
         <source>A4</source>
-        <translation type="unfinished"></translation>
+        <translation>A4</translation>
     </message>
     <message>
         <source>Letter</source>
-        <translation type="unfinished"></translation>
+        <translation>Letter</translation>
     </message>
     <message>
         <source>A3</source>
-        <translation type="unfinished"></translation>
+        <translation>A3</translation>
     </message>
     <message>
         <source>Braille paper, 11 by 11.5 inches</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktschriftpapier, 11 mal 11,5 Zoll</translation>
     </message>
     <message>
         <source>The face</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gesicht</translation>
     </message>
     <message>
         <source>All faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Gesichter</translation>
     </message>
     <message>
         <source>Face %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesicht %1</translation>
     </message>
     <message>
         <source>%1 by %2 millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mal %2 Millimeter</translation>
     </message>
     <message>
         <source>With its name in print.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Namen in Schwarzschrift.</translation>
     </message>
     <message>
         <source>Without a name in print.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Namen in Schwarzschrift.</translation>
     </message>
     <message>
         <source>There is no sheet yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch gibt es kein Tastblatt.</translation>
     </message>
     <message>
         <source>The folder %1 could not be made: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner %1 konnte nicht angelegt werden: %2</translation>
     </message>
     <message>
         <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Tastblatt ist als %1 gespeichert. Drucken Sie es mit 100 Prozent, nicht skaliert.</translation>
     </message>
 </context>
 <context>
     <name>tp::Problems</name>
     <message>
         <source>The force was switched off for a moment, because a measurement was not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft wurde kurz abgeschaltet, weil ein Messwert keine Zahl war.</translation>
     </message>
     <message>
         <source>The force is off, because the finger is outside the area that the device reaches. Move it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft ist aus, weil der Finger außerhalb des Bereichs ist, den das Gerät erreicht. Bewegen Sie ihn zurück.</translation>
     </message>
     <message>
         <source>The force is off, because the finger moves too fast. Move slowly and it comes back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft ist aus, weil der Finger sich zu schnell bewegt. Bewegen Sie ihn langsam, dann kommt sie zurück.</translation>
     </message>
     <message>
         <source>The force is off, because the device has switched its motors off to be safe. It comes back when the device is ready.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft ist aus, weil das Gerät seine Motoren zur Sicherheit abgeschaltet hat. Sie kommt zurück, wenn das Gerät bereit ist.</translation>
     </message>
     <message>
         <source>The force is off, because the device does not say where the finger is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft ist aus, weil das Gerät nicht sagt, wo der Finger ist.</translation>
     </message>
     <message>
         <source>The force is off for a moment, because this computer was too busy to guide the finger.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kraft ist kurz aus, weil dieser Computer zu beschäftigt war, um den Finger zu führen.</translation>
     </message>
     <message>
         <source>The device was switched off, because this computer stood still. Start it again when you are ready.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät wurde abgeschaltet, weil dieser Computer stillstand. Starten Sie es wieder, wenn Sie bereit sind.</translation>
     </message>
     <message>
         <source>The device was switched off, because it no longer answers. Check its cable and start it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät wurde abgeschaltet, weil es nicht mehr antwortet. Prüfen Sie sein Kabel und starten Sie es wieder.</translation>
     </message>
     <message>
         <source>No face was found in this picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Bild wurde kein Gesicht gefunden.</translation>
     </message>
     <message>
         <source>The picture is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild ist leer.</translation>
     </message>
     <message>
         <source>The picture is not in 8-bit colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild hat keine 8-Bit-Farben.</translation>
     </message>
     <message>
         <source>The search for faces was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Suche nach Gesichtern wurde abgebrochen.</translation>
     </message>
     <message>
         <source>The face is cut off at the left edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gesicht ist am linken Bildrand abgeschnitten.</translation>
     </message>
     <message>
         <source>The face is cut off at the right edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gesicht ist am rechten Bildrand abgeschnitten.</translation>
     </message>
     <message>
         <source>The face is cut off at the top edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gesicht ist am oberen Bildrand abgeschnitten.</translation>
     </message>
     <message>
         <source>The face is cut off at the bottom edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gesicht ist am unteren Bildrand abgeschnitten.</translation>
     </message>
     <message>
         <source>The right eye may be covered, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das rechte Auge ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
     </message>
     <message>
         <source>The left eye may be covered, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das linke Auge ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
     </message>
     <message>
         <source>The mouth may be covered, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Mund ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
     </message>
     <message>
         <source>The outline may be covered, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Gesichtsumriss ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
     </message>
     <message>
         <source>The edge of the right eye is faint, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Rand des rechten Auges ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
     </message>
     <message>
         <source>The edge of the left eye is faint, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Rand des linken Auges ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
     </message>
     <message>
         <source>The edge of the mouth is faint, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Rand des Mundes ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
     </message>
     <message>
         <source>The edge of the outline is faint, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Gesichtsumriss ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
     </message>
     <message>
         <source>This picture could not be worked on. It may be too large for this computer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Bild konnte nicht bearbeitet werden. Vielleicht ist es für diesen Computer zu groß.</translation>
     </message>
 </context>
 <context>
     <name>tp::Program</name>
     <message>
         <source>TouchPhoto</source>
-        <translation type="unfinished"></translation>
+        <translation>TouchPhoto</translation>
     </message>
     <message>
         <source>Feel a face</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gesicht fühlen</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Listen to photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos anhören</translation>
     </message>
     <message>
         <source>Look after the album</source>
-        <translation type="unfinished"></translation>
+        <translation>Album pflegen</translation>
     </message>
     <message>
         <source>Mend contours</source>
-        <translation type="unfinished"></translation>
+        <translation>Konturen korrigieren</translation>
     </message>
     <message>
         <source>Print a tactile sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Tastblatt drucken</translation>
     </message>
     <message>
         <source>Lab</source>
-        <translation type="unfinished"></translation>
+        <translation>Labor</translation>
     </message>
 </context>
 <context>
     <name>tp::Questions</name>
     <message>
         <source>Shall TouchPhoto speak to you?</source>
-        <translation type="unfinished"></translation>
+        <translation>Soll TouchPhoto mit Ihnen sprechen?</translation>
     </message>
     <message>
         <source>How fast shall it speak?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell soll es sprechen?</translation>
     </message>
     <message>
         <source>Who uses this tablet most?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer benutzt dieses Tablet meistens?</translation>
     </message>
     <message>
         <source>Looking for a force device.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kraftgerät wird gesucht.</translation>
     </message>
     <message>
         <source>No force device was found. A finger on the screen is guided by sound instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde kein Kraftgerät gefunden. Ein Finger auf dem Bildschirm wird stattdessen durch Töne geführt.</translation>
     </message>
     <message>
         <source>A force device was found: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kraftgerät wurde gefunden: %1.</translation>
     </message>
     <message>
         <source>Where are your photographs?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo sind Ihre Fotos?</translation>
     </message>
     <message>
         <source>Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ja</translation>
     </message>
     <message>
         <source>No, the words on the screen are enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Nein, der Text auf dem Bildschirm genügt</translation>
     </message>
     <message>
         <source>My screen reader shall speak</source>
-        <translation type="unfinished"></translation>
+        <translation>Mein Screenreader soll sprechen</translation>
     </message>
     <message>
         <source>Very slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehr langsam</translation>
     </message>
     <message>
         <source>Slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Langsam</translation>
     </message>
     <message>
         <source>At the usual speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal schnell</translation>
     </message>
     <message>
         <source>Fast</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnell</translation>
     </message>
     <message>
         <source>Very fast</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehr schnell</translation>
     </message>
     <message>
         <source>Somebody who listens and feels</source>
-        <translation type="unfinished"></translation>
+        <translation>Jemand, der zuhört und fühlt</translation>
     </message>
     <message>
         <source>Somebody who looks after the album</source>
-        <translation type="unfinished"></translation>
+        <translation>Jemand, der das Album pflegt</translation>
     </message>
     <message>
         <source>Go on without a device</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Gerät weitermachen</translation>
     </message>
     <message>
         <source>Use it</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gerät benutzen</translation>
     </message>
     <message>
         <source>Look again</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal suchen</translation>
     </message>
     <message>
         <source>In the folder %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Ordner %1</translation>
     </message>
     <message>
         <source>In another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>In einem anderen Ordner</translation>
     </message>
     <message>
         <source>I will say so later</source>
-        <translation type="unfinished"></translation>
+        <translation>Das sage ich später</translation>
     </message>
     <message>
         <source>Question %1 of %2. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Frage %1 von %2. %3</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>
     <name>tp::RecordingList</name>
     <message>
         <source>Not said</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Angabe</translation>
     </message>
     <message>
         <source>%1, %2, %3 of %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2, %3 von %4</translation>
     </message>
     <message>
         <source>It is the first one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist die erste.</translation>
     </message>
     <message>
         <source>It is the last one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist die letzte.</translation>
     </message>
     <message>
         <source>%1 is number %2 of %3 now.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist jetzt Nummer %2 von %3.</translation>
     </message>
     <message>
         <source>Deleted: %1. Undo brings it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelöscht: %1. „Rückgängig“ bringt die Aufnahme zurück.</translation>
     </message>
     <message>
         <source>Saved: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert: %1.</translation>
     </message>
     <message>
         <source>Only a sound that is a file on this computer can be added.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Töne, die als Datei auf diesem Computer liegen, können hinzugefügt werden.</translation>
     </message>
     <message>
         <source>Added: %1, %2. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzugefügt: %1, %2. %3</translation>
     </message>
 </context>
 <context>
     <name>tp::SettingsSession</name>
     <message>
         <source>No folder was chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde kein Ordner ausgewählt.</translation>
     </message>
     <message>
         <source>The album has this folder already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Album hat diesen Ordner schon.</translation>
     </message>
     <message>
         <source>the album&apos;s new folder</source>
-        <translation type="unfinished"></translation>
+        <translation>der neue Ordner des Albums</translation>
     </message>
     <message>
         <source>%1 belongs to the album now.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gehört jetzt zum Album.</translation>
     </message>
     <message>
         <source>Settings. Go through them by Tab; each change is kept at once. Control Z takes the last one back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen. Gehen Sie mit Tab hindurch; jede Änderung wird sofort gespeichert. Strg Z nimmt die letzte zurück.</translation>
     </message>
     <message>
         <source>TouchPhoto speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>TouchPhoto spricht</translation>
     </message>
     <message>
         <source>My screen reader speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Mein Screenreader spricht</translation>
     </message>
     <message>
         <source>Nobody speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand spricht</translation>
     </message>
     <message>
         <source>Very slow</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehr langsam</translation>
     </message>
     <message>
         <source>Slow</source>
-        <translation type="unfinished"></translation>
+        <translation>Langsam</translation>
     </message>
     <message>
         <source>Normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal</translation>
     </message>
     <message>
         <source>Fast</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnell</translation>
     </message>
     <message>
         <source>Very fast</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehr schnell</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>who speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>wer spricht</translation>
     </message>
     <message>
         <source>the speed of speech</source>
-        <translation type="unfinished"></translation>
+        <translation>das Sprechtempo</translation>
     </message>
     <message>
         <source>%1. This is how fast I speak.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. So schnell spreche ich.</translation>
     </message>
     <message>
         <source>the language</source>
-        <translation type="unfinished"></translation>
+        <translation>die Sprache</translation>
     </message>
     <message>
         <source>the speed of recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>das Tempo der Aufnahmen</translation>
     </message>
     <message>
         <source>Recordings play at %1 times their speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahmen laufen mit %1-facher Geschwindigkeit.</translation>
     </message>
     <message>
         <source>sounds</source>
-        <translation type="unfinished"></translation>
+        <translation>Töne</translation>
     </message>
     <message>
         <source>Sounds on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Töne ein.</translation>
     </message>
     <message>
         <source>Sounds off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Töne aus.</translation>
     </message>
     <message>
         <source>Somebody who listens and feels</source>
-        <translation type="unfinished"></translation>
+        <translation>Jemand, der zuhört und fühlt</translation>
     </message>
     <message>
         <source>Somebody who looks after the album</source>
-        <translation type="unfinished"></translation>
+        <translation>Jemand, der das Album pflegt</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Yellow on black</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelb auf Schwarz</translation>
     </message>
     <message>
         <source>who uses the tablet</source>
-        <translation type="unfinished"></translation>
+        <translation>wer das Tablet benutzt</translation>
     </message>
     <message>
         <source>the colours</source>
-        <translation type="unfinished"></translation>
+        <translation>die Farben</translation>
     </message>
     <message>
         <source>the size of text</source>
-        <translation type="unfinished"></translation>
+        <translation>die Textgröße</translation>
     </message>
     <message>
         <source>Text at %1 percent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Text mit %1 Prozent.</translation>
     </message>
     <message>
         <source>motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegung</translation>
     </message>
     <message>
         <source>Pictures may move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder dürfen sich bewegen.</translation>
     </message>
     <message>
         <source>Nothing moves by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts bewegt sich von selbst.</translation>
     </message>
     <message>
         <source>Nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts</translation>
     </message>
     <message>
         <source>Beeps</source>
-        <translation type="unfinished"></translation>
+        <translation>Pieptöne</translation>
     </message>
     <message>
         <source>Spoken clock directions</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesprochene Richtungen als Uhrzeit</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>Beides</translation>
     </message>
     <message>
         <source>what guides the finger</source>
-        <translation type="unfinished"></translation>
+        <translation>was den Finger führt</translation>
     </message>
     <message>
         <source>the strongest force</source>
-        <translation type="unfinished"></translation>
+        <translation>die größte Kraft</translation>
     </message>
     <message>
         <source>At most %1 newtons.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens %1 Newton.</translation>
     </message>
     <message>
         <source>brows</source>
-        <translation type="unfinished"></translation>
+        <translation>Augenbrauen</translation>
     </message>
     <message>
         <source>Brows are felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Augenbrauen sind zu fühlen.</translation>
     </message>
     <message>
         <source>Brows are not felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Augenbrauen sind nicht zu fühlen.</translation>
     </message>
     <message>
         <source>the nose</source>
-        <translation type="unfinished"></translation>
+        <translation>die Nase</translation>
     </message>
     <message>
         <source>The nose is felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Nase ist zu fühlen.</translation>
     </message>
     <message>
         <source>The nose is not felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Nase ist nicht zu fühlen.</translation>
     </message>
     <message>
         <source>irises</source>
-        <translation type="unfinished"></translation>
+        <translation>Iris</translation>
     </message>
     <message>
         <source>Irises are felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Iris ist zu fühlen.</translation>
     </message>
     <message>
         <source>Irises are not felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Iris ist nicht zu fühlen.</translation>
     </message>
     <message>
         <source>the folder that left the album</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ordner, der aus dem Album genommen wurde</translation>
     </message>
     <message>
         <source>%1 no longer belongs to the album. Its photographs and recordings stay where they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gehört nicht mehr zum Album. Die Fotos und Aufnahmen darin bleiben, wo sie sind.</translation>
     </message>
     <message>
         <source>the reset</source>
-        <translation type="unfinished"></translation>
+        <translation>das Zurücksetzen</translation>
     </message>
     <message>
         <source>All settings are as they were at first. The album&apos;s folders stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Einstellungen sind wie am Anfang. Die Ordner des Albums bleiben.</translation>
     </message>
     <message>
         <source>There is nothing to take back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts zurückzunehmen.</translation>
     </message>
     <message>
         <source>Taken back: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurückgenommen: %1.</translation>
     </message>
     <message>
         <source>Nothing leaves this computer: TouchPhoto opens no connection to any other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts verlässt diesen Computer: TouchPhoto stellt keine Verbindung zu einem anderen her.</translation>
     </message>
     <message>
         <source>These settings, in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Einstellungen, in %1.</translation>
     </message>
     <message>
         <source>An index of the album, in %1 (%2). It can be thrown away at any time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Index des Albums, in %1 (%2). Er kann jederzeit verworfen werden.</translation>
     </message>
     <message>
         <source>Names, descriptions and recordings, beside the photographs in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen, Beschreibungen und Aufnahmen, neben den Fotos in %1.</translation>
     </message>
     <message>
         <source>The photograph that you were at last: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Foto, bei dem Sie zuletzt waren: %1.</translation>
     </message>
     <message>
         <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Index wird verworfen, wenn TouchPhoto endet, und beim nächsten Start aus den Fotos neu angelegt.</translation>
     </message>
 </context>
 <context>
     <name>tp::Shell</name>
     <message>
         <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the page before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Überall: Escape hält an, was klingt oder sich bewegt, und führt dann zur Startseite. F1: diese Hilfe. F2: der letzte Satz noch einmal. F3: Stimme ein oder aus. Alt und Pfeil links: die Seite davor.</translation>
     </message>
 </context>
 <context>
     <name>tp::StartSession</name>
     <message>
         <source>Listen to photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos anhören</translation>
     </message>
     <message>
         <source>One photograph after the other, with what was recorded for it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Foto nach dem anderen, mit dem, was dazu aufgenommen wurde</translation>
     </message>
     <message>
         <source>Feel a face</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gesicht fühlen</translation>
     </message>
     <message>
         <source>The photograph that you were at last, under your finger</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Foto, bei dem Sie zuletzt waren, unter Ihrem Finger</translation>
     </message>
     <message>
         <source>Look after the album</source>
-        <translation type="unfinished"></translation>
+        <translation>Album pflegen</translation>
     </message>
     <message>
         <source>Import photographs, name people, record</source>
-        <translation type="unfinished"></translation>
+        <translation>Fotos importieren, Personen benennen, aufnehmen</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Speech, colours, force, where photographs are</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache, Farben, Kraft, wo die Fotos sind</translation>
     </message>
     <message>
         <source>Take a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Foto machen</translation>
     </message>
     <message>
         <source>Not there yet: photographs of any camera can be imported</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht da: Fotos jeder Kamera können importiert werden</translation>
     </message>
     <message>
         <source>Studies</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien</translation>
     </message>
     <message>
         <source>Not there yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht da</translation>
     </message>
     <message>
         <source>TouchPhoto, start page. 1: %1. 2: %2. More below; F1 for help.</source>
-        <translation type="unfinished"></translation>
+        <translation>TouchPhoto, Startseite. 1: %1. 2: %2. Weiter unten mehr; F1 für Hilfe.</translation>
     </message>
     <message>
         <source>Lab</source>
-        <translation type="unfinished"></translation>
+        <translation>Labor</translation>
     </message>
     <message>
         <source>For researchers: guidance laws, their parameters, plots, recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>Für die Forschung: Führungsgesetze, ihre Parameter, Diagramme, Aufnahmen</translation>
     </message>
 </context>
 <context>
     <name>tp::TagPlayback</name>
     <message>
         <source>Next: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Nächstes: %1.</translation>
     </message>
 </context>
 <context>
     <name>tp::Take</name>
     <message>
         <source>Recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme läuft</translation>
     </message>
     <message>
         <source>Paused</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Being stored…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gespeichert…</translation>
     </message>
     <message>
         <source>Waiting for the microphone…</source>
-        <translation type="unfinished"></translation>
+        <translation>Warten auf das Mikrofon…</translation>
     </message>
     <message>
         <source>nothing heard</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts zu hören</translation>
     </message>
     <message>
         <source>soft</source>
-        <translation type="unfinished"></translation>
+        <translation>leise</translation>
     </message>
     <message>
         <source>good</source>
-        <translation type="unfinished"></translation>
+        <translation>gut</translation>
     </message>
     <message>
         <source>too loud</source>
-        <translation type="unfinished"></translation>
+        <translation>zu laut</translation>
     </message>
     <message>
         <source>The recorder is still at work. Try again in a moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Aufnehmen ist noch nicht abgeschlossen. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
         <source>Paused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause.</translation>
     </message>
     <message>
         <source>Throw away what was recorded? It cannot be brought back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Aufgenommene verwerfen? Es kann nicht zurückgeholt werden.</translation>
     </message>
     <message>
         <source>Thrown away. Nothing was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verworfen. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>Kept. The recording is paused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Behalten. Die Aufnahme ist angehalten.</translation>
     </message>
     <message>
         <source>%1 It is saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Gespeichert.</translation>
     </message>
 </context>
 <context>
     <name>tp::Trimming</name>
     <message>
         <source>%1 of %2 stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 bleiben.</translation>
     </message>
     <message>
         <source>All of it stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles bleibt.</translation>
     </message>
     <message>
         <source>From %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1</translation>
     </message>
     <message>
         <source>To %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis %1</translation>
     </message>
     <message>
         <source>All of it stays, so there is nothing to cut off. Move the begin or the end first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles bleibt, es gibt also nichts abzuschneiden. Verschieben Sie zuerst den Anfang oder das Ende.</translation>
     </message>
     <message>
         <source>Trimmed: %1 stay. Undo brings the rest back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gekürzt: %1 bleiben. „Rückgängig“ bringt den Rest zurück.</translation>
     </message>
 </context>
 </TS>

@@ -5,171 +5,171 @@
     <name>BrowseButtons</name>
     <message>
         <source>Choose folders</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더 선택</translation>
     </message>
     <message>
         <source>On the settings page</source>
-        <translation type="unfinished"></translation>
+        <translation>설정 페이지에서 고릅니다</translation>
     </message>
     <message>
         <source>Import photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 가져오기</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>일시 정지</translation>
     </message>
     <message>
         <source>Play recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음 재생</translation>
     </message>
     <message>
         <source>On the detail of a recording: that one alone. Key: Return</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음 정보 위에서는 그 녹음만 재생합니다. 엔터 키</translation>
     </message>
     <message>
         <source>Previous</source>
-        <translation type="unfinished"></translation>
+        <translation>이전</translation>
     </message>
     <message>
         <source>Photograph. Key: left arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>사진. 왼쪽 화살표 키</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>다음</translation>
     </message>
     <message>
         <source>Photograph. Key: right arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>사진. 오른쪽 화살표 키</translation>
     </message>
     <message>
         <source>Detail before</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 정보</translation>
     </message>
     <message>
         <source>Key: up arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>위쪽 화살표 키</translation>
     </message>
     <message>
         <source>Next detail</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 정보</translation>
     </message>
     <message>
         <source>People, recordings, descriptions, place and time. Key: down arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>사람, 녹음, 설명, 장소와 시간. 아래쪽 화살표 키</translation>
     </message>
     <message>
         <source>Feel the face</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 만져 보기</translation>
     </message>
     <message>
         <source>Key: E</source>
-        <translation type="unfinished"></translation>
+        <translation>E 키</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤로</translation>
     </message>
     <message>
         <source>To the list before. Key: Backspace</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 목록으로 갑니다. 백스페이스 키</translation>
     </message>
     <message>
         <source>All photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 사진</translation>
     </message>
     <message>
         <source>Key: A</source>
-        <translation type="unfinished"></translation>
+        <translation>A 키</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>검색</translation>
     </message>
     <message>
         <source>Key: S</source>
-        <translation type="unfinished"></translation>
+        <translation>S 키</translation>
     </message>
     <message>
         <source>Surprise me</source>
-        <translation type="unfinished"></translation>
+        <translation>아무 사진이나 듣기</translation>
     </message>
     <message>
         <source>Any photograph. Key: R</source>
-        <translation type="unfinished"></translation>
+        <translation>무작위로 고른 사진. R 키</translation>
     </message>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>사람</translation>
     </message>
     <message>
         <source>Key: P</source>
-        <translation type="unfinished"></translation>
+        <translation>P 키</translation>
     </message>
     <message>
         <source>Years</source>
-        <translation type="unfinished"></translation>
+        <translation>연도</translation>
     </message>
     <message>
         <source>Key: Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y 키</translation>
     </message>
     <message>
         <source>Places</source>
-        <translation type="unfinished"></translation>
+        <translation>장소</translation>
     </message>
     <message>
         <source>Key: L</source>
-        <translation type="unfinished"></translation>
+        <translation>L 키</translation>
     </message>
     <message>
         <source>Keywords</source>
-        <translation type="unfinished"></translation>
+        <translation>키워드</translation>
     </message>
     <message>
         <source>Key: K</source>
-        <translation type="unfinished"></translation>
+        <translation>K 키</translation>
     </message>
     <message>
         <source>Slower</source>
-        <translation type="unfinished"></translation>
+        <translation>느리게</translation>
     </message>
     <message>
         <source>%1. Key: minus</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. 빼기 키</translation>
     </message>
     <message>
         <source>Faster</source>
-        <translation type="unfinished"></translation>
+        <translation>빠르게</translation>
     </message>
     <message>
         <source>%1. Key: plus</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. 더하기 키</translation>
     </message>
     <message>
         <source>Where am I?</source>
-        <translation type="unfinished"></translation>
+        <translation>여기는 어디인가요?</translation>
     </message>
     <message>
         <source>Key: W</source>
-        <translation type="unfinished"></translation>
+        <translation>W 키</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>키 목록</translation>
     </message>
     <message>
         <source>Tells every key of this page. Key: H</source>
-        <translation type="unfinished"></translation>
+        <translation>이 페이지의 모든 키를 알려 줍니다. H 키</translation>
     </message>
     <message>
         <source>Look after this photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>이 사진 관리</translation>
     </message>
     <message>
         <source>Its names, recordings and descriptions. Key: C</source>
-        <translation type="unfinished"></translation>
+        <translation>이름, 녹음, 설명을 다룹니다. C 키</translation>
     </message>
 </context>
 <context>
@@ -178,2709 +178,2711 @@
         <source>Left, Right: photograph · Up, Down: details · Enter: recordings · Escape: stop · +, −: speed
 Home, End: first, last · S: search · P: people · Y: years · L: places · K: keywords · R: surprise
 A: all · Backspace: back · E: feel the face · C: look after it · W: where am I · H: keys</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽, 오른쪽: 사진 · 위, 아래: 정보 · 엔터: 녹음 · Escape: 멈춤 · +, −: 속도
+Home, End: 처음, 마지막 · S: 검색 · P: 사람 · Y: 연도 · L: 장소 · K: 키워드 · R: 아무 사진
+A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관리 · W: 현재 위치 · H: 키 목록</translation>
     </message>
 </context>
 <context>
     <name>CarePage</name>
     <message>
         <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
-        <translation type="unfinished"></translation>
+        <translation>탭 키로 항목 사이를, 화살표 키로 사진 사이를 이동하고, 엔터 키로 사진을 엽니다. Ctrl Z는 마지막 작업을 되돌리고, Ctrl Shift Z는 다시 실행합니다. Escape 키는 재생을 멈추고, 녹음 중이면 녹음을 끝내고 보관합니다.</translation>
     </message>
     <message>
         <source>Import a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더 가져오기</translation>
     </message>
     <message>
         <source>Folder for the album</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범을 둘 폴더</translation>
     </message>
 </context>
 <context>
     <name>CareWords</name>
     <message>
         <source>Memo</source>
-        <translation type="unfinished"></translation>
+        <translation>메모</translation>
     </message>
     <message>
         <source>Who it is</source>
-        <translation type="unfinished"></translation>
+        <translation>누구인지</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>장소</translation>
     </message>
     <message>
         <source>Story</source>
-        <translation type="unfinished"></translation>
+        <translation>이야기</translation>
     </message>
     <message>
         <source>Sounds around</source>
-        <translation type="unfinished"></translation>
+        <translation>주변 소리</translation>
     </message>
     <message>
         <source>%1, about %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2에 대하여</translation>
     </message>
     <message>
         <source>spoken by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>말한 사람: %1</translation>
     </message>
     <message>
         <source>%1 seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>%1초</translation>
     </message>
     <message>
         <source>%1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message numerus="yes">
         <source>%n recording(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>녹음 %n개.</numerusform>
         </translation>
     </message>
     <message>
         <source>No description.</source>
-        <translation type="unfinished"></translation>
+        <translation>설명 없음.</translation>
     </message>
     <message>
         <source>%1 of %2 photographs, %3 of %4 megabytes</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 %2장 중 %1장, %4메가바이트 중 %3메가바이트</translation>
     </message>
     <message>
         <source>%1, about %2 left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 약 %2 남음</translation>
     </message>
     <message>
         <source>The import was stopped before the first photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 사진을 가져오기 전에 중단되었습니다.</translation>
     </message>
     <message>
         <source>There is no photograph among what was chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>선택한 것 가운데 사진이 없습니다.</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s) imported</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>사진 %n장 가져옴</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n of them there already</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>이미 있는 사진 %n장</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n failed</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>실패 %n장</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1 The import was stopped; it can go on later.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 가져오기가 중단되었습니다. 나중에 이어서 할 수 있습니다.</translation>
     </message>
 </context>
 <context>
     <name>DescriptionPart</name>
     <message>
         <source>Description</source>
-        <translation type="unfinished"></translation>
+        <translation>설명</translation>
     </message>
     <message>
         <source>In one sentence (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>한 문장으로 (%1)</translation>
     </message>
     <message>
         <source>%1 characters; a screen reader reads up to 250 in one piece.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1자입니다. 화면 낭독기는 한 번에 250자까지 읽습니다.</translation>
     </message>
     <message>
         <source>%1 of 250 characters</source>
-        <translation type="unfinished"></translation>
+        <translation>250자 중 %1자</translation>
     </message>
     <message>
         <source>In more words (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>더 자세히 (%1)</translation>
     </message>
     <message>
         <source>%1 characters</source>
-        <translation type="unfinished"></translation>
+        <translation>%1자</translation>
     </message>
     <message>
         <source>Save the description</source>
-        <translation type="unfinished"></translation>
+        <translation>설명 저장</translation>
     </message>
     <message>
         <source>The description is saved</source>
-        <translation type="unfinished"></translation>
+        <translation>설명이 저장되었습니다</translation>
     </message>
     <message>
         <source>It is saved too when a field is left.</source>
-        <translation type="unfinished"></translation>
+        <translation>입력란을 벗어날 때에도 저장됩니다.</translation>
     </message>
 </context>
 <context>
     <name>DialogLoader</name>
     <message>
         <source>The file dialog is not installed. Drop files or folders on this window instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 대화 상자가 설치되어 있지 않습니다. 대신 이 창에 파일이나 폴더를 끌어다 놓으세요.</translation>
     </message>
 </context>
 <context>
     <name>ExplorePage</name>
     <message>
         <source>The file dialog is not installed. Drop a photograph on this window instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일 대화 상자가 설치되어 있지 않습니다. 대신 이 창에 사진을 끌어다 놓으세요.</translation>
     </message>
 </context>
 <context>
     <name>FaceTargets</name>
     <message>
         <source>Fits this face into the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>이 얼굴을 터치 영역에 맞춥니다</translation>
     </message>
     <message>
         <source>Sets the finger down there</source>
-        <translation type="unfinished"></translation>
+        <translation>그곳에 손가락을 놓습니다</translation>
     </message>
 </context>
 <context>
     <name>FacesPart</name>
     <message>
         <source>Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴</translation>
     </message>
     <message>
         <source>Press to name it</source>
-        <translation type="unfinished"></translation>
+        <translation>누르면 이름을 붙일 수 있습니다</translation>
     </message>
     <message>
         <source>Who is face %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1번 얼굴은 누구인가요?</translation>
     </message>
     <message>
         <source>Nobody I know</source>
-        <translation type="unfinished"></translation>
+        <translation>모르는 사람</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>닫기</translation>
     </message>
     <message>
         <source>Leaves the face as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴을 그대로 둡니다.</translation>
     </message>
 </context>
 <context>
     <name>FingerMarks</name>
     <message>
         <source>%1 N</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 N</translation>
     </message>
 </context>
 <context>
     <name>FolderChooserView</name>
     <message>
         <source>Take this folder</source>
-        <translation type="unfinished"></translation>
+        <translation>이 폴더로 정하기</translation>
     </message>
     <message>
         <source>To the folder above</source>
-        <translation type="unfinished"></translation>
+        <translation>상위 폴더로</translation>
     </message>
     <message>
         <source>Do not choose a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더를 고르지 않기</translation>
     </message>
 </context>
 <context>
     <name>ImportPart</name>
     <message>
         <source>Stop the import</source>
-        <translation type="unfinished"></translation>
+        <translation>가져오기 중단</translation>
     </message>
     <message>
         <source>Import photographs…</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 가져오기…</translation>
     </message>
     <message>
         <source>Or drop them on this window.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 창에 끌어다 놓아도 됩니다.</translation>
     </message>
     <message>
         <source>Import a folder…</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더 가져오기…</translation>
     </message>
     <message>
         <source>Into</source>
-        <translation type="unfinished"></translation>
+        <translation>가져올 곳</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>가져오기</translation>
     </message>
     <message>
         <source>Go on with the unfinished import</source>
-        <translation type="unfinished"></translation>
+        <translation>끝나지 않은 가져오기 계속하기</translation>
     </message>
     <message>
         <source>Give the unfinished import up</source>
-        <translation type="unfinished"></translation>
+        <translation>끝나지 않은 가져오기 그만두기</translation>
     </message>
     <message>
         <source>What it brought stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>이미 가져온 사진은 남습니다.</translation>
     </message>
 </context>
 <context>
     <name>KeyHelp</name>
     <message>
         <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. Enter: force on. Escape: stop. V: voice. O: open.</source>
-        <translation type="unfinished"></translation>
+        <translation>화살표 키: 손 이동, Shift와 함께 누르면 더 빠르게. 탭 키: 다음 부위. W: 현재 위치. Z, Shift+Z: 확대와 축소. 스페이스바: 부위 안내. T: 얼굴 안내. G: 길잡이. F: 다음 얼굴. 엔터 키: 힘 켜기. Escape 키: 멈춤. V: 음성. O: 열기.</translation>
     </message>
     <message>
         <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I.</source>
-        <translation type="unfinished"></translation>
+        <translation>터치: 한 손가락으로 살펴보기. 두 번 두드리기: 현재 위치. 두 번 두드리고 누르고 있기: 그곳을 확대하거나 축소. 두 손가락으로 두드리기: 멈춤. 두 손가락으로 두 번 두드리기: 안내. 세 손가락으로 두드리기: 현재 위치.</translation>
     </message>
     <message>
         <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line.</source>
-        <translation type="unfinished"></translation>
+        <translation>화면에서: 고리는 손, 원판은 손가락, 화살표는 선이 당기는 힘입니다.</translation>
     </message>
 </context>
 <context>
     <name>LabControls</name>
     <message>
         <source>What is felt</source>
-        <translation type="unfinished"></translation>
+        <translation>만져지는 것</translation>
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>장면</translation>
     </message>
     <message>
         <source>Open a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 열기</translation>
     </message>
     <message>
         <source>Key: O. One can be dropped on the page too</source>
-        <translation type="unfinished"></translation>
+        <translation>O 키. 페이지에 끌어다 놓아도 됩니다</translation>
     </message>
     <message>
         <source>Law</source>
-        <translation type="unfinished"></translation>
+        <translation>유도 법칙</translation>
     </message>
     <message>
         <source>Stiffness K</source>
-        <translation type="unfinished"></translation>
+        <translation>강성 K</translation>
     </message>
     <message>
         <source>Range d</source>
-        <translation type="unfinished"></translation>
+        <translation>범위 d</translation>
     </message>
     <message>
         <source>Hysteresis at switches</source>
-        <translation type="unfinished"></translation>
+        <translation>전환 시 히스테리시스</translation>
     </message>
     <message>
         <source>Blending at switches</source>
-        <translation type="unfinished"></translation>
+        <translation>전환 시 블렌딩</translation>
     </message>
     <message>
         <source>Corner cue</source>
-        <translation type="unfinished"></translation>
+        <translation>모서리 신호</translation>
     </message>
     <message>
         <source>Spacing of vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>꼭짓점 간격</translation>
     </message>
     <message>
         <source>Servo</source>
-        <translation type="unfinished"></translation>
+        <translation>서보</translation>
     </message>
     <message>
         <source>Strongest force</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 힘</translation>
     </message>
     <message>
         <source>Damping across a line</source>
-        <translation type="unfinished"></translation>
+        <translation>선에 수직인 방향의 감쇠</translation>
     </message>
     <message>
         <source>Energy observer</source>
-        <translation type="unfinished"></translation>
+        <translation>에너지 관측기</translation>
     </message>
     <message>
         <source>Limits of a real device</source>
-        <translation type="unfinished"></translation>
+        <translation>실제 장치의 한계</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>장치</translation>
     </message>
     <message>
         <source>Look for devices again</source>
-        <translation type="unfinished"></translation>
+        <translation>장치 다시 찾기</translation>
     </message>
     <message>
         <source>Mass</source>
-        <translation type="unfinished"></translation>
+        <translation>질량</translation>
     </message>
     <message>
         <source>Damping of the device</source>
-        <translation type="unfinished"></translation>
+        <translation>장치의 감쇠</translation>
     </message>
     <message>
         <source>Dry friction</source>
-        <translation type="unfinished"></translation>
+        <translation>건마찰</translation>
     </message>
     <message>
         <source>Encoder step</source>
-        <translation type="unfinished"></translation>
+        <translation>엔코더 간격</translation>
     </message>
     <message>
         <source>Delay</source>
-        <translation type="unfinished"></translation>
+        <translation>지연</translation>
     </message>
     <message>
         <source>Grip of the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>손으로 쥐는 세기</translation>
     </message>
     <message>
         <source>Damping of the hand</source>
-        <translation type="unfinished"></translation>
+        <translation>손의 감쇠</translation>
     </message>
     <message>
         <source>Faults of the simulated device</source>
-        <translation type="unfinished"></translation>
+        <translation>모의 장치의 고장</translation>
     </message>
     <message>
         <source>Readings that do not come</source>
-        <translation type="unfinished"></translation>
+        <translation>누락되는 측정값</translation>
     </message>
     <message>
         <source>No readings at all</source>
-        <translation type="unfinished"></translation>
+        <translation>측정값 전혀 없음</translation>
     </message>
     <message>
         <source>Takes no force</source>
-        <translation type="unfinished"></translation>
+        <translation>힘을 받지 않음</translation>
     </message>
     <message>
         <source>Motors off by themselves</source>
-        <translation type="unfinished"></translation>
+        <translation>모터가 저절로 꺼짐</translation>
     </message>
     <message>
         <source>Unplugged</source>
-        <translation type="unfinished"></translation>
+        <translation>연결이 뽑힘</translation>
     </message>
     <message>
         <source>Hang for 200 milliseconds</source>
-        <translation type="unfinished"></translation>
+        <translation>200밀리초 동안 멈추기</translation>
     </message>
     <message>
         <source>All parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 매개변수</translation>
     </message>
     <message>
         <source>Nothing to take back</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌릴 것이 없습니다</translation>
     </message>
     <message>
         <source>Take back: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌리기: %1</translation>
     </message>
     <message>
         <source>Key: Control Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl Z 키</translation>
     </message>
     <message>
         <source>As they were at first</source>
-        <translation type="unfinished"></translation>
+        <translation>처음 상태로</translation>
     </message>
     <message>
         <source>It can be taken back</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌릴 수 있습니다</translation>
     </message>
     <message>
         <source>Files</source>
-        <translation type="unfinished"></translation>
+        <translation>파일</translation>
     </message>
     <message>
         <source>In %1</source>
-        <translation type="unfinished"></translation>
+        <translation>위치: %1</translation>
     </message>
     <message>
         <source>Write the plots as a table</source>
-        <translation type="unfinished"></translation>
+        <translation>그래프를 표로 저장</translation>
     </message>
     <message>
         <source>CSV, with the parameters as JSON beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV 파일로 저장하고, 매개변수는 그 옆에 JSON으로 둡니다</translation>
     </message>
     <message>
         <source>No recordings yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 기록이 없습니다.</translation>
     </message>
     <message>
         <source>Replay %1</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 재생: %1</translation>
     </message>
 </context>
 <context>
     <name>LabOpenDialog</name>
     <message>
         <source>Open photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 열기</translation>
     </message>
     <message>
         <source>Photographs (*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2)</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 (*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 파일 (*)</translation>
     </message>
 </context>
 <context>
     <name>LabPage</name>
     <message>
         <source>On the surface arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads the plots, O opens a photograph, Control Z takes a change back. Escape stops what runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>터치 영역에서 화살표 키는 손을 움직이고 스페이스바는 서보를 켜고 끕니다. R은 기록, W는 손가락의 위치, P는 그래프 읽기, O는 사진 열기이며, Ctrl Z는 변경을 되돌립니다. Escape 키는 실행 중인 것을 멈춥니다.</translation>
     </message>
     <message>
         <source>Start the servo</source>
-        <translation type="unfinished"></translation>
+        <translation>서보 켜기</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>멈춤</translation>
     </message>
     <message>
         <source>Key: Space on the surface; Escape stops</source>
-        <translation type="unfinished"></translation>
+        <translation>터치 영역에서 스페이스바. Escape 키로 멈춥니다</translation>
     </message>
     <message>
         <source>End the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>기록 끝내기</translation>
     </message>
     <message>
         <source>Record</source>
-        <translation type="unfinished"></translation>
+        <translation>기록</translation>
     </message>
     <message>
         <source>Key: R</source>
-        <translation type="unfinished"></translation>
+        <translation>R 키</translation>
     </message>
     <message>
         <source>Where is the finger?</source>
-        <translation type="unfinished"></translation>
+        <translation>손가락은 어디에 있나요?</translation>
     </message>
     <message>
         <source>Key: W</source>
-        <translation type="unfinished"></translation>
+        <translation>W 키</translation>
     </message>
     <message>
         <source>Read the plots</source>
-        <translation type="unfinished"></translation>
+        <translation>그래프 읽기</translation>
     </message>
     <message>
         <source>Key: P</source>
-        <translation type="unfinished"></translation>
+        <translation>P 키</translation>
     </message>
 </context>
 <context>
     <name>LabSurface</name>
     <message>
         <source>Arrow keys move the hand by 2 millimetres, with Shift by 10. Space starts and stops the servo.</source>
-        <translation type="unfinished"></translation>
+        <translation>화살표 키는 손을 2밀리미터씩, Shift와 함께 누르면 10밀리미터씩 움직입니다. 스페이스바는 서보를 켜고 끕니다.</translation>
     </message>
 </context>
 <context>
     <name>LabelPart</name>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>종류</translation>
     </message>
     <message>
         <source>About whom</source>
-        <translation type="unfinished"></translation>
+        <translation>누구에 대한 녹음인지</translation>
     </message>
     <message>
         <source>About nobody in particular</source>
-        <translation type="unfinished"></translation>
+        <translation>특정한 사람 없음</translation>
     </message>
     <message>
         <source>Who speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>말하는 사람</translation>
     </message>
     <message>
         <source>Speaker not said</source>
-        <translation type="unfinished"></translation>
+        <translation>말하는 사람 지정 안 함</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>언어</translation>
     </message>
 </context>
 <context>
     <name>MendPanel</name>
     <message>
         <source>Mend contours</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽선 고치기</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>저장</translation>
     </message>
     <message>
         <source>Leaving this page saves too. Key: Control+S</source>
-        <translation type="unfinished"></translation>
+        <translation>이 페이지를 떠날 때에도 저장됩니다. Ctrl+S 키</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌리기</translation>
     </message>
     <message>
         <source>Key: Control+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Z 키</translation>
     </message>
     <message>
         <source>Feature</source>
-        <translation type="unfinished"></translation>
+        <translation>부위</translation>
     </message>
     <message>
         <source>In hand</source>
-        <translation type="unfinished"></translation>
+        <translation>선택된 것</translation>
     </message>
     <message>
         <source>%1: not there</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 없음</translation>
     </message>
     <message>
         <source>%1 of the %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%2, %1: %3</translation>
     </message>
     <message>
         <source>Previous point</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 점</translation>
     </message>
     <message>
         <source>Key: Shift+Tab on the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진에서 Shift+탭 키</translation>
     </message>
     <message>
         <source>Next point</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 점</translation>
     </message>
     <message>
         <source>Key: Tab on the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진에서 탭 키</translation>
     </message>
     <message>
         <source>Move left</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽으로 옮기기</translation>
     </message>
     <message>
         <source>Move right</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽으로 옮기기</translation>
     </message>
     <message>
         <source>Move up</source>
-        <translation type="unfinished"></translation>
+        <translation>위로 옮기기</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>아래로 옮기기</translation>
     </message>
     <message>
         <source>By one pixel of the photograph. Arrow keys: with Shift by ten, with Control by a fifth</source>
-        <translation type="unfinished"></translation>
+        <translation>사진의 1픽셀만큼 옮깁니다. 화살표 키: Shift와 함께 누르면 10픽셀, Ctrl과 함께 누르면 5분의 1픽셀</translation>
     </message>
     <message>
         <source>Move the whole feature</source>
-        <translation type="unfinished"></translation>
+        <translation>부위 전체 옮기기</translation>
     </message>
     <message>
         <source>Add a point</source>
-        <translation type="unfinished"></translation>
+        <translation>점 추가</translation>
     </message>
     <message>
         <source>Behind the one in hand. Key: A. Or double-click beside a line</source>
-        <translation type="unfinished"></translation>
+        <translation>선택된 점 뒤에 추가합니다. A 키. 또는 선 옆을 두 번 클릭하세요</translation>
     </message>
     <message>
         <source>Delete the point</source>
-        <translation type="unfinished"></translation>
+        <translation>점 삭제</translation>
     </message>
     <message>
         <source>Key: Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Delete 키</translation>
     </message>
     <message>
         <source>Make it smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>매끄럽게 만들기</translation>
     </message>
     <message>
         <source>Make it a corner</source>
-        <translation type="unfinished"></translation>
+        <translation>모서리로 만들기</translation>
     </message>
     <message>
         <source>Key: C</source>
-        <translation type="unfinished"></translation>
+        <translation>C 키</translation>
     </message>
     <message>
         <source>As it was found</source>
-        <translation type="unfinished"></translation>
+        <translation>처음 찾은 대로</translation>
     </message>
     <message>
         <source>Takes back what was done to this feature alone</source>
-        <translation type="unfinished"></translation>
+        <translation>이 부위에 한 작업만 되돌립니다</translation>
     </message>
     <message>
         <source>Remove the feature</source>
-        <translation type="unfinished"></translation>
+        <translation>부위 없애기</translation>
     </message>
     <message>
         <source>It will not be felt</source>
-        <translation type="unfinished"></translation>
+        <translation>만져지지 않게 됩니다</translation>
     </message>
     <message>
         <source>Add the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 추가</translation>
     </message>
     <message>
         <source>Larger</source>
-        <translation type="unfinished"></translation>
+        <translation>크게</translation>
     </message>
     <message>
         <source>Key: Plus</source>
-        <translation type="unfinished"></translation>
+        <translation>더하기 키</translation>
     </message>
     <message>
         <source>Smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>작게</translation>
     </message>
     <message>
         <source>Key: Minus</source>
-        <translation type="unfinished"></translation>
+        <translation>빼기 키</translation>
     </message>
     <message>
         <source>Whole photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 전체</translation>
     </message>
     <message>
         <source>Key: 0</source>
-        <translation type="unfinished"></translation>
+        <translation>0 키</translation>
     </message>
     <message>
         <source>This feature</source>
-        <translation type="unfinished"></translation>
+        <translation>이 부위</translation>
     </message>
     <message>
         <source>Fits it into view. Key: Z</source>
-        <translation type="unfinished"></translation>
+        <translation>화면에 맞춰 보여 줍니다. Z 키</translation>
     </message>
     <message>
         <source>Show the force</source>
-        <translation type="unfinished"></translation>
+        <translation>힘 보이기</translation>
     </message>
     <message>
         <source>What is felt</source>
-        <translation type="unfinished"></translation>
+        <translation>만져지는 것을 보여 줍니다</translation>
     </message>
     <message>
         <source>Do again</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 실행</translation>
     </message>
     <message>
         <source>Key: Control+Shift+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+Z 키</translation>
     </message>
     <message>
         <source>Add a face</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 추가</translation>
     </message>
     <message>
         <source>One of usual shape, to be put in place</source>
-        <translation type="unfinished"></translation>
+        <translation>보통 모양의 얼굴이며, 자리를 맞춰야 합니다</translation>
     </message>
     <message>
         <source>Discard all changes</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 변경 버리기</translation>
     </message>
     <message>
         <source>The contours as they were opened. Can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>열었을 때의 윤곽선으로 돌아갑니다. 되돌릴 수 있습니다</translation>
     </message>
     <message>
         <source>Keys on the photograph: Tab and Shift+Tab go from point to point; arrows move it by one pixel, with Shift by ten, with Control by a fifth; Page up and Page down change the feature; A adds a point, Delete deletes it, C turns a corner, M moves the whole feature, F shows the force, plus and minus zoom, 0 shows all, Z this feature, W says where one is.</source>
-        <translation type="unfinished"></translation>
+        <translation>사진에서 쓰는 키: 탭과 Shift+탭은 점 사이를 이동합니다. 화살표 키는 점을 1픽셀씩, Shift와 함께 누르면 10픽셀씩, Ctrl과 함께 누르면 5분의 1픽셀씩 옮깁니다. Page Up과 Page Down은 부위를 바꿉니다. A는 점을 추가하고, Delete는 삭제하고, C는 모서리와 매끄러운 점을 서로 바꾸고, M은 부위 전체를 옮기고, F는 힘을 보여 줍니다. 더하기와 빼기는 확대와 축소, 0은 전체, Z는 이 부위, W는 현재 위치입니다.</translation>
     </message>
 </context>
 <context>
     <name>MendSurface</name>
     <message>
         <source>Contours</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽선</translation>
     </message>
     <message>
         <source>Tab goes from point to point. Arrow keys move it by one pixel of the photograph, with Shift by ten, with Control by a fifth. Page up and page down change the feature.</source>
-        <translation type="unfinished"></translation>
+        <translation>탭 키는 점 사이를 이동합니다. 화살표 키는 점을 사진의 1픽셀씩, Shift와 함께 누르면 10픽셀씩, Ctrl과 함께 누르면 5분의 1픽셀씩 옮깁니다. Page Up과 Page Down은 부위를 바꿉니다.</translation>
     </message>
     <message>
         <source>%1 across, %2 down</source>
-        <translation type="unfinished"></translation>
+        <translation>가로 %1, 세로 %2</translation>
     </message>
     <message>
         <source>No photograph yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 사진이 없습니다.</translation>
     </message>
 </context>
 <context>
     <name>MendWords</name>
     <message>
         <source>Corner %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>모서리 점, %2개 중 %1번째</translation>
     </message>
     <message>
         <source>Point %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>점, %2개 중 %1번째</translation>
     </message>
     <message>
         <source>Bend %1 of %2</source>
         <comment>a control point beside the line</comment>
-        <translation type="unfinished"></translation>
+        <translation>굽힘 점, %2개 중 %1번째</translation>
     </message>
     <message>
         <source>%1 across, %2 down</source>
-        <translation type="unfinished"></translation>
+        <translation>가로 %1, 세로 %2</translation>
     </message>
     <message>
         <source>It feels as the program found it.</source>
-        <translation type="unfinished"></translation>
+        <translation>프로그램이 찾은 것과 똑같이 만져집니다.</translation>
     </message>
     <message>
         <source>A finger will not notice the difference to what the program found.</source>
-        <translation type="unfinished"></translation>
+        <translation>프로그램이 찾은 것과의 차이를 손가락으로는 느낄 수 없습니다.</translation>
     </message>
     <message>
         <source>A finger notices the difference to what the program found on %1 % of the surface; there the force differs by up to %2 N.</source>
-        <translation type="unfinished"></translation>
+        <translation>프로그램이 찾은 것과의 차이가 면의 %1 %에서 손가락에 느껴집니다. 그곳에서 힘의 차이는 최대 %2 N입니다.</translation>
     </message>
 </context>
 <context>
     <name>NameField</name>
     <message>
         <source>Type, or choose below</source>
-        <translation type="unfinished"></translation>
+        <translation>입력하거나 아래에서 고르세요</translation>
     </message>
 </context>
 <context>
     <name>NameList</name>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤로</translation>
     </message>
     <message>
         <source>Key: Backspace</source>
-        <translation type="unfinished"></translation>
+        <translation>백스페이스 키</translation>
     </message>
     <message>
         <source>A name, a place or any word</source>
-        <translation type="unfinished"></translation>
+        <translation>이름, 장소 또는 아무 낱말</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished"></translation>
+        <translation>위로</translation>
     </message>
     <message>
         <source>To the row before. Key: up arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>앞의 줄로 갑니다. 위쪽 화살표 키</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished"></translation>
+        <translation>아래로</translation>
     </message>
     <message>
         <source>To the next row. Key: down arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 줄로 갑니다. 아래쪽 화살표 키</translation>
     </message>
     <message>
         <source>Choose</source>
-        <translation type="unfinished"></translation>
+        <translation>선택</translation>
     </message>
     <message>
         <source>The row that was told last. Key: Return</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막으로 읽어 준 줄을 고릅니다. 엔터 키</translation>
     </message>
 </context>
 <context>
     <name>OpenDialog</name>
     <message>
         <source>Open photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 열기</translation>
     </message>
     <message>
         <source>Photographs (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 (%1)</translation>
     </message>
     <message>
         <source>All files (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 파일 (%1)</translation>
     </message>
 </context>
 <context>
     <name>PhotoListPane</name>
     <message>
         <source>Photographs of the album</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범의 사진</translation>
     </message>
     <message>
         <source>Order</source>
-        <translation type="unfinished"></translation>
+        <translation>순서</translation>
     </message>
     <message>
         <source>Newest first</source>
-        <translation type="unfinished"></translation>
+        <translation>최신 사진부터</translation>
     </message>
     <message>
         <source>Looks wrong first</source>
-        <translation type="unfinished"></translation>
+        <translation>잘못되어 보이는 것부터</translation>
     </message>
     <message numerus="yes">
         <source>Looking at faces, %n photograph(s) left…</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>얼굴을 살펴보는 중, 사진 %n장 남음…</numerusform>
         </translation>
     </message>
     <message>
         <source>No photograph is in the album yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범에 아직 사진이 없습니다.</translation>
     </message>
     <message>
         <source>The album has no folder yet. You are asked for one when you import.</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범에 아직 폴더가 없습니다. 사진을 가져올 때 폴더를 묻습니다.</translation>
     </message>
 </context>
 <context>
     <name>PhotoPane</name>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>Left and right arrow: other photographs. Up and down: what is known. Return: recordings.</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽과 오른쪽 화살표 키: 다른 사진. 위쪽과 아래쪽 화살표 키: 사진 정보. 엔터 키: 녹음.</translation>
     </message>
     <message>
         <source>Back to the photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 목록으로</translation>
     </message>
     <message>
         <source>The photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진</translation>
     </message>
     <message>
         <source>Mend the contours…</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽선 고치기…</translation>
     </message>
     <message>
         <source>Print a tactile sheet…</source>
-        <translation type="unfinished"></translation>
+        <translation>촉각 인쇄물 만들기…</translation>
     </message>
     <message>
         <source>Delete the photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 삭제</translation>
     </message>
     <message>
         <source>With everything that is its own. Undo brings it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>사진에 딸린 것도 모두 삭제합니다. 되돌리기로 되살릴 수 있습니다.</translation>
     </message>
     <message>
         <source>Choose a photograph to care for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>관리할 사진을 고르세요.</translation>
     </message>
 </context>
 <context>
     <name>PhotoWords</name>
     <message numerus="yes">
         <source>%n face(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>얼굴 %n개</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n more face(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>다른 얼굴 %n개</numerusform>
         </translation>
     </message>
     <message>
         <source>, </source>
         <comment>between who, when and where</comment>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>%1; no recordings yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; 아직 녹음이 없습니다.</translation>
     </message>
     <message numerus="yes">
         <source>%1; %n recording(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1; 녹음 %n개.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n face(s) without a name.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>이름 없는 얼굴 %n개.</numerusform>
         </translation>
     </message>
     <message>
         <source>Recording %1 of %2: %3, %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음 %2개 중 %1번째: %3, %4.</translation>
     </message>
     <message>
         <source>Place: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>장소: %1.</translation>
     </message>
     <message>
         <source>Place: %1 degrees north, %2 degrees east.</source>
-        <translation type="unfinished"></translation>
+        <translation>장소: 북위 %1도, 동경 %2도.</translation>
     </message>
     <message>
         <source>Taken: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>찍은 때: %1.</translation>
     </message>
     <message>
         <source>Keywords: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>키워드: %1.</translation>
     </message>
     <message>
         <source>, </source>
         <comment>between keywords</comment>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>File: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일: %1.</translation>
     </message>
     <message>
         <source>memo</source>
-        <translation type="unfinished"></translation>
+        <translation>메모</translation>
     </message>
     <message>
         <source>memo by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 메모</translation>
     </message>
     <message>
         <source>about a person</source>
-        <translation type="unfinished"></translation>
+        <translation>사람에 대하여</translation>
     </message>
     <message>
         <source>about a person, by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>사람에 대하여, 말한 사람 %1</translation>
     </message>
     <message>
         <source>about %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 대하여</translation>
     </message>
     <message>
         <source>about %1, by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 대하여, 말한 사람 %2</translation>
     </message>
     <message>
         <source>about the place</source>
-        <translation type="unfinished"></translation>
+        <translation>장소에 대하여</translation>
     </message>
     <message>
         <source>about the place, by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>장소에 대하여, 말한 사람 %1</translation>
     </message>
     <message>
         <source>story</source>
-        <translation type="unfinished"></translation>
+        <translation>이야기</translation>
     </message>
     <message>
         <source>story by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 이야기</translation>
     </message>
     <message>
         <source>sounds around the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>카메라 주변 소리</translation>
     </message>
     <message numerus="yes">
         <source>%n hour(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n시간</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n minute(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n분</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n second(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n초</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 %2</source>
         <comment>the month&apos;s name and the year</comment>
-        <translation type="unfinished"></translation>
+        <translation>%2년 %1</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>a day and a time</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
     <name>PhotosDialog</name>
     <message>
         <source>Import photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 가져오기</translation>
     </message>
     <message>
         <source>Photographs and bundles (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>사진과 묶음 (%1)</translation>
     </message>
     <message>
         <source>All files (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 파일 (%1)</translation>
     </message>
 </context>
 <context>
     <name>PrintPage</name>
     <message>
         <source>Choose the paper and the face, then store the sheet as PDF for a printer or as SVG for a drawing program. Swell paper and embossers raise its black lines and dots.</source>
-        <translation type="unfinished"></translation>
+        <translation>종이와 얼굴을 고른 다음, 인쇄기용 PDF나 그리기 프로그램용 SVG로 인쇄물을 저장하세요. 팽창지나 점자 프린터를 쓰면 검은 선과 점이 도드라집니다.</translation>
     </message>
     <message>
         <source>The sheet, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>인쇄물, %1</translation>
     </message>
     <message>
         <source>No sheet yet</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 인쇄물이 없습니다</translation>
     </message>
     <message>
         <source>No photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 없음</translation>
     </message>
     <message>
         <source>Looking for faces</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴을 찾는 중</translation>
     </message>
     <message>
         <source>Paper</source>
-        <translation type="unfinished"></translation>
+        <translation>종이</translation>
     </message>
     <message>
         <source>Turned by a quarter</source>
-        <translation type="unfinished"></translation>
+        <translation>90도 돌리기</translation>
     </message>
     <message>
         <source>Who</source>
-        <translation type="unfinished"></translation>
+        <translation>누구</translation>
     </message>
     <message>
         <source>Its name in print</source>
-        <translation type="unfinished"></translation>
+        <translation>이름을 글자로도 넣기</translation>
     </message>
     <message>
         <source>Store as PDF</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF로 저장</translation>
     </message>
     <message>
         <source>Store as SVG</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG로 저장</translation>
     </message>
 </context>
 <context>
     <name>RecordingsPart</name>
     <message>
         <source>Recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음</translation>
     </message>
     <message>
         <source>No recording yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 녹음이 없습니다.</translation>
     </message>
     <message>
         <source>Chosen: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>선택됨: %1</translation>
     </message>
     <message>
         <source>Stop playing</source>
-        <translation type="unfinished"></translation>
+        <translation>재생 멈춤</translation>
     </message>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>재생</translation>
     </message>
     <message>
         <source>Play earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>더 먼저 재생</translation>
     </message>
     <message>
         <source>Moves it up in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>목록에서 위로 옮깁니다.</translation>
     </message>
     <message>
         <source>Play later</source>
-        <translation type="unfinished"></translation>
+        <translation>더 나중에 재생</translation>
     </message>
     <message>
         <source>Moves it down in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>목록에서 아래로 옮깁니다.</translation>
     </message>
     <message>
         <source>Record it anew</source>
-        <translation type="unfinished"></translation>
+        <translation>새로 녹음</translation>
     </message>
     <message>
         <source>The old one goes to the trash when the new one is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>새 녹음을 보관하면 이전 녹음은 휴지통으로 갑니다.</translation>
     </message>
     <message>
         <source>Close the label</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음 정보 닫기</translation>
     </message>
     <message>
         <source>Label…</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음 정보…</translation>
     </message>
     <message>
         <source>Kind, person, speaker and language.</source>
-        <translation type="unfinished"></translation>
+        <translation>종류, 대상, 말하는 사람, 언어.</translation>
     </message>
     <message>
         <source>Delete the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음 삭제</translation>
     </message>
     <message>
         <source>Undo brings it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌리기로 되살릴 수 있습니다.</translation>
     </message>
 </context>
 <context>
     <name>SettingsPage</name>
     <message>
         <source>Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. Control Z takes the last change back. Each change is kept at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>탭 키로 설정 사이를 이동하고, 스페이스바나 엔터 키로 설정을 바꾸며, 화살표 키로 슬라이더를 움직입니다. Ctrl Z는 마지막 변경을 되돌립니다. 변경은 바로 저장됩니다.</translation>
     </message>
     <message>
         <source>Speech and sound</source>
-        <translation type="unfinished"></translation>
+        <translation>말과 소리</translation>
     </message>
     <message>
         <source>Who speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>음성 안내</translation>
     </message>
     <message>
         <source>Speed of speech</source>
-        <translation type="unfinished"></translation>
+        <translation>말하는 속도</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>언어</translation>
     </message>
     <message>
         <source>Speed of recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음 재생 속도</translation>
     </message>
     <message>
         <source>%1 times</source>
-        <translation type="unfinished"></translation>
+        <translation>%1배</translation>
     </message>
     <message>
         <source>Sounds for what happens</source>
-        <translation type="unfinished"></translation>
+        <translation>동작을 알리는 소리</translation>
     </message>
     <message>
         <source>What it looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>화면 모양</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>색</translation>
     </message>
     <message>
         <source>Size of text</source>
-        <translation type="unfinished"></translation>
+        <translation>글자 크기</translation>
     </message>
     <message>
         <source>%1 percent</source>
-        <translation type="unfinished"></translation>
+        <translation>%1퍼센트</translation>
     </message>
     <message>
         <source>Pictures may move</source>
-        <translation type="unfinished"></translation>
+        <translation>그림의 움직임 허용</translation>
     </message>
     <message>
         <source>Who uses the tablet most</source>
-        <translation type="unfinished"></translation>
+        <translation>태블릿을 주로 쓰는 사람</translation>
     </message>
     <message>
         <source>What is felt</source>
-        <translation type="unfinished"></translation>
+        <translation>만져지는 것</translation>
     </message>
     <message>
         <source>Strongest force</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 힘</translation>
     </message>
     <message>
         <source>%1 newtons</source>
-        <translation type="unfinished"></translation>
+        <translation>%1뉴턴</translation>
     </message>
     <message>
         <source>Try the force on a face</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴에서 힘을 시험해 보기</translation>
     </message>
     <message>
         <source>What guides the finger where no force does</source>
-        <translation type="unfinished"></translation>
+        <translation>힘이 없는 곳에서 손가락을 이끄는 방법</translation>
     </message>
     <message>
         <source>Brows</source>
-        <translation type="unfinished"></translation>
+        <translation>눈썹</translation>
     </message>
     <message>
         <source>Nose</source>
-        <translation type="unfinished"></translation>
+        <translation>코</translation>
     </message>
     <message>
         <source>Irises</source>
-        <translation type="unfinished"></translation>
+        <translation>홍채</translation>
     </message>
     <message>
         <source>Folders of the album</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범의 폴더</translation>
     </message>
     <message>
         <source>No folder yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 폴더가 없습니다.</translation>
     </message>
     <message>
         <source>Take %1 off the album</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범에서 빼기: %1</translation>
     </message>
     <message>
         <source>The photographs stay where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>사진은 그 자리에 그대로 남습니다</translation>
     </message>
     <message>
         <source>Add a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더 추가</translation>
     </message>
     <message>
         <source>What is stored about me</source>
-        <translation type="unfinished"></translation>
+        <translation>저장된 내 정보</translation>
     </message>
     <message>
         <source>Throw the index away and make it anew</source>
-        <translation type="unfinished"></translation>
+        <translation>색인을 버리고 새로 만들기</translation>
     </message>
     <message>
         <source>All settings</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 설정</translation>
     </message>
     <message>
         <source>Nothing to take back</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌릴 것이 없습니다</translation>
     </message>
     <message>
         <source>Take back: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌리기: %1</translation>
     </message>
     <message>
         <source>Key: Control Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl Z 키</translation>
     </message>
     <message>
         <source>Ask me the five questions again</source>
-        <translation type="unfinished"></translation>
+        <translation>처음의 다섯 가지 질문을 다시 하기</translation>
     </message>
     <message>
         <source>Everything as it was at first</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 처음 상태로</translation>
     </message>
     <message>
         <source>The album&apos;s folders stay; it can be taken back</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범의 폴더는 그대로 남으며, 되돌릴 수 있습니다</translation>
     </message>
 </context>
 <context>
     <name>ShellView</name>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>홈</translation>
     </message>
     <message>
         <source>Key: Escape</source>
-        <translation type="unfinished"></translation>
+        <translation>Escape 키</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>도움말</translation>
     </message>
     <message>
         <source>Says what can be done here. Key: F1</source>
-        <translation type="unfinished"></translation>
+        <translation>여기서 할 수 있는 일을 말해 줍니다. F1 키</translation>
     </message>
     <message>
         <source>Said last</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막에 한 말</translation>
     </message>
 </context>
 <context>
     <name>SidePanel</name>
     <message>
         <source>Explore</source>
-        <translation type="unfinished"></translation>
+        <translation>살펴보기</translation>
     </message>
     <message>
         <source>Under the finger: nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>손가락 아래: 없음</translation>
     </message>
     <message>
         <source>Under the finger: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>손가락 아래: %1</translation>
     </message>
     <message>
         <source>End the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>안내 끝내기</translation>
     </message>
     <message>
         <source>Guided tour</source>
-        <translation type="unfinished"></translation>
+        <translation>부위 안내</translation>
     </message>
     <message>
         <source>Leads the finger once round the feature. Key: Space</source>
-        <translation type="unfinished"></translation>
+        <translation>손가락을 이끌어 부위를 한 바퀴 돕니다. 스페이스바</translation>
     </message>
     <message>
         <source>Tour of the face</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 안내</translation>
     </message>
     <message>
         <source>Leads the finger round every feature, each named before. Key: T</source>
-        <translation type="unfinished"></translation>
+        <translation>부위 이름을 먼저 말하고, 손가락을 이끌어 모든 부위를 차례로 돕니다. T 키</translation>
     </message>
     <message>
         <source>Where am I?</source>
-        <translation type="unfinished"></translation>
+        <translation>여기는 어디인가요?</translation>
     </message>
     <message>
         <source>Tells face, feature, direction and distance. Key: W</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴, 부위, 방향, 거리를 말해 줍니다. W 키</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>멈춤</translation>
     </message>
     <message>
         <source>Force on</source>
-        <translation type="unfinished"></translation>
+        <translation>힘 켜기</translation>
     </message>
     <message>
         <source>Ends tour, speech and force. Key: Escape</source>
-        <translation type="unfinished"></translation>
+        <translation>안내와 말과 힘을 끝냅니다. Escape 키</translation>
     </message>
     <message>
         <source>Key: Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>엔터 키</translation>
     </message>
     <message>
         <source>Zoom in</source>
-        <translation type="unfinished"></translation>
+        <translation>확대</translation>
     </message>
     <message>
         <source>To the face, its eyes, its mouth, and back. Key: Z</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴, 눈, 입을 차례로 확대하고 다시 돌아옵니다. Z 키</translation>
     </message>
     <message>
         <source>Zoom out</source>
-        <translation type="unfinished"></translation>
+        <translation>축소</translation>
     </message>
     <message>
         <source>Key: Shift and Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift와 Z 키</translation>
     </message>
     <message>
         <source>Next feature</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 부위</translation>
     </message>
     <message>
         <source>Sets the finger down on it. Key: Tab</source>
-        <translation type="unfinished"></translation>
+        <translation>그 위에 손가락을 놓습니다. 탭 키</translation>
     </message>
     <message>
         <source>Next face</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 얼굴</translation>
     </message>
     <message>
         <source>Fits one face after the other into the surface. Key: F</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴을 하나씩 차례로 터치 영역에 맞춥니다. F 키</translation>
     </message>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>길잡이</translation>
     </message>
     <message>
         <source>Strongest force</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 힘</translation>
     </message>
     <message>
         <source>%1 newtons</source>
-        <translation type="unfinished"></translation>
+        <translation>%1뉴턴</translation>
     </message>
     <message>
         <source>Voice</source>
-        <translation type="unfinished"></translation>
+        <translation>음성</translation>
     </message>
     <message>
         <source>Open photograph…</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 열기…</translation>
     </message>
     <message>
         <source>Key: O</source>
-        <translation type="unfinished"></translation>
+        <translation>O 키</translation>
     </message>
 </context>
 <context>
     <name>SoundsDialog</name>
     <message>
         <source>Add sound files</source>
-        <translation type="unfinished"></translation>
+        <translation>소리 파일 추가</translation>
     </message>
     <message>
         <source>Sounds (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>소리 (%1)</translation>
     </message>
     <message>
         <source>All files (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 파일 (%1)</translation>
     </message>
 </context>
 <context>
     <name>StartPage</name>
     <message>
         <source>Press the number of an answer, or the answer itself. 0 or Backspace: the question before. R: hear the question again.</source>
-        <translation type="unfinished"></translation>
+        <translation>답의 번호를 누르거나 답을 직접 누르세요. 0이나 백스페이스: 앞의 질문. R: 질문 다시 듣기.</translation>
     </message>
     <message>
         <source>Press the number of what you want to do, or go through the buttons by Tab. R: hear this page again.</source>
-        <translation type="unfinished"></translation>
+        <translation>하고 싶은 일의 번호를 누르거나, 탭 키로 버튼 사이를 이동하세요. R: 이 페이지 다시 듣기.</translation>
     </message>
     <message>
         <source>Question %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>질문 %2개 중 %1번째</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Hear it again</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 듣기</translation>
     </message>
     <message>
         <source>Key: R</source>
-        <translation type="unfinished"></translation>
+        <translation>R 키</translation>
     </message>
     <message>
         <source>Question before</source>
-        <translation type="unfinished"></translation>
+        <translation>앞의 질문</translation>
     </message>
     <message>
         <source>Key: 0</source>
-        <translation type="unfinished"></translation>
+        <translation>0 키</translation>
     </message>
 </context>
 <context>
     <name>SurfaceView</name>
     <message>
         <source>Touch surface</source>
-        <translation type="unfinished"></translation>
+        <translation>터치 영역</translation>
     </message>
     <message>
         <source>Move a finger to hear what is under it. Arrow keys move the hand, Tab goes from feature to feature, Space starts the guided tour, Z zooms in.</source>
-        <translation type="unfinished"></translation>
+        <translation>손가락을 움직이면 그 아래에 무엇이 있는지 들립니다. 화살표 키는 손을 움직이고, 탭 키는 다음 부위로 가고, 스페이스바는 안내를 시작하고, Z는 확대합니다.</translation>
     </message>
     <message>
         <source>No photograph yet. Press O, or drop one here.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 사진이 없습니다. O를 누르거나 여기에 사진을 끌어다 놓으세요.</translation>
     </message>
 </context>
 <context>
     <name>TactileNotes</name>
     <message numerus="yes">
         <source>%n character(s) of the name %1 have no braille and are left out.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>이름 %1: 점자로 쓸 수 없는 글자 %n개를 뺐습니다.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>The name %1 is cut after %n line(s) of braille.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>이름 %1: 점자 %n줄까지만 넣고 나머지는 잘랐습니다.</numerusform>
         </translation>
     </message>
     <message>
         <source>The %1 is drawn as one line, because its two sides would be too close to be told apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 양쪽 선이 너무 가까워 구별할 수 없으므로 한 줄로 그렸습니다.</translation>
     </message>
     <message>
         <source>The %1 is drawn in part, because the rest would be less than 3 mm from another line.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 나머지가 다른 선과 3 mm보다 가까워지므로 일부만 그렸습니다.</translation>
     </message>
     <message>
         <source>The %1 is left out, because it would be too small or less than 3 mm from another line.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 너무 작거나 다른 선과 3 mm보다 가까워지므로 뺐습니다.</translation>
     </message>
     <message>
         <source>The name %1 is left out, because there is no room for its braille.</source>
-        <translation type="unfinished"></translation>
+        <translation>이름 %1: 점자를 넣을 자리가 없어 뺐습니다.</translation>
     </message>
 </context>
 <context>
     <name>TakePart</name>
     <message>
         <source>What to record</source>
-        <translation type="unfinished"></translation>
+        <translation>무엇을 녹음할지</translation>
     </message>
     <message>
         <source>Finish the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음 마치기</translation>
     </message>
     <message>
         <source>Record</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>계속</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>일시 정지</translation>
     </message>
     <message>
         <source>Throw away…</source>
-        <translation type="unfinished"></translation>
+        <translation>버리기…</translation>
     </message>
     <message>
         <source>Keep it</source>
-        <translation type="unfinished"></translation>
+        <translation>보관하기</translation>
     </message>
     <message>
         <source>Yes, throw it away</source>
-        <translation type="unfinished"></translation>
+        <translation>예, 버립니다</translation>
     </message>
     <message>
         <source>Add a sound file…</source>
-        <translation type="unfinished"></translation>
+        <translation>소리 파일 추가…</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>Loudness</source>
-        <translation type="unfinished"></translation>
+        <translation>소리 크기</translation>
     </message>
 </context>
 <context>
     <name>TpButton</name>
     <message>
         <source>%1, not available</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 사용할 수 없음</translation>
     </message>
 </context>
 <context>
     <name>TpChoice</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
     <name>TpListRow</name>
     <message>
         <source>%1, %2 of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %3개 중 %2번째</translation>
     </message>
 </context>
 <context>
     <name>TrimPart</name>
     <message>
         <source>Begin of what stays</source>
-        <translation type="unfinished"></translation>
+        <translation>남길 부분의 시작</translation>
     </message>
     <message>
         <source>End of what stays</source>
-        <translation type="unfinished"></translation>
+        <translation>남길 부분의 끝</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>멈춤</translation>
     </message>
     <message>
         <source>Listen to what stays</source>
-        <translation type="unfinished"></translation>
+        <translation>남길 부분 듣기</translation>
     </message>
     <message>
         <source>Trim to what stays</source>
-        <translation type="unfinished"></translation>
+        <translation>남길 부분만 두고 자르기</translation>
     </message>
     <message>
         <source>The rest can be brought back with Undo.</source>
-        <translation type="unfinished"></translation>
+        <translation>잘라낸 부분은 되돌리기로 되살릴 수 있습니다.</translation>
     </message>
     <message>
         <source>Keep all of it</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 남기기</translation>
     </message>
 </context>
 <context>
     <name>UndoBar</name>
     <message>
         <source>Undo: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌리기: %1</translation>
     </message>
     <message>
         <source>Key: Control Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl Z 키</translation>
     </message>
     <message>
         <source>Do again: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 실행: %1</translation>
     </message>
     <message>
         <source>Key: Control Shift Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl Shift Z 키</translation>
     </message>
 </context>
 <context>
     <name>WordsPane</name>
     <message>
         <source>Photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진</translation>
     </message>
     <message>
         <source>Detail</source>
-        <translation type="unfinished"></translation>
+        <translation>정보</translation>
     </message>
 </context>
 <context>
     <name>tp::BrowseSession</name>
     <message>
         <source>People</source>
-        <translation type="unfinished"></translation>
+        <translation>사람</translation>
     </message>
     <message>
         <source>Years</source>
-        <translation type="unfinished"></translation>
+        <translation>연도</translation>
     </message>
     <message>
         <source>Places</source>
-        <translation type="unfinished"></translation>
+        <translation>장소</translation>
     </message>
     <message>
         <source>Keywords</source>
-        <translation type="unfinished"></translation>
+        <translation>키워드</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>검색</translation>
     </message>
     <message>
         <source>There is no photograph of that any more.</source>
-        <translation type="unfinished"></translation>
+        <translation>그에 해당하는 사진이 더는 없습니다.</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
         <comment>list, place in it, summary</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: %3</translation>
     </message>
     <message>
         <source>These are all photographs; there is no list above them.</source>
-        <translation type="unfinished"></translation>
+        <translation>이것이 모든 사진이며, 상위 목록은 없습니다.</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>사진 %n장</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n year(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>연도 %n개</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n person(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n명</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n place(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>장소 %n곳</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n keyword(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>키워드 %n개</numerusform>
         </translation>
     </message>
     <message>
         <source>The first %1</source>
         <comment>of a long list</comment>
-        <translation type="unfinished"></translation>
+        <translation>처음 %1개</translation>
     </message>
     <message>
         <source>Show more</source>
-        <translation type="unfinished"></translation>
+        <translation>더 보기</translation>
     </message>
     <message>
         <source>person, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>사람, %1</translation>
     </message>
     <message>
         <source>place, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>장소, %1</translation>
     </message>
     <message>
         <source>keyword, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>키워드, %1</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s) or more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>사진 %n장 이상</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>two counts</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
         <source>%n suggestion(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>제안 %n개</numerusform>
         </translation>
     </message>
     <message>
         <source>%1.</source>
         <comment>what was found</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>Search. Type a name, a place or a word; the arrow keys go through what is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>검색. 이름, 장소 또는 낱말을 입력하세요. 화살표 키로 찾은 것 사이를 이동합니다.</translation>
     </message>
     <message>
         <source>Search for %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>검색어 %1: %2.</translation>
     </message>
     <message>
         <source>%1: there are none yet.</source>
         <comment>a list</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: 아직 없습니다.</translation>
     </message>
     <message>
         <source>%1: %2. Choose one with the arrow keys and Return.</source>
         <comment>a list, how many</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2. 화살표 키로 고르고 엔터 키를 누르세요.</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>a row and what belongs to it</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Found: %1</source>
         <comment>a search</comment>
-        <translation type="unfinished"></translation>
+        <translation>검색 결과: %1</translation>
     </message>
     <message>
         <source>All photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 사진</translation>
     </message>
     <message>
         <source>%1 is gone from this list. Now: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 이 목록에서 사라졌습니다. 현재: %2</translation>
     </message>
     <message>
         <source>There is no album yet. Choose the folders of your photographs on the settings page, or import photographs.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 앨범이 없습니다. 설정 페이지에서 사진 폴더를 고르거나 사진을 가져오세요.</translation>
     </message>
     <message>
         <source>Looking for photographs in your folders.</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더에서 사진을 찾는 중입니다.</translation>
     </message>
     <message>
         <source>There is no photograph in your folders yet. Import some, or choose other folders on the settings page.</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더에 아직 사진이 없습니다. 사진을 가져오거나, 설정 페이지에서 다른 폴더를 고르세요.</translation>
     </message>
     <message>
         <source>Looking for what is new in your folders</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더에서 새로운 것을 찾는 중</translation>
     </message>
     <message>
         <source>Reading new photographs, %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>새 사진을 읽는 중, %2장 중 %1장</translation>
     </message>
     <message>
         <source>%1, about %2 left</source>
         <comment>progress, and a time</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, 약 %2 남음</translation>
     </message>
     <message>
         <source>%1 of %2</source>
         <comment>a place in a list</comment>
-        <translation type="unfinished"></translation>
+        <translation>%2개 중 %1번째</translation>
     </message>
     <message>
         <source>Swipe or use the arrow keys to go on; double tap or press Return to hear.</source>
-        <translation type="unfinished"></translation>
+        <translation>화면을 쓸거나 화살표 키를 눌러 이동하고, 두 번 두드리거나 엔터 키를 눌러 들으세요.</translation>
     </message>
     <message>
         <source>Swipe or use the arrow keys to go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>화면을 쓸거나 화살표 키를 눌러 이동하세요.</translation>
     </message>
     <message>
         <source>Your photographs, %1: %2 %3</source>
         <comment>place, summary, what can be done</comment>
-        <translation type="unfinished"></translation>
+        <translation>내 사진, %1: %2 %3</translation>
     </message>
     <message>
         <source>This is the last photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 사진입니다.</translation>
     </message>
     <message>
         <source>This is the first photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 번째 사진입니다.</translation>
     </message>
     <message>
         <source>%1 Paused: %2, at %3.</source>
         <comment>where one is; the recording and the time in it</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 일시 정지됨: %2, 위치 %3.</translation>
     </message>
     <message>
         <source>This photograph has no recordings yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 사진에는 아직 녹음이 없습니다.</translation>
     </message>
     <message>
         <source>%1, %2 of %3</source>
         <comment>a recording, and times in it</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, %3 중 %2</translation>
     </message>
     <message>
         <source>Speed %1</source>
         <comment>of recordings</comment>
-        <translation type="unfinished"></translation>
+        <translation>속도 %1배</translation>
     </message>
     <message>
         <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys.</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽과 오른쪽 화살표 키: 이전 사진과 다음 사진. 위쪽과 아래쪽 화살표 키: 사진 정보. 엔터 키: 녹음 듣기 또는 일시 정지. Escape 키: 멈춤. 더하기와 빼기: 빠르게와 느리게. Home과 End: 첫 사진과 마지막 사진. S: 검색. P: 사람. Y: 연도. L: 장소. K: 키워드. R: 아무 사진이나 듣기. A: 모든 사진. 백스페이스: 뒤로. E: 얼굴 만져 보기. C: 이 사진 관리. W: 현재 위치. H: 키 목록.</translation>
     </message>
     <message>
         <source>Go to a row first.</source>
-        <translation type="unfinished"></translation>
+        <translation>먼저 목록의 줄로 이동하세요.</translation>
     </message>
 </context>
 <context>
     <name>tp::CareSession</name>
     <message>
         <source>Care for the album. It has no folder yet. Import photographs, and choose where they are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범 관리. 아직 폴더가 없습니다. 사진을 가져오고, 사진을 둘 곳을 고르세요.</translation>
     </message>
     <message>
         <source>Care for the album. %1 is open: its faces, recordings and description.</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범 관리. %1 사진이 열려 있습니다. 얼굴, 녹음, 설명을 다룰 수 있습니다.</translation>
     </message>
     <message>
         <source>Care for the album. %1 Choose one, or import more.</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범 관리. %1 사진을 하나 고르거나 더 가져오세요.</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>사진 %n장.</numerusform>
         </translation>
     </message>
     <message>
         <source>Deleted: %1. Undo brings it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>삭제했습니다: %1. 되돌리기로 되살릴 수 있습니다.</translation>
     </message>
     <message>
         <source>Undone: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌렸습니다: %1.</translation>
     </message>
     <message>
         <source>Done again: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 실행했습니다: %1.</translation>
     </message>
 </context>
 <context>
     <name>tp::DescriptionCare</name>
     <message>
         <source>The description is saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>설명이 저장되었습니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::ExploreSession</name>
     <message>
         <source>Tour ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>안내가 끝났습니다.</translation>
     </message>
     <message numerus="yes">
         <source>%1 o&apos;clock, %n millimetre(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1시 방향, %n밀리미터</numerusform>
         </translation>
     </message>
     <message>
         <source>the face</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴</translation>
     </message>
     <message>
         <source>face %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1번 얼굴</translation>
     </message>
     <message>
         <source>There is no photograph yet. Press O, or the button Open photograph, to choose one.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 사진이 없습니다. O를 누르거나 사진 열기 버튼을 눌러 사진을 고르세요.</translation>
     </message>
     <message>
         <source>Looking for faces…</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴을 찾는 중…</translation>
     </message>
     <message>
         <source>Explore. %1 Move a finger over the picture; W tells where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>살펴보기. %1 사진 위에서 손가락을 움직이세요. W를 누르면 손가락의 위치를 말해 줍니다.</translation>
     </message>
     <message>
         <source>Explore. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>살펴보기. %1</translation>
     </message>
     <message>
         <source>Only a photograph that is a file on this computer can be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 컴퓨터에 파일로 있는 사진만 열 수 있습니다.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>face</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴</translation>
     </message>
     <message>
         <source>Zoomed out to the whole face.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 전체가 보이도록 축소했습니다.</translation>
     </message>
     <message numerus="yes">
         <source>Zoomed out to all %n face(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>얼굴 %n개가 모두 보이도록 축소했습니다.</numerusform>
         </translation>
     </message>
     <message>
         <source>Zoomed to the eyes of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 눈을 확대했습니다.</translation>
     </message>
     <message>
         <source>Zoomed to the eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>눈을 확대했습니다.</translation>
     </message>
     <message>
         <source>Zoomed to the left eye of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 왼쪽 눈을 확대했습니다.</translation>
     </message>
     <message>
         <source>Zoomed to the left eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 눈을 확대했습니다.</translation>
     </message>
     <message>
         <source>Zoomed to the right eye of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 오른쪽 눈을 확대했습니다.</translation>
     </message>
     <message>
         <source>Zoomed to the right eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 눈을 확대했습니다.</translation>
     </message>
     <message>
         <source>Zoomed to the mouth of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 입을 확대했습니다.</translation>
     </message>
     <message>
         <source>Zoomed to the mouth.</source>
-        <translation type="unfinished"></translation>
+        <translation>입을 확대했습니다.</translation>
     </message>
     <message>
         <source>Zoomed to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 맞춰 확대했습니다.</translation>
     </message>
     <message>
         <source>This part is too small in the picture to zoom to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 부분은 사진에서 너무 작아 확대할 수 없습니다.</translation>
     </message>
     <message>
         <source>This is the whole picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 전체가 보입니다.</translation>
     </message>
     <message>
         <source>There is nothing nearer to zoom to here.</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 더 확대할 것이 없습니다.</translation>
     </message>
     <message>
         <source>The force is off. Press Enter to switch it on.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
     </message>
     <message>
         <source>Tour round the %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 둘레를 안내합니다.</translation>
     </message>
     <message numerus="yes">
         <source>Tour of %1: %n feature(s). %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 안내, 부위 %n개. %2.</numerusform>
         </translation>
     </message>
     <message>
         <source>Tour finished.</source>
-        <translation type="unfinished"></translation>
+        <translation>안내를 마쳤습니다.</translation>
     </message>
     <message>
         <source>%1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>Stopped looking. Press O to open a photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>찾기를 멈췄습니다. O를 눌러 사진을 여세요.</translation>
     </message>
     <message>
         <source>Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.</source>
-        <translation type="unfinished"></translation>
+        <translation>찾기를 멈췄습니다. %1 사진이 다시 열렸습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
     </message>
     <message>
         <source>Stopped looking. %1 is open again.</source>
-        <translation type="unfinished"></translation>
+        <translation>찾기를 멈췄습니다. %1 사진이 다시 열렸습니다.</translation>
     </message>
     <message>
         <source>Stopped. The force is off. Press Enter to switch it on.</source>
-        <translation type="unfinished"></translation>
+        <translation>멈췄습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
     </message>
     <message>
         <source>The force is on.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘이 켜졌습니다.</translation>
     </message>
     <message>
         <source>There is nothing to feel here.</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에는 만질 것이 없습니다.</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
     <message>
         <source>Sonar</source>
-        <translation type="unfinished"></translation>
+        <translation>소나</translation>
     </message>
     <message>
         <source>Clock voice</source>
-        <translation type="unfinished"></translation>
+        <translation>몇 시 방향인지 말하기</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>둘 다</translation>
     </message>
     <message>
         <source>Guide: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>길잡이: %1.</translation>
     </message>
 </context>
 <context>
     <name>tp::ExploreWindow</name>
     <message>
         <source>%1 – TouchPhoto</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – TouchPhoto</translation>
     </message>
 </context>
 <context>
     <name>tp::ExtractionWords</name>
     <message>
         <source>One face.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 하나.</translation>
     </message>
     <message>
         <source>Two faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 둘.</translation>
     </message>
     <message>
         <source>Three faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 셋.</translation>
     </message>
     <message>
         <source>Four faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 넷.</translation>
     </message>
     <message numerus="yes">
         <source>%n face(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>얼굴 %n개.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 and %2</source>
         <comment>the end of a list</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 및 %2</translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished"></translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>eyes</source>
-        <translation type="unfinished"></translation>
+        <translation>눈</translation>
     </message>
     <message>
         <source>mouth</source>
-        <translation type="unfinished"></translation>
+        <translation>입</translation>
     </message>
     <message>
         <source>outline</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 윤곽</translation>
     </message>
     <message>
         <source>brows</source>
-        <translation type="unfinished"></translation>
+        <translation>눈썹</translation>
     </message>
     <message>
         <source>nose</source>
-        <translation type="unfinished"></translation>
+        <translation>코</translation>
     </message>
     <message>
         <source>irises</source>
-        <translation type="unfinished"></translation>
+        <translation>홍채</translation>
     </message>
     <message>
         <source>%1.</source>
         <comment>who is on the picture</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>%1 can be felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>만질 수 있는 곳: %1.</translation>
     </message>
     <message>
         <source>%1 of each can be felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>각각 만질 수 있는 곳: %1.</translation>
     </message>
 </context>
 <context>
     <name>tp::FaceCare</name>
     <message>
         <source>Face without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>이름 없는 얼굴</translation>
     </message>
     <message>
         <source>Looking for faces…</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴을 찾는 중…</translation>
     </message>
     <message>
         <source>No face was found on this photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 사진에서 얼굴을 찾지 못했습니다.</translation>
     </message>
     <message numerus="yes">
         <source>%n face(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>얼굴 %n개</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, all with a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, 모두 이름이 있습니다.</translation>
     </message>
     <message>
         <source>%1, %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2.</translation>
     </message>
     <message numerus="yes">
         <source>%n without a name</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>이름 없는 얼굴 %n개</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, %2 of %3. Type a name or choose one below.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %3개 중 %2번째. 이름을 입력하거나 아래에서 고르세요.</translation>
     </message>
     <message>
         <source>This face has no name now.</source>
-        <translation type="unfinished"></translation>
+        <translation>이제 이 얼굴에는 이름이 없습니다.</translation>
     </message>
     <message>
         <source>Saved: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>저장했습니다: %1.</translation>
     </message>
     <message>
         <source>%1 Who is the next face?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 다음 얼굴은 누구인가요?</translation>
     </message>
 </context>
 <context>
     <name>tp::FeatureLabels</name>
     <message>
         <source>left eye</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 눈</translation>
     </message>
     <message>
         <source>right eye</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 눈</translation>
     </message>
     <message>
         <source>lips</source>
-        <translation type="unfinished"></translation>
+        <translation>입술</translation>
     </message>
     <message>
         <source>mouth opening</source>
-        <translation type="unfinished"></translation>
+        <translation>입 벌어진 곳</translation>
     </message>
     <message>
         <source>face outline</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 윤곽</translation>
     </message>
     <message>
         <source>left brow</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 눈썹</translation>
     </message>
     <message>
         <source>right brow</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 눈썹</translation>
     </message>
     <message>
         <source>nose</source>
-        <translation type="unfinished"></translation>
+        <translation>코</translation>
     </message>
     <message>
         <source>left iris</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 홍채</translation>
     </message>
     <message>
         <source>right iris</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 홍채</translation>
     </message>
     <message>
         <source>%1 of %2</source>
         <comment>left eye of Anna</comment>
-        <translation type="unfinished"></translation>
+        <translation>%2의 %1</translation>
     </message>
     <message>
         <source>%1 of face %2</source>
         <comment>left eye of face 2</comment>
-        <translation type="unfinished"></translation>
+        <translation>%2번 얼굴의 %1</translation>
     </message>
 </context>
 <context>
     <name>tp::FolderChooser</name>
     <message>
         <source>no photographs in this folder itself</source>
-        <translation type="unfinished"></translation>
+        <translation>이 폴더 안에 바로 있는 사진은 없음</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s) in this folder itself</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>이 폴더 안에 바로 있는 사진 %n장</numerusform>
         </translation>
     </message>
     <message>
         <source>The folder %1 cannot be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더를 읽을 수 없습니다: %1.</translation>
     </message>
     <message>
         <source>the whole computer</source>
-        <translation type="unfinished"></translation>
+        <translation>컴퓨터 전체</translation>
     </message>
     <message>
         <source>no folders below it</source>
-        <translation type="unfinished"></translation>
+        <translation>하위 폴더 없음</translation>
     </message>
     <message numerus="yes">
         <source>%n folder(s) below it</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>하위 폴더 %n개</numerusform>
         </translation>
     </message>
     <message>
         <source>Folder %1: %2, %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더 %1: %2, %3.</translation>
     </message>
 </context>
 <context>
     <name>tp::ImportCare</name>
     <message>
         <source>Looking for photographs…</source>
-        <translation type="unfinished"></translation>
+        <translation>사진을 찾는 중…</translation>
     </message>
     <message>
         <source>An import is under way. Wait for its end, or stop it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>이미 가져오는 중입니다. 끝날 때까지 기다리거나 먼저 중단하세요.</translation>
     </message>
     <message>
         <source>Only photographs and folders on this computer can be imported.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 컴퓨터에 있는 사진과 폴더만 가져올 수 있습니다.</translation>
     </message>
     <message>
         <source>Choose the folder in which the album is to lie. The photographs are copied into it.</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범을 둘 폴더를 고르세요. 사진이 그 폴더로 복사됩니다.</translation>
     </message>
     <message>
         <source>Importing…</source>
-        <translation type="unfinished"></translation>
+        <translation>가져오는 중…</translation>
     </message>
     <message>
         <source>The album needs a folder on this computer.</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범에는 이 컴퓨터에 있는 폴더가 필요합니다.</translation>
     </message>
     <message>
         <source>The album has the folder %1 now.</source>
-        <translation type="unfinished"></translation>
+        <translation>이제 앨범의 폴더는 다음과 같습니다: %1.</translation>
     </message>
     <message>
         <source>Stopping after this photograph.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 사진까지만 가져오고 멈춥니다.</translation>
     </message>
     <message>
         <source>The import goes on.</source>
-        <translation type="unfinished"></translation>
+        <translation>가져오기를 계속합니다.</translation>
     </message>
     <message>
         <source>The import is not gone on with. What it brought stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>가져오기를 그만둡니다. 이미 가져온 사진은 남습니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::KeeperSteps</name>
     <message>
         <source>There is nothing to undo.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌릴 것이 없습니다.</translation>
     </message>
     <message>
         <source>There is nothing to do again.</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 실행할 것이 없습니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::LabSession</name>
     <message>
         <source>Nothing runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>실행 중인 것이 없습니다.</translation>
     </message>
     <message>
         <source>The lab. A finger on a simulated device, a force field, and everything that can be turned. Space on the surface starts the servo, Escape stops it.</source>
-        <translation type="unfinished"></translation>
+        <translation>실험실. 모의 장치 위의 손가락과 힘의 장을 다루며, 모든 값을 바꿀 수 있습니다. 터치 영역에서 스페이스바는 서보를 켜고, Escape 키는 멈춥니다.</translation>
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>멈췄습니다.</translation>
     </message>
     <message>
         <source>Photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진</translation>
     </message>
     <message>
         <source>Photograph %1</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 %1</translation>
     </message>
     <message>
         <source>Circle, radius 40 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>원, 반지름 40 mm</translation>
     </message>
     <message>
         <source>Triangle, 50 mm high</source>
-        <translation type="unfinished"></translation>
+        <translation>삼각형, 높이 50 mm</translation>
     </message>
     <message>
         <source>Curved path, 200 mm wide</source>
-        <translation type="unfinished"></translation>
+        <translation>굽은 길, 너비 200 mm</translation>
     </message>
     <message>
         <source>Only a photograph that is a file on this computer can be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 컴퓨터에 파일로 있는 사진만 열 수 있습니다.</translation>
     </message>
     <message>
         <source>There is no photograph yet. Open one, or drop one on the page.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 사진이 없습니다. 사진을 열거나 페이지에 끌어다 놓으세요.</translation>
     </message>
     <message>
         <source>Looking for faces in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴을 찾는 중입니다: %1.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n line(s) can be felt.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: 만질 수 있는 선 %n개.</numerusform>
         </translation>
     </message>
     <message>
         <source>Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘의 장, %1: 색과 화살표는 0부터 %2뉴턴까지입니다. 자의 길이는 20 mm입니다.</translation>
     </message>
     <message>
         <source>Exact</source>
-        <translation type="unfinished"></translation>
+        <translation>정확한 법칙</translation>
     </message>
     <message>
         <source>Published Algorithm 1</source>
-        <translation type="unfinished"></translation>
+        <translation>논문의 알고리즘 1</translation>
     </message>
     <message>
         <source>Nothing can be changed during a recording. Escape ends it.</source>
-        <translation type="unfinished"></translation>
+        <translation>기록하는 동안에는 아무것도 바꿀 수 없습니다. Escape 키로 기록을 끝냅니다.</translation>
     </message>
     <message>
         <source>Nothing can be changed during a replay. Escape ends it.</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 재생하는 동안에는 아무것도 바꿀 수 없습니다. Escape 키로 재생을 끝냅니다.</translation>
     </message>
     <message>
         <source>the law</source>
-        <translation type="unfinished"></translation>
+        <translation>유도 법칙</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2.</translation>
     </message>
     <message>
         <source>%1: on.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 켜짐.</translation>
     </message>
     <message>
         <source>%1: off.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 꺼짐.</translation>
     </message>
     <message>
         <source>%1 newtons per millimetre</source>
-        <translation type="unfinished"></translation>
+        <translation>밀리미터당 %1뉴턴</translation>
     </message>
     <message>
         <source>%1 newtons</source>
-        <translation type="unfinished"></translation>
+        <translation>%1뉴턴</translation>
     </message>
     <message>
         <source>%1 newton seconds per metre</source>
-        <translation type="unfinished"></translation>
+        <translation>미터당 %1뉴턴초</translation>
     </message>
     <message>
         <source>%1 grams</source>
-        <translation type="unfinished"></translation>
+        <translation>%1그램</translation>
     </message>
     <message numerus="yes">
         <source>%n tick(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n틱</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 percent</source>
-        <translation type="unfinished"></translation>
+        <translation>%1퍼센트</translation>
     </message>
     <message>
         <source>%1 of critical damping</source>
-        <translation type="unfinished"></translation>
+        <translation>임계 감쇠의 %1배</translation>
     </message>
     <message>
         <source>%1 millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>%1밀리미터</translation>
     </message>
     <message>
         <source>the reset</source>
-        <translation type="unfinished"></translation>
+        <translation>처음 상태로 돌리기</translation>
     </message>
     <message>
         <source>Law, servo, device and faults are as they were at first.</source>
-        <translation type="unfinished"></translation>
+        <translation>유도 법칙, 서보, 장치, 고장이 처음 상태로 돌아갔습니다.</translation>
     </message>
     <message>
         <source>There is nothing to take back.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌릴 것이 없습니다.</translation>
     </message>
     <message>
         <source>Taken back: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌렸습니다: %1.</translation>
     </message>
     <message>
         <source>Simulated: the mouse or a finger on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>모의 장치: 마우스나 화면 위의 손가락</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Opening %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>여는 중: %1.</translation>
     </message>
     <message>
         <source>Recording on %1. Escape ends it.</source>
-        <translation type="unfinished"></translation>
+        <translation>기록하는 중: %1. Escape 키로 끝냅니다.</translation>
     </message>
     <message>
         <source>The servo runs on %1. Escape stops it.</source>
-        <translation type="unfinished"></translation>
+        <translation>서보 실행 중: %1. Escape 키로 멈춥니다.</translation>
     </message>
     <message>
         <source>Only a simulated device that runs can be made to hang.</source>
-        <translation type="unfinished"></translation>
+        <translation>실행 중인 모의 장치만 멈추게 할 수 있습니다.</translation>
     </message>
     <message>
         <source>The device hangs for 200 milliseconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>장치가 200밀리초 동안 응답을 멈춥니다.</translation>
     </message>
     <message>
         <source>%1, %2 of the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>중심에서 %1, %2</translation>
     </message>
     <message>
         <source>%1 mm left</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽으로 %1 mm</translation>
     </message>
     <message>
         <source>%1 mm right</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽으로 %1 mm</translation>
     </message>
     <message>
         <source>%1 mm below</source>
-        <translation type="unfinished"></translation>
+        <translation>아래로 %1 mm</translation>
     </message>
     <message>
         <source>%1 mm above</source>
-        <translation type="unfinished"></translation>
+        <translation>위로 %1 mm</translation>
     </message>
     <message>
         <source>The finger is %1. </source>
-        <translation type="unfinished"></translation>
+        <translation>손가락 위치: %1. </translation>
     </message>
     <message>
         <source>No line pulls there.</source>
-        <translation type="unfinished"></translation>
+        <translation>그곳에서는 당기는 선이 없습니다.</translation>
     </message>
     <message>
         <source>%1 mm from %2; the law pulls with %3 newtons.</source>
-        <translation type="unfinished"></translation>
+        <translation>가까운 선 %2, 거리 %1 mm. 유도 법칙이 %3뉴턴으로 당깁니다.</translation>
     </message>
     <message>
         <source>The replay has ended. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 재생이 끝났습니다. %1</translation>
     </message>
     <message>
         <source>Position: nothing measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>위치: 아직 측정값이 없습니다.</translation>
     </message>
     <message>
         <source>Force |F|: nothing measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘 |F|: 아직 측정값이 없습니다.</translation>
     </message>
     <message>
         <source>Energy: nothing measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>에너지: 아직 측정값이 없습니다.</translation>
     </message>
     <message>
         <source>Lateness: nothing measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>늦어짐: 아직 측정값이 없습니다.</translation>
     </message>
     <message>
         <source>Position now x %1, y %2 mm; x from %3 to %4, y from %5 to %6.</source>
-        <translation type="unfinished"></translation>
+        <translation>현재 위치 x %1, y %2 mm. x의 범위 %3부터 %4, y의 범위 %5부터 %6.</translation>
     </message>
     <message>
         <source>Force |F| now %1 newtons, at most %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>현재 힘 |F| %1뉴턴, 최대 %2.</translation>
     </message>
     <message>
         <source>Energy given to the hand now %1 millijoules, from %2 to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>손에 전달된 에너지, 현재 %1밀리줄, 범위 %2부터 %3.</translation>
     </message>
     <message>
         <source>Ticks late by now %1 milliseconds, at most %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>틱의 늦어짐, 현재 %1밀리초, 최대 %2.</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더 %1: 만들 수 없습니다. %2</translation>
     </message>
     <message>
         <source>The recording cannot be begun: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>기록을 시작할 수 없습니다: %1</translation>
     </message>
     <message>
         <source>The recording is not whole, because the disk is full or this computer was too busy.</source>
-        <translation type="unfinished"></translation>
+        <translation>디스크가 가득 찼거나 컴퓨터가 너무 바빠서 기록이 온전하지 않습니다.</translation>
     </message>
     <message>
         <source>Recorded in %1; the parameters lie beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>기록한 파일: %1. 매개변수는 그 옆에 있습니다.</translation>
     </message>
     <message>
         <source>Reading %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽는 중: %1.</translation>
     </message>
     <message>
         <source>Computed again, the forces differ by at most %1 newtons.</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 계산한 힘과의 차이는 최대 %1뉴턴입니다.</translation>
     </message>
     <message>
         <source>Its parameters are not beside it, so it was not computed again.</source>
-        <translation type="unfinished"></translation>
+        <translation>옆에 매개변수가 없어 다시 계산하지 않았습니다.</translation>
     </message>
     <message>
         <source>Its end was cut short and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>끝부분이 잘려 있어 제외했습니다.</translation>
     </message>
     <message>
         <source>%1 holds nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 비어 있습니다.</translation>
     </message>
     <message>
         <source>Replaying %1. Escape ends it.</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 재생하는 중: %1. Escape 키로 끝냅니다.</translation>
     </message>
     <message>
         <source>There is nothing to write yet. Start the servo first.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 저장할 것이 없습니다. 먼저 서보를 켜세요.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 쓸 수 없습니다. %2</translation>
     </message>
     <message numerus="yes">
         <source>%n row(s) are in %1; the parameters lie beside them.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n줄을 저장했습니다. 매개변수는 그 옆에 있습니다.</numerusform>
         </translation>
     </message>
 </context>
@@ -2888,239 +2890,239 @@ A: all · Backspace: back · E: feel the face · C: look after it · W: where am
     <name>tp::MendSession</name>
     <message>
         <source>Only a photograph that is a file on this computer can be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 컴퓨터에 파일로 있는 사진만 열 수 있습니다.</translation>
     </message>
     <message>
         <source>Looking for faces…</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴을 찾는 중…</translation>
     </message>
     <message>
         <source>Here the contours of a photograph are mended. There is no photograph yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>여기에서 사진의 윤곽선을 고칩니다. 아직 사진이 없습니다.</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>a photograph and what is wrong with it</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>No face was found in %1. One of usual shape can be added and put in place.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 얼굴을 찾지 못했습니다. 보통 모양의 얼굴을 추가하여 자리를 맞출 수 있습니다.</translation>
     </message>
     <message>
         <source>Contours of %1. In hand: %2. Tab goes from point to point, the arrow keys move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 사진의 윤곽선. 선택: %2. 탭 키는 점 사이를 이동하고, 화살표 키는 점을 옮깁니다.</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n point(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, 점 %n개.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: not there. It can be added.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 없습니다. 추가할 수 있습니다.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2.</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n point(s), none in hand.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, 점 %n개, 선택된 점 없음.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of the %2: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2, %1: %3.</translation>
     </message>
     <message>
         <source>The whole feature moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>부위 전체가 움직입니다.</translation>
     </message>
     <message>
         <source>One point moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>점 하나가 움직입니다.</translation>
     </message>
     <message>
         <source>the %1 was moved</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이동</translation>
     </message>
     <message>
         <source>a point of the %1 was moved</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 점 이동</translation>
     </message>
     <message>
         <source>%1 moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>옮겼습니다: %1.</translation>
     </message>
     <message>
         <source>Put back.</source>
-        <translation type="unfinished"></translation>
+        <translation>제자리로 돌려놓았습니다.</translation>
     </message>
     <message>
         <source>%1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>No point is in hand. Tab goes from point to point.</source>
-        <translation type="unfinished"></translation>
+        <translation>선택된 점이 없습니다. 탭 키로 점 사이를 이동합니다.</translation>
     </message>
     <message>
         <source>a point of the %1 was added</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 점 추가</translation>
     </message>
     <message>
         <source>Added. %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>추가했습니다. %1: %2.</translation>
     </message>
     <message>
         <source>The %1 needs its last points. The whole feature can be removed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 남은 점이 모두 필요합니다. 부위 전체는 없앨 수 있습니다.</translation>
     </message>
     <message>
         <source>a point of the %1 was deleted</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 점 삭제</translation>
     </message>
     <message>
         <source>Deleted. In hand: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>삭제했습니다. 선택: %1.</translation>
     </message>
     <message>
         <source>This point can be no corner.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 점은 모서리가 될 수 없습니다.</translation>
     </message>
     <message>
         <source>a point of the %1 was turned</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 점 종류 바꾸기</translation>
     </message>
     <message>
         <source>A corner now.</source>
-        <translation type="unfinished"></translation>
+        <translation>이제 모서리입니다.</translation>
     </message>
     <message>
         <source>Smooth now.</source>
-        <translation type="unfinished"></translation>
+        <translation>이제 매끄럽습니다.</translation>
     </message>
     <message>
         <source>The %1 is as the program found it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 프로그램이 찾은 그대로입니다.</translation>
     </message>
     <message>
         <source>the %1 was reset</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 처음 상태로 돌리기</translation>
     </message>
     <message>
         <source>The %1 is as the program found it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 다시 프로그램이 찾은 대로입니다.</translation>
     </message>
     <message>
         <source>The %1 is gone again: the program did not find it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 프로그램이 찾지 못했던 부위이므로 다시 없어졌습니다.</translation>
     </message>
     <message>
         <source>The %1 is there already.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 이미 있습니다.</translation>
     </message>
     <message>
         <source>the %1 was added</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 추가</translation>
     </message>
     <message>
         <source>The %1 is there, as the program found it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 프로그램이 찾은 대로 추가했습니다.</translation>
     </message>
     <message>
         <source>The %1 was added in its usual shape. Move it into place.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 보통 모양으로 추가했습니다. 제자리로 옮기세요.</translation>
     </message>
     <message>
         <source>the %1 was removed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 없애기</translation>
     </message>
     <message>
         <source>The %1 is removed. It will not be felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 없앴습니다. 만져지지 않게 됩니다.</translation>
     </message>
     <message>
         <source>a face was added</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 추가</translation>
     </message>
     <message>
         <source>A face of usual shape was added. Move its features into place.</source>
-        <translation type="unfinished"></translation>
+        <translation>보통 모양의 얼굴을 추가했습니다. 부위를 제자리로 옮기세요.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌릴 것이 없습니다.</translation>
     </message>
     <message>
         <source>Undone: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌렸습니다: %1.</translation>
     </message>
     <message>
         <source>There is nothing to do again.</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 실행할 것이 없습니다.</translation>
     </message>
     <message>
         <source>Done again: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 실행했습니다: %1.</translation>
     </message>
     <message>
         <source>%1 Your work is kept here; nothing is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 작업한 내용은 여기에 그대로 있으며, 잃은 것은 없습니다.</translation>
     </message>
     <message>
         <source>The contours are saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽선이 저장되었습니다.</translation>
     </message>
     <message>
         <source>The contours are saved. Another program had changed them; what it wrote is kept as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽선이 저장되었습니다. 다른 프로그램이 윤곽선을 바꾸었으며, 그 내용은 다음 파일에 남겨 두었습니다: %1.</translation>
     </message>
     <message>
         <source>Nothing was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>바뀐 것이 없습니다.</translation>
     </message>
     <message>
         <source>all changes were discarded</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 변경 버리기</translation>
     </message>
     <message>
         <source>All changes are discarded: the contours are as they were opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 변경을 버렸습니다. 윤곽선은 열었을 때와 같습니다.</translation>
     </message>
     <message>
         <source>The force is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘을 보여 줍니다.</translation>
     </message>
     <message>
         <source>The force is hidden.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘을 숨깁니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::Narrator</name>
     <message>
         <source>Voice on.</source>
-        <translation type="unfinished"></translation>
+        <translation>음성이 켜졌습니다.</translation>
     </message>
     <message>
         <source>Voice off.</source>
-        <translation type="unfinished"></translation>
+        <translation>음성이 꺼졌습니다.</translation>
     </message>
     <message>
         <source>No speech engine was found on this computer, so nothing is spoken here. A screen reader is told instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 컴퓨터에서 음성 엔진을 찾지 못해 여기에서는 말하지 않습니다. 대신 화면 낭독기에 알립니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::OpenAlbum</name>
     <message numerus="yes">
         <source>%n more thing(s) in the album need a look.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>앨범에서 확인이 필요한 것이 %n개 더 있습니다.</numerusform>
         </translation>
     </message>
 </context>
@@ -3128,39 +3130,39 @@ A: all · Backspace: back · E: feel the face · C: look after it · W: where am
     <name>tp::PhotoRows</name>
     <message>
         <source>Not looked at yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 살펴보지 않았습니다.</translation>
     </message>
     <message>
         <source>No face found.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴을 찾지 못했습니다.</translation>
     </message>
     <message>
         <source>Faces look wrong: %1 % off.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴이 잘못되어 보입니다: 오차 %1 %.</translation>
     </message>
     <message>
         <source>Faces about %1 % off.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 오차 약 %1 %.</translation>
     </message>
 </context>
 <context>
     <name>tp::PlaceWords</name>
     <message numerus="yes">
         <source>%1. On the %2, at its %3 o&apos;clock, %n millimetre(s) from its middle.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1. %2 위, 중심에서 %3시 방향, %n밀리미터.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Beside %1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 옆. %2, %3시 방향, %n밀리미터.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1. %2, %3시 방향, %n밀리미터.</numerusform>
         </translation>
     </message>
 </context>
@@ -3168,780 +3170,780 @@ A: all · Backspace: back · E: feel the face · C: look after it · W: where am
     <name>tp::Preferences</name>
     <message>
         <source>Your settings could not be read. The usual ones are used until that is mended.</source>
-        <translation type="unfinished"></translation>
+        <translation>설정을 읽을 수 없습니다. 고쳐질 때까지 기본 설정을 씁니다.</translation>
     </message>
     <message>
         <source>Your settings could not be read and were set aside. The usual ones are used; you can choose anew on the settings page.</source>
-        <translation type="unfinished"></translation>
+        <translation>설정을 읽을 수 없어 따로 옮겨 두었습니다. 기본 설정을 쓰며, 설정 페이지에서 새로 고를 수 있습니다.</translation>
     </message>
     <message>
         <source>Your settings could not be kept: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>설정을 저장할 수 없습니다: %1</translation>
     </message>
 </context>
 <context>
     <name>tp::PrintSession</name>
     <message>
         <source>Print. Choose a photograph on the page for looking after the album.</source>
-        <translation type="unfinished"></translation>
+        <translation>인쇄. 앨범 관리 페이지에서 사진을 고르세요.</translation>
     </message>
     <message>
         <source>Print %1. Looking for faces…</source>
-        <translation type="unfinished"></translation>
+        <translation>인쇄, %1. 얼굴을 찾는 중…</translation>
     </message>
     <message>
         <source>Print %1 on %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>인쇄, %1. 종이: %2.</translation>
     </message>
     <message>
         <source>A4</source>
-        <translation type="unfinished"></translation>
+        <translation>A4</translation>
     </message>
     <message>
         <source>Letter</source>
-        <translation type="unfinished"></translation>
+        <translation>레터 용지</translation>
     </message>
     <message>
         <source>A3</source>
-        <translation type="unfinished"></translation>
+        <translation>A3</translation>
     </message>
     <message>
         <source>Braille paper, 11 by 11.5 inches</source>
-        <translation type="unfinished"></translation>
+        <translation>점자 용지, 11×11.5인치</translation>
     </message>
     <message>
         <source>The face</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴</translation>
     </message>
     <message>
         <source>All faces</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 얼굴</translation>
     </message>
     <message>
         <source>Face %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1번 얼굴</translation>
     </message>
     <message>
         <source>%1 by %2 millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>가로 %1, 세로 %2밀리미터</translation>
     </message>
     <message>
         <source>With its name in print.</source>
-        <translation type="unfinished"></translation>
+        <translation>이름을 글자로도 넣습니다.</translation>
     </message>
     <message>
         <source>Without a name in print.</source>
-        <translation type="unfinished"></translation>
+        <translation>이름을 글자로는 넣지 않습니다.</translation>
     </message>
     <message>
         <source>There is no sheet yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 인쇄물이 없습니다.</translation>
     </message>
     <message>
         <source>The folder %1 could not be made: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더 %1: 만들 수 없습니다. %2</translation>
     </message>
     <message>
         <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
-        <translation type="unfinished"></translation>
+        <translation>인쇄물을 저장했습니다: %1. 크기를 바꾸지 말고 100퍼센트로 인쇄하세요.</translation>
     </message>
 </context>
 <context>
     <name>tp::Problems</name>
     <message>
         <source>The force was switched off for a moment, because a measurement was not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정값이 숫자가 아니어서 힘을 잠시 껐습니다.</translation>
     </message>
     <message>
         <source>The force is off, because the finger is outside the area that the device reaches. Move it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>손가락이 장치가 닿는 범위 밖에 있어 힘이 꺼졌습니다. 다시 안으로 옮기세요.</translation>
     </message>
     <message>
         <source>The force is off, because the finger moves too fast. Move slowly and it comes back.</source>
-        <translation type="unfinished"></translation>
+        <translation>손가락이 너무 빨리 움직여 힘이 꺼졌습니다. 천천히 움직이면 다시 켜집니다.</translation>
     </message>
     <message>
         <source>The force is off, because the device has switched its motors off to be safe. It comes back when the device is ready.</source>
-        <translation type="unfinished"></translation>
+        <translation>장치가 안전을 위해 모터를 꺼서 힘이 꺼졌습니다. 장치가 준비되면 다시 켜집니다.</translation>
     </message>
     <message>
         <source>The force is off, because the device does not say where the finger is.</source>
-        <translation type="unfinished"></translation>
+        <translation>장치가 손가락의 위치를 알려 주지 않아 힘이 꺼졌습니다.</translation>
     </message>
     <message>
         <source>The force is off for a moment, because this computer was too busy to guide the finger.</source>
-        <translation type="unfinished"></translation>
+        <translation>컴퓨터가 너무 바빠 손가락을 이끌 수 없어서 힘이 잠시 꺼졌습니다.</translation>
     </message>
     <message>
         <source>The device was switched off, because this computer stood still. Start it again when you are ready.</source>
-        <translation type="unfinished"></translation>
+        <translation>컴퓨터가 멈추어 장치를 껐습니다. 준비가 되면 다시 켜세요.</translation>
     </message>
     <message>
         <source>The device was switched off, because it no longer answers. Check its cable and start it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>장치가 더는 응답하지 않아 껐습니다. 케이블을 확인하고 다시 켜세요.</translation>
     </message>
     <message>
         <source>No face was found in this picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 사진에서 얼굴을 찾지 못했습니다.</translation>
     </message>
     <message>
         <source>The picture is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>사진이 비어 있습니다.</translation>
     </message>
     <message>
         <source>The picture is not in 8-bit colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>사진이 8비트 색상이 아닙니다.</translation>
     </message>
     <message>
         <source>The search for faces was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 찾기를 멈췄습니다.</translation>
     </message>
     <message>
         <source>The face is cut off at the left edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴이 사진의 왼쪽 가장자리에서 잘려 있습니다.</translation>
     </message>
     <message>
         <source>The face is cut off at the right edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴이 사진의 오른쪽 가장자리에서 잘려 있습니다.</translation>
     </message>
     <message>
         <source>The face is cut off at the top edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴이 사진의 위쪽 가장자리에서 잘려 있습니다.</translation>
     </message>
     <message>
         <source>The face is cut off at the bottom edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴이 사진의 아래쪽 가장자리에서 잘려 있습니다.</translation>
     </message>
     <message>
         <source>The right eye may be covered, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 눈이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
     </message>
     <message>
         <source>The left eye may be covered, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 눈이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
     </message>
     <message>
         <source>The mouth may be covered, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>입이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
     </message>
     <message>
         <source>The outline may be covered, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 윤곽이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
     </message>
     <message>
         <source>The edge of the right eye is faint, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 눈의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
     </message>
     <message>
         <source>The edge of the left eye is faint, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 눈의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
     </message>
     <message>
         <source>The edge of the mouth is faint, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>입의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
     </message>
     <message>
         <source>The edge of the outline is faint, so its contour may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 윤곽의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
     </message>
     <message>
         <source>This picture could not be worked on. It may be too large for this computer.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 사진을 처리할 수 없습니다. 이 컴퓨터에 너무 큰 사진일 수 있습니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::Program</name>
     <message>
         <source>TouchPhoto</source>
-        <translation type="unfinished"></translation>
+        <translation>TouchPhoto</translation>
     </message>
     <message>
         <source>Feel a face</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 만져 보기</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>설정</translation>
     </message>
     <message>
         <source>Listen to photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 듣기</translation>
     </message>
     <message>
         <source>Look after the album</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범 관리</translation>
     </message>
     <message>
         <source>Mend contours</source>
-        <translation type="unfinished"></translation>
+        <translation>윤곽선 고치기</translation>
     </message>
     <message>
         <source>Print a tactile sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>촉각 인쇄물 만들기</translation>
     </message>
     <message>
         <source>Lab</source>
-        <translation type="unfinished"></translation>
+        <translation>실험실</translation>
     </message>
 </context>
 <context>
     <name>tp::Questions</name>
     <message>
         <source>Shall TouchPhoto speak to you?</source>
-        <translation type="unfinished"></translation>
+        <translation>TouchPhoto가 말로 알려 드릴까요?</translation>
     </message>
     <message>
         <source>How fast shall it speak?</source>
-        <translation type="unfinished"></translation>
+        <translation>얼마나 빠르게 말할까요?</translation>
     </message>
     <message>
         <source>Who uses this tablet most?</source>
-        <translation type="unfinished"></translation>
+        <translation>이 태블릿을 주로 누가 쓰나요?</translation>
     </message>
     <message>
         <source>Looking for a force device.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘 장치를 찾는 중입니다.</translation>
     </message>
     <message>
         <source>No force device was found. A finger on the screen is guided by sound instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘 장치를 찾지 못했습니다. 대신 화면 위의 손가락을 소리로 이끕니다.</translation>
     </message>
     <message>
         <source>A force device was found: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>힘 장치를 찾았습니다: %1.</translation>
     </message>
     <message>
         <source>Where are your photographs?</source>
-        <translation type="unfinished"></translation>
+        <translation>사진은 어디에 있나요?</translation>
     </message>
     <message>
         <source>Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>예</translation>
     </message>
     <message>
         <source>No, the words on the screen are enough</source>
-        <translation type="unfinished"></translation>
+        <translation>아니요, 화면의 글자로 충분합니다</translation>
     </message>
     <message>
         <source>My screen reader shall speak</source>
-        <translation type="unfinished"></translation>
+        <translation>제 화면 낭독기로 듣겠습니다</translation>
     </message>
     <message>
         <source>Very slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>아주 느리게</translation>
     </message>
     <message>
         <source>Slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>느리게</translation>
     </message>
     <message>
         <source>At the usual speed</source>
-        <translation type="unfinished"></translation>
+        <translation>보통 속도로</translation>
     </message>
     <message>
         <source>Fast</source>
-        <translation type="unfinished"></translation>
+        <translation>빠르게</translation>
     </message>
     <message>
         <source>Very fast</source>
-        <translation type="unfinished"></translation>
+        <translation>아주 빠르게</translation>
     </message>
     <message>
         <source>Somebody who listens and feels</source>
-        <translation type="unfinished"></translation>
+        <translation>듣고 만지는 사람</translation>
     </message>
     <message>
         <source>Somebody who looks after the album</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범을 관리하는 사람</translation>
     </message>
     <message>
         <source>Go on without a device</source>
-        <translation type="unfinished"></translation>
+        <translation>장치 없이 계속하기</translation>
     </message>
     <message>
         <source>Use it</source>
-        <translation type="unfinished"></translation>
+        <translation>이 장치 쓰기</translation>
     </message>
     <message>
         <source>Look again</source>
-        <translation type="unfinished"></translation>
+        <translation>다시 찾기</translation>
     </message>
     <message>
         <source>In the folder %1</source>
-        <translation type="unfinished"></translation>
+        <translation>이 폴더: %1</translation>
     </message>
     <message>
         <source>In another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 폴더</translation>
     </message>
     <message>
         <source>I will say so later</source>
-        <translation type="unfinished"></translation>
+        <translation>나중에 정하기</translation>
     </message>
     <message>
         <source>Question %1 of %2. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>질문 %2개 중 %1번째. %3</translation>
     </message>
     <message>
         <source>%1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>
     <name>tp::RecordingList</name>
     <message>
         <source>Not said</source>
-        <translation type="unfinished"></translation>
+        <translation>지정 안 함</translation>
     </message>
     <message>
         <source>%1, %2, %3 of %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2, %4개 중 %3번째</translation>
     </message>
     <message>
         <source>It is the first one.</source>
-        <translation type="unfinished"></translation>
+        <translation>첫 번째 녹음입니다.</translation>
     </message>
     <message>
         <source>It is the last one.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 녹음입니다.</translation>
     </message>
     <message>
         <source>%1 is number %2 of %3 now.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 이제 %3개 중 %2번째입니다.</translation>
     </message>
     <message>
         <source>Deleted: %1. Undo brings it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>삭제했습니다: %1. 되돌리기로 되살릴 수 있습니다.</translation>
     </message>
     <message>
         <source>Saved: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>저장했습니다: %1.</translation>
     </message>
     <message>
         <source>Only a sound that is a file on this computer can be added.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 컴퓨터에 파일로 있는 소리만 추가할 수 있습니다.</translation>
     </message>
     <message>
         <source>Added: %1, %2. %3</source>
-        <translation type="unfinished"></translation>
+        <translation>추가했습니다: %1, %2. %3</translation>
     </message>
 </context>
 <context>
     <name>tp::SettingsSession</name>
     <message>
         <source>No folder was chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더를 고르지 않았습니다.</translation>
     </message>
     <message>
         <source>The album has this folder already.</source>
-        <translation type="unfinished"></translation>
+        <translation>이미 앨범에 있는 폴더입니다.</translation>
     </message>
     <message>
         <source>the album&apos;s new folder</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범의 새 폴더</translation>
     </message>
     <message>
         <source>%1 belongs to the album now.</source>
-        <translation type="unfinished"></translation>
+        <translation>이제 앨범에 속합니다: %1.</translation>
     </message>
     <message>
         <source>Settings. Go through them by Tab; each change is kept at once. Control Z takes the last one back.</source>
-        <translation type="unfinished"></translation>
+        <translation>설정. 탭 키로 설정 사이를 이동하세요. 변경은 바로 저장됩니다. Ctrl Z는 마지막 변경을 되돌립니다.</translation>
     </message>
     <message>
         <source>TouchPhoto speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>TouchPhoto가 말합니다</translation>
     </message>
     <message>
         <source>My screen reader speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>화면 낭독기가 말합니다</translation>
     </message>
     <message>
         <source>Nobody speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>말하지 않습니다</translation>
     </message>
     <message>
         <source>Very slow</source>
-        <translation type="unfinished"></translation>
+        <translation>아주 느리게</translation>
     </message>
     <message>
         <source>Slow</source>
-        <translation type="unfinished"></translation>
+        <translation>느리게</translation>
     </message>
     <message>
         <source>Normal</source>
-        <translation type="unfinished"></translation>
+        <translation>보통</translation>
     </message>
     <message>
         <source>Fast</source>
-        <translation type="unfinished"></translation>
+        <translation>빠르게</translation>
     </message>
     <message>
         <source>Very fast</source>
-        <translation type="unfinished"></translation>
+        <translation>아주 빠르게</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>시스템과 같게</translation>
     </message>
     <message>
         <source>who speaks</source>
-        <translation type="unfinished"></translation>
+        <translation>음성 안내</translation>
     </message>
     <message>
         <source>the speed of speech</source>
-        <translation type="unfinished"></translation>
+        <translation>말하는 속도</translation>
     </message>
     <message>
         <source>%1. This is how fast I speak.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. 이 속도로 말합니다.</translation>
     </message>
     <message>
         <source>the language</source>
-        <translation type="unfinished"></translation>
+        <translation>언어</translation>
     </message>
     <message>
         <source>the speed of recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음 재생 속도</translation>
     </message>
     <message>
         <source>Recordings play at %1 times their speed.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음을 %1배 속도로 재생합니다.</translation>
     </message>
     <message>
         <source>sounds</source>
-        <translation type="unfinished"></translation>
+        <translation>소리</translation>
     </message>
     <message>
         <source>Sounds on.</source>
-        <translation type="unfinished"></translation>
+        <translation>소리가 켜졌습니다.</translation>
     </message>
     <message>
         <source>Sounds off.</source>
-        <translation type="unfinished"></translation>
+        <translation>소리가 꺼졌습니다.</translation>
     </message>
     <message>
         <source>Somebody who listens and feels</source>
-        <translation type="unfinished"></translation>
+        <translation>듣고 만지는 사람</translation>
     </message>
     <message>
         <source>Somebody who looks after the album</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범을 관리하는 사람</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>어둡게</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>밝게</translation>
     </message>
     <message>
         <source>Yellow on black</source>
-        <translation type="unfinished"></translation>
+        <translation>검은 바탕에 노란색</translation>
     </message>
     <message>
         <source>who uses the tablet</source>
-        <translation type="unfinished"></translation>
+        <translation>태블릿을 쓰는 사람</translation>
     </message>
     <message>
         <source>the colours</source>
-        <translation type="unfinished"></translation>
+        <translation>색</translation>
     </message>
     <message>
         <source>the size of text</source>
-        <translation type="unfinished"></translation>
+        <translation>글자 크기</translation>
     </message>
     <message>
         <source>Text at %1 percent.</source>
-        <translation type="unfinished"></translation>
+        <translation>글자 크기 %1퍼센트.</translation>
     </message>
     <message>
         <source>motion</source>
-        <translation type="unfinished"></translation>
+        <translation>움직임</translation>
     </message>
     <message>
         <source>Pictures may move.</source>
-        <translation type="unfinished"></translation>
+        <translation>그림이 움직일 수 있습니다.</translation>
     </message>
     <message>
         <source>Nothing moves by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>아무것도 저절로 움직이지 않습니다.</translation>
     </message>
     <message>
         <source>Nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>없음</translation>
     </message>
     <message>
         <source>Beeps</source>
-        <translation type="unfinished"></translation>
+        <translation>삐 소리</translation>
     </message>
     <message>
         <source>Spoken clock directions</source>
-        <translation type="unfinished"></translation>
+        <translation>몇 시 방향인지 말하기</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>둘 다</translation>
     </message>
     <message>
         <source>what guides the finger</source>
-        <translation type="unfinished"></translation>
+        <translation>손가락을 이끄는 방법</translation>
     </message>
     <message>
         <source>the strongest force</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 힘</translation>
     </message>
     <message>
         <source>At most %1 newtons.</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 %1뉴턴.</translation>
     </message>
     <message>
         <source>brows</source>
-        <translation type="unfinished"></translation>
+        <translation>눈썹</translation>
     </message>
     <message>
         <source>Brows are felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>눈썹을 만질 수 있습니다.</translation>
     </message>
     <message>
         <source>Brows are not felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>눈썹은 만져지지 않습니다.</translation>
     </message>
     <message>
         <source>the nose</source>
-        <translation type="unfinished"></translation>
+        <translation>코</translation>
     </message>
     <message>
         <source>The nose is felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>코를 만질 수 있습니다.</translation>
     </message>
     <message>
         <source>The nose is not felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>코는 만져지지 않습니다.</translation>
     </message>
     <message>
         <source>irises</source>
-        <translation type="unfinished"></translation>
+        <translation>홍채</translation>
     </message>
     <message>
         <source>Irises are felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>홍채를 만질 수 있습니다.</translation>
     </message>
     <message>
         <source>Irises are not felt.</source>
-        <translation type="unfinished"></translation>
+        <translation>홍채는 만져지지 않습니다.</translation>
     </message>
     <message>
         <source>the folder that left the album</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범에서 뺀 폴더</translation>
     </message>
     <message>
         <source>%1 no longer belongs to the album. Its photographs and recordings stay where they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>이제 앨범에 속하지 않습니다: %1. 그 사진과 녹음은 그 자리에 그대로 남습니다.</translation>
     </message>
     <message>
         <source>the reset</source>
-        <translation type="unfinished"></translation>
+        <translation>처음 상태로 돌리기</translation>
     </message>
     <message>
         <source>All settings are as they were at first. The album&apos;s folders stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 설정이 처음 상태로 돌아갔습니다. 앨범의 폴더는 그대로입니다.</translation>
     </message>
     <message>
         <source>There is nothing to take back.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌릴 것이 없습니다.</translation>
     </message>
     <message>
         <source>Taken back: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>되돌렸습니다: %1.</translation>
     </message>
     <message>
         <source>Nothing leaves this computer: TouchPhoto opens no connection to any other.</source>
-        <translation type="unfinished"></translation>
+        <translation>아무것도 이 컴퓨터를 떠나지 않습니다. TouchPhoto는 다른 컴퓨터에 연결하지 않습니다.</translation>
     </message>
     <message>
         <source>These settings, in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 설정이 저장된 곳: %1.</translation>
     </message>
     <message>
         <source>An index of the album, in %1 (%2). It can be thrown away at any time.</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범 색인이 저장된 곳: %1 (%2). 언제든지 버려도 됩니다.</translation>
     </message>
     <message>
         <source>Names, descriptions and recordings, beside the photographs in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 옆에 저장된 이름, 설명, 녹음: %1.</translation>
     </message>
     <message>
         <source>The photograph that you were at last: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막으로 본 사진: %1.</translation>
     </message>
     <message>
         <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>색인은 TouchPhoto가 끝날 때 버려지고, 다음에 시작할 때 사진에서 새로 만들어집니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::Shell</name>
     <message>
         <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the page before.</source>
-        <translation type="unfinished"></translation>
+        <translation>어디서나: Escape 키는 소리나 움직임을 멈추고, 그다음에는 홈으로 갑니다. F1: 이 도움말. F2: 마지막 문장 다시. F3: 음성 켜기 또는 끄기. Alt와 왼쪽 화살표 키: 이전 페이지.</translation>
     </message>
 </context>
 <context>
     <name>tp::StartSession</name>
     <message>
         <source>Listen to photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 듣기</translation>
     </message>
     <message>
         <source>One photograph after the other, with what was recorded for it</source>
-        <translation type="unfinished"></translation>
+        <translation>사진을 하나씩, 함께 남긴 녹음과 듣습니다</translation>
     </message>
     <message>
         <source>Feel a face</source>
-        <translation type="unfinished"></translation>
+        <translation>얼굴 만져 보기</translation>
     </message>
     <message>
         <source>The photograph that you were at last, under your finger</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막으로 본 사진을 손가락으로 만집니다</translation>
     </message>
     <message>
         <source>Look after the album</source>
-        <translation type="unfinished"></translation>
+        <translation>앨범 관리</translation>
     </message>
     <message>
         <source>Import photographs, name people, record</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 가져오기, 사람 이름 붙이기, 녹음하기</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>설정</translation>
     </message>
     <message>
         <source>Speech, colours, force, where photographs are</source>
-        <translation type="unfinished"></translation>
+        <translation>말, 색, 힘, 사진이 있는 곳</translation>
     </message>
     <message>
         <source>Take a photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>사진 찍기</translation>
     </message>
     <message>
         <source>Not there yet: photographs of any camera can be imported</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 없습니다. 어떤 카메라의 사진이든 가져올 수 있습니다</translation>
     </message>
     <message>
         <source>Studies</source>
-        <translation type="unfinished"></translation>
+        <translation>연구</translation>
     </message>
     <message>
         <source>Not there yet</source>
-        <translation type="unfinished"></translation>
+        <translation>아직 없습니다</translation>
     </message>
     <message>
         <source>TouchPhoto, start page. 1: %1. 2: %2. More below; F1 for help.</source>
-        <translation type="unfinished"></translation>
+        <translation>TouchPhoto, 시작 페이지. 1: %1. 2: %2. 아래에 더 있습니다. 도움말은 F1 키입니다.</translation>
     </message>
     <message>
         <source>Lab</source>
-        <translation type="unfinished"></translation>
+        <translation>실험실</translation>
     </message>
     <message>
         <source>For researchers: guidance laws, their parameters, plots, recordings</source>
-        <translation type="unfinished"></translation>
+        <translation>연구자용: 유도 법칙, 매개변수, 그래프, 기록</translation>
     </message>
 </context>
 <context>
     <name>tp::TagPlayback</name>
     <message>
         <source>Next: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>다음: %1.</translation>
     </message>
 </context>
 <context>
     <name>tp::Take</name>
     <message>
         <source>Recording</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음 중</translation>
     </message>
     <message>
         <source>Paused</source>
-        <translation type="unfinished"></translation>
+        <translation>일시 정지됨</translation>
     </message>
     <message>
         <source>Being stored…</source>
-        <translation type="unfinished"></translation>
+        <translation>저장하는 중…</translation>
     </message>
     <message>
         <source>Waiting for the microphone…</source>
-        <translation type="unfinished"></translation>
+        <translation>마이크를 기다리는 중…</translation>
     </message>
     <message>
         <source>nothing heard</source>
-        <translation type="unfinished"></translation>
+        <translation>들리는 소리 없음</translation>
     </message>
     <message>
         <source>soft</source>
-        <translation type="unfinished"></translation>
+        <translation>작음</translation>
     </message>
     <message>
         <source>good</source>
-        <translation type="unfinished"></translation>
+        <translation>알맞음</translation>
     </message>
     <message>
         <source>too loud</source>
-        <translation type="unfinished"></translation>
+        <translation>너무 큼</translation>
     </message>
     <message>
         <source>The recorder is still at work. Try again in a moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음기가 아직 작업 중입니다. 잠시 후 다시 시도하세요.</translation>
     </message>
     <message>
         <source>Paused.</source>
-        <translation type="unfinished"></translation>
+        <translation>일시 정지했습니다.</translation>
     </message>
     <message>
         <source>Throw away what was recorded? It cannot be brought back.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹음한 것을 버릴까요? 되살릴 수 없습니다.</translation>
     </message>
     <message>
         <source>Thrown away. Nothing was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>버렸습니다. 바뀐 것은 없습니다.</translation>
     </message>
     <message>
         <source>Kept. The recording is paused.</source>
-        <translation type="unfinished"></translation>
+        <translation>버리지 않았습니다. 녹음은 일시 정지되어 있습니다.</translation>
     </message>
     <message>
         <source>%1 It is saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 저장되었습니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::Trimming</name>
     <message>
         <source>%1 of %2 stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 중 %1 남음.</translation>
     </message>
     <message>
         <source>All of it stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 남습니다.</translation>
     </message>
     <message>
         <source>From %1</source>
-        <translation type="unfinished"></translation>
+        <translation>시작: %1</translation>
     </message>
     <message>
         <source>To %1</source>
-        <translation type="unfinished"></translation>
+        <translation>끝: %1</translation>
     </message>
     <message>
         <source>All of it stays, so there is nothing to cut off. Move the begin or the end first.</source>
-        <translation type="unfinished"></translation>
+        <translation>모두 남게 되어 있어 잘라낼 것이 없습니다. 먼저 시작이나 끝을 옮기세요.</translation>
     </message>
     <message>
         <source>Trimmed: %1 stay. Undo brings the rest back.</source>
-        <translation type="unfinished"></translation>
+        <translation>잘랐습니다. 남은 길이: %1. 되돌리기로 나머지를 되살릴 수 있습니다.</translation>
     </message>
 </context>
 </TS>

@@ -569,6 +569,14 @@ private slots:
         QTRY_VERIFY(bench.player.state() == Player::State::playing);
     }
 
+    void another_language_is_spoken_when_the_page_is_entered_again() {
+        AtGarden bench;
+        bench.session->leave();
+        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+        bench.session->enter();
+        QCOMPARE(bench.session->summary(), QString("Anna und Tom, Mai 2026, Vienna; 2 recording(s)."));
+    }
+
     void the_keys_are_told() {
         AtGarden bench;
         bench.session->tellKeys();

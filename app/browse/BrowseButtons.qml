@@ -144,16 +144,9 @@ Column {
         }
         TpButton {
             width: buttons.half
-            text: qsTr("Keys")
-            hint: qsTr("Tells every key of this page. Key: H")
-            onClicked: buttons.session.tellKeys()
+            text: qsTr("Look after it")
+            hint: qsTr("Names, recordings and descriptions of this photograph. Key: C")
+            onClicked: buttons.session.askCare()
         }
-    }
-    TpButton {
-        width: parent.width
-        visible: buttons.ready
-        text: qsTr("Look after this photograph")
-        hint: qsTr("Its names, recordings and descriptions. Key: C")
-        onClicked: buttons.session.askCare()
     }
 }

@@ -8,6 +8,7 @@ FocusScope {
     id: page
 
     required property BrowseSession session
+    readonly property string help: session.keys
     readonly property bool wide: width > 1.15 * height
     readonly property bool listing: session.view !== BrowseSession.Photos
     readonly property bool ready: session.state === BrowseSession.Ready

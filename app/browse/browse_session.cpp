@@ -237,8 +237,14 @@ QString BrowseSession::placeText() const {
 // --- the page ---
 
 void BrowseSession::enter() {
-    if (!trail().here())
+    levels_.front().title = tr("All photographs"); // the language may be another one now
+    if (trail().here())
+        show_here();
+    else
         look_at_album();
+    if (view() != View::Photos)
+        list_rows();
+    emit levelChanged();
     active_ = true;
     if (state_ != State::Ready) {
         narrator_.tell(emptyText(), Priority::message);
@@ -468,16 +474,21 @@ void BrowseSession::set_notice(const QString& notice) {
 
 // --- other pages ---
 
+QString BrowseSession::keys() const {
+    return tr(
+        "Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the "
+        "recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last "
+        "photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all "
+        "photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: "
+        "these "
+        "keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two "
+        "fingers "
+        "goes back, three fingers tell where you are.");
+}
+
 void BrowseSession::tellKeys() {
     playback_.pause();
-    narrator_.tell(
-        tr("Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the "
-           "recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and "
-           "last "
-           "photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all "
-           "photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. "
-           "H: these keys."),
-        Priority::touch);
+    narrator_.tell(keys(), Priority::touch);
 }
 
 void BrowseSession::askExplore() {

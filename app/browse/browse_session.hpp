@@ -66,6 +66,8 @@ class BrowseSession final : public QObject {
     Q_PROPERTY(QString heard READ heard NOTIFY progressChanged)
     Q_PROPERTY(double heardValue READ heardValue NOTIFY progressChanged)
     Q_PROPERTY(QString speedText READ speedText NOTIFY speedChanged)
+    /// Every key of the page, and the gestures.
+    Q_PROPERTY(QString keys READ keys CONSTANT)
     /// What went wrong with this photograph's recordings; empty: nothing.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged)
 public:
@@ -111,6 +113,7 @@ public:
     QString heard() const;
     double heardValue() const;
     QString speedText() const;
+    QString keys() const;
     const QString& notice() const { return notice_; }
 
     /// The photograph that is shown; none where there is none.

@@ -449,6 +449,28 @@ private slots:
         QCOMPARE(bench.drawn.preferences.choices().last_photo, bench.session->photo());
     }
 
+    void a_start_waits_for_where_one_was_until_the_scan_has_ended_unless_a_person_goes_on() {
+        for (const bool goes_on : {false, true}) {
+            AtGarden bench;
+            bench.session.reset();
+            bench.drawn.album.reset();
+            const fs::path fresh = bench.drawn.photo("fresh.jpg", "2026-09-09T09:09:09");
+            bench.drawn.preferences.change(
+                [&](Choices& choices) { choices.last_photo = QString::fromStdString(fresh.string()); });
+            bench.drawn.album =
+                std::make_unique<OpenAlbum>(bench.drawn.folder / "cache", bench.drawn.preferences);
+            bench.session =
+                std::make_unique<BrowseSession>(*bench.drawn.album, bench.narrator, bench.earcons,
+                                                bench.player, bench.drawn.preferences);
+            QCOMPARE(bench.session->placeText(), QString("1 of 5")); // what the index knows meanwhile
+            if (goes_on)
+                bench.session->next();
+            QVERIFY(bench.drawn.scanned());
+            QTRY_COMPARE(bench.session->count(), 6);
+            QCOMPARE(bench.session->placeText(), QString(goes_on ? "2 of 6" : "6 of 6"));
+        }
+    }
+
     void where_one_was_is_gone_one_begins_at_the_first() {
         AtGarden bench;
         bench.session.reset();
@@ -567,6 +589,14 @@ private slots:
         QCOMPARE(bench.announcer.sentence(), QString("Next: story by Ben."));
         QVERIFY(bench.session->playing());
         QTRY_VERIFY(bench.player.state() == Player::State::playing);
+    }
+
+    void another_language_is_spoken_when_the_page_is_entered_again() {
+        AtGarden bench;
+        bench.session->leave();
+        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+        bench.session->enter();
+        QCOMPARE(bench.session->summary(), QString("Anna und Tom, Mai 2026, Vienna; 2 recording(s)."));
     }
 
     void the_keys_are_told() {

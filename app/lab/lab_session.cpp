@@ -273,6 +273,8 @@ void LabSession::apply(LabEffect effect) {
     } else if (servo_ && simulated()) {
         end_run();
         open({});
+    } else if (servo_) { // nobody is pulled by a real device that was made anew unasked
+        stop();
     }
 }
 
@@ -446,8 +448,8 @@ void LabSession::run(const std::shared_ptr<DeviceChain>& chain) {
     if (anew)
         emit changed();
     else
-        become(Running, recording_ ? tr("Recording on %1. Escape ends it.").arg(QString::fromStdString(can.name))
-                                   : tr("The servo runs on %1. Escape stops it.").arg(QString::fromStdString(can.name)));
+        become(Running, recording_ ? tr("Recording: %1. Escape ends it.").arg(QString::fromStdString(can.name))
+                                   : tr("The servo runs: %1. Escape stops it.").arg(QString::fromStdString(can.name)));
 }
 
 void LabSession::end_run() {

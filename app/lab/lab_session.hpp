@@ -166,6 +166,7 @@ signals:
     void recordingsChanged();
     /// The trace has grown or begun anew.
     void plotted();
+    /// Another page is wanted; emitted by the page.
     void pageAsked(const QString& page);
 
 private:

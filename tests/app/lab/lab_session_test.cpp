@@ -418,6 +418,10 @@ private slots:
         QCOMPARE(painted.size(), 1);
         QVERIFY(bench.session.field() != circle);
         QVERIFY(bench.session.fieldWords().contains("from 0 to 0.80 newtons"));
+        painted.clear();
+        bench.session.setFieldScale(2.0); // a coarse one of the same size comes before it
+        QTRY_COMPARE(painted.size(), 2);
+        QCOMPARE(bench.session.field().size(), QSize(440, 320 + bench.session.legendPixels()));
     }
 
     void a_photograph_is_felt_and_one_that_cannot_be_is_told() {

@@ -33,7 +33,7 @@ Column {
         onClicked: controls.openAsked()
     }
 
-    TpHeading { width: parent.width; text: qsTr("Law") }
+    TpHeading { width: parent.width; text: qsTr("Guidance") }
     TpChoice {
         objectName: "law"
         width: parent.width
@@ -102,6 +102,13 @@ Column {
         text: qsTr("Look for devices again")
         onClicked: controls.session.findDevices()
     }
+    TpButton {
+        width: parent.width
+        enabled: controls.free
+        text: qsTr("The strongest force of real devices")
+        hint: qsTr("Goes to the settings")
+        onClicked: controls.session.pageAsked("settings")
+    }
     Repeater {
         model: [["mass", qsTr("Mass")], ["damping", qsTr("Damping of the device")], ["friction", qsTr("Dry friction")],
                 ["quantum", qsTr("Encoder step")], ["delay", qsTr("Delay")], ["handStiffness", qsTr("Grip of the hand")],
@@ -121,7 +128,7 @@ Column {
         width: parent.width
         session: controls.session
         key: "drop"
-        enabled: controls.simulated && controls.session.state !== LabSession.Replaying && !controls.session.recording
+        enabled: controls.free && controls.simulated
         label: qsTr("Readings that do not come")
     }
     Repeater {

@@ -9,10 +9,12 @@
 #include "faces/face_extractor.hpp"
 #include "faces/picture.hpp"
 
+#include <QColor>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
+#include <QPainter>
 
 #include <algorithm>
 #include <cmath>
@@ -81,8 +83,13 @@ LabSession::~LabSession() { servo_.reset(); }
 QPointF LabSession::to_sheet(Vec2 p) const { return {p.x + 0.5 * surfaceWidth(), 0.5 * surfaceHeight() - p.y}; }
 
 Vec2 LabSession::to_surface(QPointF p) const {
+    const Rect area = surface();
+    return glm::clamp(Vec2(p.x() + area.min.x, area.max.y - p.y()), area.min, area.max);
+}
+
+Rect LabSession::surface() const {
     const Vec2 half(0.5 * surfaceWidth(), 0.5 * surfaceHeight());
-    return glm::clamp(Vec2(p.x() - half.x, half.y - p.y()), -half, half);
+    return {-half, half};
 }
 
 /// Tells it, and keeps it in sight.
@@ -192,10 +199,31 @@ void LabSession::setFieldScale(double pixels_per_mm) {
     paint_field();
 }
 
+/// A coarse picture first, because the published law takes its time over many vertices.
 void LabSession::paint_field() {
-    const Vec2 half(0.5 * surfaceWidth(), 0.5 * surfaceHeight());
-    field_work_.ask([this, felt = felt_, half, scale = field_scale_](const std::stop_token&) -> LatestWork::Done {
-        const QImage image = draw_force_field(*felt, {-half, half}, scale);
+    if (field_scale_ < 2.0)
+        return paint_field_finely();
+    field_work_.ask([this, felt = felt_, area = surface(), scale = field_scale_,
+                     legend = legendPixels()](const std::stop_token&) -> LatestWork::Done {
+        const QImage coarse = draw_force_field(*felt, area, 0.25 * scale);
+        QImage image(static_cast<int>(std::lround(area.width() * scale)),
+                     static_cast<int>(std::lround(area.height() * scale)) + legend, QImage::Format_RGB32);
+        image.fill(QColor(12, 12, 18));
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(image.rect().adjusted(0, 0, 0, -legend), coarse, coarse.rect().adjusted(0, 0, 0, -legend));
+        painter.end();
+        return [this, image] {
+            field_ = image;
+            emit fieldChanged();
+            paint_field_finely();
+        };
+    });
+}
+
+void LabSession::paint_field_finely() {
+    field_work_.ask([this, felt = felt_, area = surface(), scale = field_scale_](const std::stop_token&) -> LatestWork::Done {
+        const QImage image = draw_force_field(*felt, area, scale);
         return [this, image] {
             field_ = image;
             emit fieldChanged();
@@ -273,6 +301,8 @@ void LabSession::apply(LabEffect effect) {
     } else if (servo_ && simulated()) {
         end_run();
         open({});
+    } else if (servo_) { // nobody is pulled by a real device that was made anew unasked
+        stop();
     }
 }
 
@@ -446,8 +476,8 @@ void LabSession::run(const std::shared_ptr<DeviceChain>& chain) {
     if (anew)
         emit changed();
     else
-        become(Running, recording_ ? tr("Recording on %1. Escape ends it.").arg(QString::fromStdString(can.name))
-                                   : tr("The servo runs on %1. Escape stops it.").arg(QString::fromStdString(can.name)));
+        become(Running, recording_ ? tr("Recording: %1. Escape ends it.").arg(QString::fromStdString(can.name))
+                                   : tr("The servo runs: %1. Escape stops it.").arg(QString::fromStdString(can.name)));
 }
 
 void LabSession::end_run() {

@@ -166,6 +166,7 @@ signals:
     void recordingsChanged();
     /// The trace has grown or begun anew.
     void plotted();
+    /// Another page is wanted; emitted by the page.
     void pageAsked(const QString& page);
 
 private:
@@ -175,6 +176,7 @@ private:
     };
     QPointF to_sheet(Vec2 p) const;
     Vec2 to_surface(QPointF p) const;
+    Rect surface() const;
     void tell(const QString& sentence) { narrator_.tell(sentence, Priority::touch); }
     void say(const QString& sentence);
     void become(State state, const QString& status);
@@ -186,6 +188,7 @@ private:
     void use_scene(int index, const QString& name, FlatScene flat);
     void use_photo(const QString& file);
     void paint_field();
+    void paint_field_finely();
 
     bool simulated() const { return device_ == 0; }
     LabParameters allowed() const;

@@ -82,7 +82,9 @@ void paint_legend(QPainter& painter, const HapticScene& haptic, const Frame& fra
     const double right = width - 12.0;
     painter.setPen(QPen(Qt::white, 2.0));
     painter.drawLine(QPointF(right - rule, top + 14.0), QPointF(right, top + 14.0));
-    painter.drawText(QPointF(right - rule, top + 37.0), QStringLiteral("20 mm"));
+    const QString length = QStringLiteral("20 mm");
+    const double longer = std::max(rule, double(painter.fontMetrics().horizontalAdvance(length)));
+    painter.drawText(QPointF(right - longer, top + 37.0), length);
 }
 
 } // namespace

@@ -46,11 +46,13 @@ private slots:
         QCOMPARE(tabbed, PageWindow::reading_order(window));
         QVERIFY(tabbed.size() > 25);
         if (const QString folder = qEnvironmentVariable("TP_SCREENSHOTS"); !folder.isEmpty()) {
-            bench.hand(43.0, 10.0);
+            bench.session.chooseScene(1);
+            bench.session.chooseLaw(scale > 1.0 ? 1 : 0);
+            bench.hand(27.0, 10.0);
             bench.session.start();
-            for (int i = 0; i < 60; ++i) {
-                bench.session.nudge(-2.0, 0.7);
-                bench.session.advance(0.1);
+            for (int i = 0; i < 300; ++i) {
+                bench.session.nudge(-0.1, 0.04);
+                bench.session.advance(0.03);
             }
             window.setColor(QColor(0x0e, 0x12, 0x17));
             QMetaObject::invokeMethod(window.rootObject()->findChild<QQuickItem*>("panel"), "toTop");

@@ -364,6 +364,32 @@ private slots:
         QVERIFY(bench.last().contains("cannot be made"));
     }
 
+    void in_real_time_the_servo_ticks_by_itself_and_what_it_did_is_replayed() {
+        LabBench bench;
+        LabSettings settings = bench.settings();
+        settings.time = nullptr;
+        LabSession session(bench.narrator, bench.preferences, settings);
+        session.touchDown(0.5 * session.surfaceWidth() + 42.0, 0.5 * session.surfaceHeight());
+        session.toggleRecording();
+        QTRY_VERIFY(session.trace().points().size() > 300);
+        QTRY_VERIFY(session.newtons() > 0.01);
+        QVERIFY(session.stop());
+        const std::filesystem::path file = settings.folder / session.recordings()[0].toStdString();
+        const Result<LabReplay> read = read_replay(file);
+        QVERIFY(read.ok());
+        QVERIFY(read->ticks.size() >= session.trace().points().size());
+        session.replay(0);
+        QTRY_COMPARE(session.state(), LabSession::Replaying);
+        QTRY_COMPARE(session.state(), LabSession::Stopped);
+        QVERIFY2(bench.last().startsWith("The replay has ended. Computed again"), qPrintable(bench.last()));
+        session.start();
+        session.setNumber("mass", 0.3, "Mass"); // the loop is made anew
+        session.setSwitch("silent", true, "Silent");
+        QTRY_COMPARE(bench.last(), QString(sentence(Fault::stale_input)));
+        session.setSwitch("unplugged", true, "Unplugged");
+        QTRY_COMPARE(session.state(), LabSession::Stopped);
+    }
+
     void devices_are_found_beside_the_page_and_one_that_is_gone_is_told() {
         LabBench bench;
         QCOMPARE(bench.session.devices().size(), 1);
@@ -392,6 +418,10 @@ private slots:
         QCOMPARE(painted.size(), 1);
         QVERIFY(bench.session.field() != circle);
         QVERIFY(bench.session.fieldWords().contains("from 0 to 0.80 newtons"));
+        painted.clear();
+        bench.session.setFieldScale(2.0); // a coarse one of the same size comes before it
+        QTRY_COMPARE(painted.size(), 2);
+        QCOMPARE(bench.session.field().size(), QSize(440, 320 + bench.session.legendPixels()));
     }
 
     void a_photograph_is_felt_and_one_that_cannot_be_is_told() {

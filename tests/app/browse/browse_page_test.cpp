@@ -42,11 +42,17 @@ void remember_warnings(QtMsgType type, const QMessageLogContext&, const QString&
 
 const QString garden_words = "Anna and Tom, May 2026, Vienna; 2 recording(s).";
 
+/// One for all tests: Qt keeps what it knows of a device for as long as the program runs.
+QPointingDevice* touch_screen() {
+    static QPointingDevice* const screen = QTest::createTouchDevice();
+    return screen;
+}
+
 /// The page in a window, at the garden.
 struct Page : BrowseBench {
     DrawnAlbum::Five five;
     QQuickView window;
-    QPointingDevice* screen = QTest::createTouchDevice();
+    QPointingDevice* screen = touch_screen();
 
     explicit Page(QSize size = {1280, 800}, bool empty = false) {
         if (!empty)

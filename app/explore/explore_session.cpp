@@ -120,7 +120,7 @@ QString ExploreSession::where_one_is() const {
     case State::Ready:
         return describe(photo_->extraction, photo_->names);
     case State::Problem:
-        return sentence_;
+        return found_;
     }
     return {};
 }
@@ -205,9 +205,10 @@ void ExploreSession::show(std::shared_ptr<const LoadedPhoto> photo) {
     build(true);
     if (state_ == State::Ready && here_)
         earcons_.play(Earcon::ready);
-    const QString found = describe(photo_->extraction, photo_->names);
-    tell(photo_->image.isNull() && !photo_->name.isEmpty() ? tr("%1: %2").arg(photo_->name, found) : found,
-         Priority::message);
+    found_ = describe(photo_->extraction, photo_->names);
+    if (photo_->image.isNull() && !photo_->name.isEmpty())
+        found_ = tr("%1: %2").arg(photo_->name, found_);
+    tell(found_, Priority::message);
 }
 
 /// From the photograph and the chosen subject to what is felt. `fresh`: as if nothing had been felt before.

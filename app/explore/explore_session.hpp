@@ -269,6 +269,7 @@ private:
 
     State state_ = State::Empty;
     QString sentence_;
+    QString found_; ///< what was found in the photograph, or why nothing
     std::shared_ptr<const LoadedPhoto> loaded_; ///< as it came
     std::shared_ptr<const LoadedPhoto> photo_;  ///< with the extras that the person wants
     Subject subject_;

@@ -3,8 +3,12 @@
 #include "app/controls/recording_announcer.hpp"
 #include "explore_bench.hpp"
 
+#include <QCoreApplication>
+#include <QSignalSpy>
 #include <QTest>
+#include <QTranslator>
 #include <QVariant>
+#include <QVariantMap>
 
 #include <algorithm>
 #include <cmath>
@@ -232,6 +236,41 @@ private slots:
         bench.session.enter();
         QVERIFY(bench.said().startsWith("Explore. Tom. One face. "));
         QVERIFY(bench.session.engaged());
+    }
+
+    void a_photograph_without_a_face_is_told_on_each_entering_and_asked_for() {
+        Bench bench;
+        auto nothing = std::make_shared<LoadedPhoto>(*drawn_photo());
+        nothing->extraction.faces.clear();
+        bench.session.show(nothing);
+        for (int i = 0; i < 2; ++i) {
+            bench.session.leave();
+            bench.session.enter();
+            QCOMPARE(bench.said(), QString("Explore. No face was found in this picture."));
+        }
+        bench.session.whereAmI();
+        QCOMPARE(bench.said(), QString("No face was found in this picture."));
+        QVERIFY(!bench.session.stop());
+    }
+
+    void in_another_language_everything_has_another_name() {
+        class Brackets final : public QTranslator {
+            QString translate(const char*, const char* source, const char*, int) const override {
+                return "[" + QString::fromUtf8(source) + "]";
+            }
+            bool isEmpty() const override { return false; }
+        };
+        Bench bench(1, {"Anna"});
+        Brackets brackets;
+        QSignalSpy changes(&bench.session, &ExploreSession::sceneChanged);
+        QCoreApplication::installTranslator(&brackets);
+        QVERIFY(changes.count() > 0);
+        const QVariantMap face = bench.session.faces().front().toMap();
+        QCOMPARE(face["name"].toString(), QString("Anna"));
+        QCOMPARE(face["features"].toList().front().toMap()["name"].toString(), QString("[[left eye] of Anna]"));
+        QCOMPARE(bench.session.guideNames().front(), QString("[None]"));
+        QCoreApplication::removeTranslator(&brackets);
+        QCOMPARE(bench.session.guideNames().front(), QString("None"));
     }
 
     void a_person_who_switched_the_force_off_finds_it_off_again() {

@@ -33,7 +33,7 @@ private slots:
         int changes = 0; // seen while the writer was writing
         bool whole = true;
         bool in_order = true;
-        while (changes < 3000)
+        while (changes < 500)
             if (const auto cue = board.read()) {
                 const double value = cue->interval_s;
                 whole = whole && *cue == SonarCue{value, value, value, value, value, value};

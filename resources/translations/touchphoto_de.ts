@@ -156,20 +156,12 @@
         <translation>Taste: W</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
+        <source>Look after it</source>
+        <translation>Pflegen</translation>
     </message>
     <message>
-        <source>Tells every key of this page. Key: H</source>
-        <translation>Nennt alle Tasten dieser Seite. Taste: H</translation>
-    </message>
-    <message>
-        <source>Look after this photograph</source>
-        <translation>Dieses Foto pflegen</translation>
-    </message>
-    <message>
-        <source>Its names, recordings and descriptions. Key: C</source>
-        <translation>Seine Namen, Aufnahmen und Beschreibungen. Taste: C</translation>
+        <source>Names, recordings and descriptions of this photograph. Key: C</source>
+        <translation>Namen, Aufnahmen und Beschreibungen dieses Fotos. Taste: C</translation>
     </message>
 </context>
 <context>
@@ -188,14 +180,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
         <translation>Tab geht von Bedienelement zu Bedienelement, die Pfeiltasten gehen von Foto zu Foto, die Eingabetaste öffnet eines. Strg Z nimmt den letzten Schritt zurück, Strg Umschalt Z wiederholt ihn. Escape hält an, was gerade spielt; eine laufende Aufnahme wird beendet und behalten.</translation>
-    </message>
-    <message>
-        <source>Import a folder</source>
-        <translation>Einen Ordner importieren</translation>
-    </message>
-    <message>
-        <source>Folder for the album</source>
-        <translation>Ordner für das Album</translation>
     </message>
 </context>
 <context>
@@ -637,6 +621,18 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Replay %1</source>
         <translation>%1 wiedergeben</translation>
+    </message>
+    <message>
+        <source>Guidance</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>The strongest force of real devices</source>
+        <translation>Die größte Kraft echter Geräte</translation>
+    </message>
+    <message>
+        <source>Goes to the settings</source>
+        <translation>Führt zu den Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -1250,7 +1246,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>%1 %2</source>
-        <comment>the month&apos;s name and the year</comment>
+        <comment>the month's name and the year</comment>
         <translation>%1 %2</translation>
     </message>
     <message>
@@ -1531,7 +1527,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Alles wie am Anfang</translation>
     </message>
     <message>
-        <source>The album&apos;s folders stay; it can be taken back</source>
+        <source>The album's folders stay; it can be taken back</source>
         <translation>Die Ordner des Albums bleiben; es kann zurückgenommen werden</translation>
     </message>
 </context>
@@ -2122,12 +2118,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Tempo %1</translation>
     </message>
     <message>
-        <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys.</source>
-        <translation>Links und rechts: voriges und nächstes Foto. Nach oben und unten: was darüber bekannt ist. Eingabetaste: die Aufnahmen hören oder Pause. Escape: anhalten. Plus und Minus: schneller und langsamer. Pos1 und Ende: erstes und letztes Foto. S: suchen. P: Personen. Y: Jahre. L: Orte. K: Stichwörter. R: Überraschung. A: alle Fotos. Rücktaste: zurück. E: das Gesicht fühlen. C: dieses Foto pflegen. W: wo bin ich. H: diese Tasten.</translation>
-    </message>
-    <message>
         <source>Go to a row first.</source>
         <translation>Gehen Sie zuerst zu einer Zeile.</translation>
+    </message>
+    <message>
+        <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two fingers goes back, three fingers tell where you are.</source>
+        <translation>Links und rechts: voriges und nächstes Foto. Auf und ab: was darüber bekannt ist. Eingabetaste: Aufnahmen hören oder anhalten. Escape: Stopp. Plus und Minus: schneller und langsamer. Pos1 und Ende: erstes und letztes Foto. S: Suche. P: Personen. Y: Jahre. L: Orte. K: Stichwörter. R: ein beliebiges Foto. A: alle Fotos. Rücktaste: zurück. E: das Gesicht fühlen. C: dieses Foto pflegen. W: wo bin ich. H: diese Tasten. Ein Wischen wirkt wie seine Pfeiltaste, doppeltes Tippen spielt ab, zwei Finger halten an, ein Z mit zwei Fingern geht zurück, drei Finger sagen, wo Sie sind.</translation>
     </message>
 </context>
 <context>
@@ -2163,6 +2159,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Done again: %1.</source>
         <translation>Wiederholt: %1.</translation>
     </message>
+    <message>
+        <source>No folder was chosen.</source>
+        <translation>Es wurde kein Ordner gewählt.</translation>
+    </message>
 </context>
 <context>
     <name>tp::DescriptionCare</name>
@@ -2178,7 +2178,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Rundgang beendet.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 o&apos;clock, %n millimetre(s)</source>
+        <source>%1 o'clock, %n millimetre(s)</source>
         <translation>
             <numerusform>%1 Uhr, %n Millimeter</numerusform>
             <numerusform>%1 Uhr, %n Millimeter</numerusform>
@@ -2780,14 +2780,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 wird geöffnet.</translation>
     </message>
     <message>
-        <source>Recording on %1. Escape ends it.</source>
-        <translation>Aufnahme auf %1. Escape beendet sie.</translation>
-    </message>
-    <message>
-        <source>The servo runs on %1. Escape stops it.</source>
-        <translation>Der Servo läuft auf %1. Escape hält ihn an.</translation>
-    </message>
-    <message>
         <source>Only a simulated device that runs can be made to hang.</source>
         <translation>Hängen kann nur ein simuliertes Gerät, das läuft.</translation>
     </message>
@@ -2917,6 +2909,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
             <numerusform>%n Zeile ist in %1; die Parameter liegen daneben.</numerusform>
             <numerusform>%n Zeilen sind in %1; die Parameter liegen daneben.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Recording: %1. Escape ends it.</source>
+        <translation>Aufzeichnung: %1. Escape beendet sie.</translation>
+    </message>
+    <message>
+        <source>The servo runs: %1. Escape stops it.</source>
+        <translation>Die Regelung läuft: %1. Escape hält sie an.</translation>
     </message>
 </context>
 <context>
@@ -3184,21 +3184,21 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::PlaceWords</name>
     <message numerus="yes">
-        <source>%1. On the %2, at its %3 o&apos;clock, %n millimetre(s) from its middle.</source>
+        <source>%1. On the %2, at its %3 o'clock, %n millimetre(s) from its middle.</source>
         <translation>
             <numerusform>%1. Auf der Linie: %2, auf %3 Uhr, %n Millimeter von der Mitte.</numerusform>
             <numerusform>%1. Auf der Linie: %2, auf %3 Uhr, %n Millimeter von der Mitte.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Beside %1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
+        <source>Beside %1. %2 at %3 o'clock, %n millimetre(s).</source>
         <translation>
             <numerusform>Daneben: %1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
             <numerusform>Daneben: %1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
+        <source>%1. %2 at %3 o'clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
             <numerusform>%1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
@@ -3578,7 +3578,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Album hat diesen Ordner schon.</translation>
     </message>
     <message>
-        <source>the album&apos;s new folder</source>
+        <source>the album's new folder</source>
         <translation>der neue Ordner des Albums</translation>
     </message>
     <message>
@@ -3786,7 +3786,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>das Zurücksetzen</translation>
     </message>
     <message>
-        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
+        <source>All settings are as they were at first. The album's folders stay.</source>
         <translation>Alle Einstellungen sind wie am Anfang. Die Ordner des Albums bleiben.</translation>
     </message>
     <message>

@@ -156,20 +156,12 @@
         <translation>W 키</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation>키 목록</translation>
+        <source>Look after it</source>
+        <translation>관리</translation>
     </message>
     <message>
-        <source>Tells every key of this page. Key: H</source>
-        <translation>이 페이지의 모든 키를 알려 줍니다. H 키</translation>
-    </message>
-    <message>
-        <source>Look after this photograph</source>
-        <translation>이 사진 관리</translation>
-    </message>
-    <message>
-        <source>Its names, recordings and descriptions. Key: C</source>
-        <translation>이름, 녹음, 설명을 다룹니다. C 키</translation>
+        <source>Names, recordings and descriptions of this photograph. Key: C</source>
+        <translation>이 사진의 이름, 녹음, 설명. C 키</translation>
     </message>
 </context>
 <context>
@@ -188,14 +180,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
         <translation>탭 키로 항목 사이를, 화살표 키로 사진 사이를 이동하고, 엔터 키로 사진을 엽니다. Ctrl Z는 마지막 작업을 되돌리고, Ctrl Shift Z는 다시 실행합니다. Escape 키는 재생을 멈추고, 녹음 중이면 녹음을 끝내고 보관합니다.</translation>
-    </message>
-    <message>
-        <source>Import a folder</source>
-        <translation>폴더 가져오기</translation>
-    </message>
-    <message>
-        <source>Folder for the album</source>
-        <translation>앨범을 둘 폴더</translation>
     </message>
 </context>
 <context>
@@ -633,6 +617,18 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Replay %1</source>
         <translation>다시 재생: %1</translation>
+    </message>
+    <message>
+        <source>Guidance</source>
+        <translation>유도</translation>
+    </message>
+    <message>
+        <source>The strongest force of real devices</source>
+        <translation>실제 장치의 가장 강한 힘</translation>
+    </message>
+    <message>
+        <source>Goes to the settings</source>
+        <translation>설정으로 갑니다</translation>
     </message>
 </context>
 <context>
@@ -1238,7 +1234,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>%1 %2</source>
-        <comment>the month&apos;s name and the year</comment>
+        <comment>the month's name and the year</comment>
         <translation>%2년 %1</translation>
     </message>
     <message>
@@ -1519,7 +1515,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모두 처음 상태로</translation>
     </message>
     <message>
-        <source>The album&apos;s folders stay; it can be taken back</source>
+        <source>The album's folders stay; it can be taken back</source>
         <translation>앨범의 폴더는 그대로 남으며, 되돌릴 수 있습니다</translation>
     </message>
 </context>
@@ -2101,12 +2097,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>속도 %1배</translation>
     </message>
     <message>
-        <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys.</source>
-        <translation>왼쪽과 오른쪽 화살표 키: 이전 사진과 다음 사진. 위쪽과 아래쪽 화살표 키: 사진 정보. 엔터 키: 녹음 듣기 또는 일시 정지. Escape 키: 멈춤. 더하기와 빼기: 빠르게와 느리게. Home과 End: 첫 사진과 마지막 사진. S: 검색. P: 사람. Y: 연도. L: 장소. K: 키워드. R: 아무 사진이나 듣기. A: 모든 사진. 백스페이스: 뒤로. E: 얼굴 만져 보기. C: 이 사진 관리. W: 현재 위치. H: 키 목록.</translation>
-    </message>
-    <message>
         <source>Go to a row first.</source>
         <translation>먼저 목록의 줄로 이동하세요.</translation>
+    </message>
+    <message>
+        <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two fingers goes back, three fingers tell where you are.</source>
+        <translation>왼쪽과 오른쪽 화살표: 이전 사진과 다음 사진. 위와 아래 화살표: 사진에 대해 알려진 내용. 엔터 키: 녹음 듣기 또는 일시 정지. Escape 키: 멈춤. 더하기와 빼기: 빠르게와 느리게. 홈과 엔드 키: 첫 사진과 마지막 사진. S: 검색. P: 사람. Y: 연도. L: 장소. K: 핵심어. R: 아무 사진이나. A: 모든 사진. 백스페이스: 뒤로. E: 얼굴 만지기. C: 이 사진 관리. W: 지금 위치. H: 이 키 안내. 쓸어 넘기기는 같은 방향의 화살표 키와 같고, 두 번 두드리면 재생하고, 두 손가락은 멈추고, 두 손가락으로 Z를 그리면 뒤로 가고, 세 손가락은 지금 위치를 알려 줍니다.</translation>
     </message>
 </context>
 <context>
@@ -2141,6 +2137,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Done again: %1.</source>
         <translation>다시 실행했습니다: %1.</translation>
     </message>
+    <message>
+        <source>No folder was chosen.</source>
+        <translation>폴더를 고르지 않았습니다.</translation>
+    </message>
 </context>
 <context>
     <name>tp::DescriptionCare</name>
@@ -2156,7 +2156,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>안내가 끝났습니다.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 o&apos;clock, %n millimetre(s)</source>
+        <source>%1 o'clock, %n millimetre(s)</source>
         <translation>
             <numerusform>%1시 방향, %n밀리미터</numerusform>
         </translation>
@@ -2748,14 +2748,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>여는 중: %1.</translation>
     </message>
     <message>
-        <source>Recording on %1. Escape ends it.</source>
-        <translation>기록하는 중: %1. Escape 키로 끝냅니다.</translation>
-    </message>
-    <message>
-        <source>The servo runs on %1. Escape stops it.</source>
-        <translation>서보 실행 중: %1. Escape 키로 멈춥니다.</translation>
-    </message>
-    <message>
         <source>Only a simulated device that runs can be made to hang.</source>
         <translation>실행 중인 모의 장치만 멈추게 할 수 있습니다.</translation>
     </message>
@@ -2884,6 +2876,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>
             <numerusform>%1: %n줄을 저장했습니다. 매개변수는 그 옆에 있습니다.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Recording: %1. Escape ends it.</source>
+        <translation>기록 중: %1. Escape 키로 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>The servo runs: %1. Escape stops it.</source>
+        <translation>서보가 작동 중: %1. Escape 키로 멈춥니다.</translation>
     </message>
 </context>
 <context>
@@ -3148,19 +3148,19 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::PlaceWords</name>
     <message numerus="yes">
-        <source>%1. On the %2, at its %3 o&apos;clock, %n millimetre(s) from its middle.</source>
+        <source>%1. On the %2, at its %3 o'clock, %n millimetre(s) from its middle.</source>
         <translation>
             <numerusform>%1. %2 위, 중심에서 %3시 방향, %n밀리미터.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Beside %1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
+        <source>Beside %1. %2 at %3 o'clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1 옆. %2, %3시 방향, %n밀리미터.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
+        <source>%1. %2 at %3 o'clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1. %2, %3시 방향, %n밀리미터.</numerusform>
         </translation>
@@ -3539,7 +3539,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이미 앨범에 있는 폴더입니다.</translation>
     </message>
     <message>
-        <source>the album&apos;s new folder</source>
+        <source>the album's new folder</source>
         <translation>앨범의 새 폴더</translation>
     </message>
     <message>
@@ -3747,7 +3747,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>처음 상태로 돌리기</translation>
     </message>
     <message>
-        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
+        <source>All settings are as they were at first. The album's folders stay.</source>
         <translation>모든 설정이 처음 상태로 돌아갔습니다. 앨범의 폴더는 그대로입니다.</translation>
     </message>
     <message>

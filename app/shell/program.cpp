@@ -233,6 +233,11 @@ SettingsSession& Program::settings() {
     return *settings_;
 }
 
+void Program::tell_focus(const QString& words) {
+    if (narrator_.voice_on())
+        narrator_.tell(words, Priority::touch);
+}
+
 void Program::begin(const QString& photo) {
     earcons_.play(Earcon::program_start);
     if (photo.isEmpty()) {

@@ -76,6 +76,9 @@ public:
     /// The sound of the start, at once, and then the page: Start, or Explore with `photo` where one is given.
     void begin(const QString& photo);
 
+    /// The keyboard has come to something; a screen reader says so itself.
+    void tell_focus(const QString& words);
+
     int scheme() const { return static_cast<int>(preferences_.choices().theme); }
     double textScale() const { return preferences_.choices().text_scale; }
     bool motion() const { return preferences_.choices().motion; }

@@ -8,10 +8,13 @@
 #include "app/mend/mend_module.hpp"
 #include "app/print/print_module.hpp"
 #include "app/settings/settings_module.hpp"
+#include "app/shell/focus_words.hpp"
 #include "app/start/start_module.hpp"
 
+#include <QAccessible>
 #include <QColor>
 #include <QQmlEngine>
+#include <QQuickItem>
 #include <QScreen>
 #include <QUrl>
 #include <QVariant>
@@ -20,7 +23,7 @@ extern void qml_register_types_TouchPhoto_Shell();
 
 namespace tp {
 
-ProgramWindow::ProgramWindow(Program& program) {
+ProgramWindow::ProgramWindow(Program& program) : program_(program) {
     qml_register_types_TouchPhoto_Shell();
     register_start();
     register_browse();
@@ -47,6 +50,16 @@ ProgramWindow::ProgramWindow(Program& program) {
                           {"sessions", QVariant::fromValue(&program)},
                           {"pages", Program::page_files()}});
     setSource(QUrl("qrc:/qt-project.org/imports/TouchPhoto/Shell/ShellView.qml"));
+}
+
+void ProgramWindow::keyPressEvent(QKeyEvent* event) {
+    const QQuickItem* before = activeFocusItem();
+    QQuickView::keyPressEvent(event);
+    const bool tab = event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab;
+    if (!tab || activeFocusItem() == before)
+        return;
+    if (QAccessibleInterface* focused = QAccessible::queryAccessibleInterface(activeFocusItem()))
+        program_.tell_focus(focus_words(*focused));
 }
 
 void ProgramWindow::fit_to_screen() {

@@ -2,6 +2,7 @@
 #include "page_window.hpp"
 #include "whole_program.hpp"
 
+#include <QColor>
 #include <QRegularExpression>
 #include <QTranslator>
 
@@ -98,6 +99,29 @@ private slots:
             QTest::keyClick(whole.window.get(), Qt::Key_F1);
             QVERIFY2(whole.voice.said().size() == 1 && whole.voice.said()[0].size() > 200, qPrintable(page));
         }
+    }
+
+    void the_programs_voice_says_what_tab_comes_to() {
+        const Warnings warnings;
+        WholeProgram whole;
+        whole.window->show();
+        whole.window->requestActivate();
+        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        whole.shell().open("settings");
+        settle(whole);
+        QStringList said;
+        for (int i = 0; i < 60; ++i) {
+            whole.voice.clear();
+            QTest::keyClick(whole.window.get(), Qt::Key_Tab);
+            said << whole.voice.said();
+        }
+        for (const char* words : {"Speed of speech: Normal, choice, chosen", "Colours: Light, choice", "Home, button",
+                                  "Sounds for what happens, switch, on", "Size of text, slider, 100 percent"})
+            QVERIFY2(said.contains(words), qPrintable(QString(words) + " is not in: " + said.join("; ")));
+        whole.program->settings().chooseVoice(1); // a screen reader says it itself
+        whole.voice.clear();
+        QTest::keyClick(whole.window.get(), Qt::Key_Tab);
+        QCOMPARE(whole.voice.said(), QStringList());
     }
 
     void no_text_escapes_translation() {

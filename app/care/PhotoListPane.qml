@@ -48,7 +48,7 @@ FocusScope {
     function settle() {
         const open = pane.session.photoRow
         pane.row = open >= 0 ? open : Math.max(0, Math.min(pane.row, list.count - 1))
-        if (pane.keepFocus)
+        if (pane.keepFocus && pane.activeFocus) // nobody has opened a photograph meanwhile
             pane.focusRow()
         pane.keepFocus = false
     }

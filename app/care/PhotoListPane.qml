@@ -41,14 +41,16 @@ FocusScope {
     Connections {
         target: pane.session.photos
         function onModelAboutToBeReset() {
-            pane.keepFocus = list.activeFocus && !list.headerItem.activeFocus
+            pane.keepFocus = pane.keepFocus || (list.activeFocus && !list.headerItem.activeFocus)
         }
-        function onModelReset() {
-            const open = pane.session.photoRow
-            pane.row = open >= 0 ? open : Math.max(0, Math.min(pane.row, list.count - 1))
-            if (pane.keepFocus)
-                pane.focusRow()
-        }
+        function onModelReset() { Qt.callLater(pane.settle) } // when the list has its new rows
+    }
+    function settle() {
+        const open = pane.session.photoRow
+        pane.row = open >= 0 ? open : Math.max(0, Math.min(pane.row, list.count - 1))
+        if (pane.keepFocus && pane.activeFocus) // nobody has opened a photograph meanwhile
+            pane.focusRow()
+        pane.keepFocus = false
     }
 
     ListView {
@@ -69,7 +71,7 @@ FocusScope {
         model: pane.session.photos
         cacheBuffer: 400
         // Who comes to the page comes to its first control.
-        onActiveFocusChanged: if (activeFocus && Window.activeFocusItem === list) list.headerItem.focusFirst()
+        onActiveFocusChanged: if (activeFocus && !pane.keepFocus && Window.activeFocusItem === list) list.headerItem.focusFirst()
         Keys.onUpPressed: (event) => event.accepted = step(-1)
         Keys.onDownPressed: (event) => event.accepted = step(1)
         Keys.onPressed: (event) => {

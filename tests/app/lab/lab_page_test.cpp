@@ -133,6 +133,8 @@ private slots:
 
     void mouse_and_finger_move_the_hand() {
         const Warnings warnings;
+        const std::unique_ptr<QPointingDevice> owned(QTest::createTouchDevice());
+        QPointingDevice* touch = owned.get();
         LabBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -144,7 +146,6 @@ private slots:
         QTest::mouseMove(&window, middle + QPoint(60, 20));
         QVERIFY(bench.session.pointer().x() > 0.5 * bench.session.surfaceWidth() + 5.0);
         QTest::mouseRelease(&window, Qt::LeftButton, {}, middle + QPoint(60, 20));
-        QPointingDevice* touch = QTest::createTouchDevice();
         QTest::touchEvent(&window, touch).press(0, middle, &window);
         QTRY_VERIFY(std::abs(bench.session.pointer().x() - 0.5 * bench.session.surfaceWidth()) < 1.0);
         QTest::touchEvent(&window, touch).move(0, middle + QPoint(0, 40), &window);

@@ -420,7 +420,7 @@ private slots:
         QVERIFY(bench.session.fieldWords().contains("from 0 to 0.80 newtons"));
         painted.clear();
         bench.session.setFieldScale(2.0); // a coarse one of the same size comes before it
-        QTRY_COMPARE(painted.size(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(painted.size(), 2, 60000);
         QCOMPARE(bench.session.field().size(), QSize(440, 320 + bench.session.legendPixels()));
     }
 

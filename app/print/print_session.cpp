@@ -210,11 +210,10 @@ void PrintSession::store(const QString& ending) {
     if (const std::string why = make_folder(folder_); !why.empty())
         return refuse(tr("The folder %1 could not be made: %2")
                           .arg(QString::fromStdU16String(folder_.u16string()), QString::fromStdString(why)));
-    std::filesystem::path file;
-    for (int number = 1; file.empty() || name_taken(file); ++number) {
-        file = folder_ / photo_.stem();
-        file += (number == 1 ? std::string() : " " + std::to_string(number)) + "." + ending.toStdString();
-    }
+    const QString stem = QString::fromStdU16String((folder_ / photo_.stem()).u16string());
+    std::filesystem::path file = (stem + '.' + ending).toStdU16String();
+    for (int number = 2; name_taken(file); ++number)
+        file = QString("%1 %2.%3").arg(stem).arg(number).arg(ending).toStdU16String();
     const auto written = write_tactile(file, *sheet_);
     if (!written)
         return refuse(QString::fromStdString(written.error()));

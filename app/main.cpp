@@ -17,6 +17,8 @@
 
 namespace {
 
+constexpr int picture_after_ms = 3000; ///< by then faces are found and pictures painted
+
 /// The sample that the program carries, as a file; empty where there is none.
 QString sample_photo(const QTemporaryDir& folder) {
     const QString copy = folder.filePath("sample portrait.jpg");
@@ -94,7 +96,7 @@ int main(int argc, char** argv) {
     const QTemporaryDir folder;
     const QString page = options.value(page_option);
     QString photo = options.positionalArguments().value(0);
-    if (photo.isEmpty() && page == "explore")
+    if (photo.isEmpty() && page == "explore" && program.preferences().choices().last_photo.isEmpty())
         photo = sample_photo(folder);
     program.begin(photo);
     tp::ProgramWindow window(program);
@@ -106,13 +108,13 @@ int main(int argc, char** argv) {
         window.fit_to_screen();
     window.show();
     if (photo.isEmpty() && !page.isEmpty())
-        program.shell().open(page);
+        program.open_page(page);
 
     std::optional<tp::Demonstration> demonstration;
     if (picture && !photo.isEmpty())
         QObject::connect(&demonstration.emplace(program.explore()), &tp::Demonstration::finished, &window,
                          [&] { take_picture(window, options.value(picture_option)); });
     else if (picture)
-        QTimer::singleShot(1000, &window, [&] { take_picture(window, options.value(picture_option)); });
+        QTimer::singleShot(picture_after_ms, &window, [&] { take_picture(window, options.value(picture_option)); });
     return QGuiApplication::exec();
 }

@@ -233,6 +233,17 @@ SettingsSession& Program::settings() {
     return *settings_;
 }
 
+void Program::open_page(const QString& page) {
+    const QString& last = preferences_.choices().last_photo;
+    if (page == "care" && !last.isEmpty())
+        return care_for(last);
+    if (page == "mend" && !last.isEmpty())
+        mend().open_file(last);
+    if (page == "print" && !last.isEmpty())
+        print().open_photo(last.toStdU16String());
+    shell_.open(page);
+}
+
 void Program::tell_focus(const QString& words) {
     if (narrator_.voice_on())
         narrator_.tell(words, Priority::touch);

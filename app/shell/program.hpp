@@ -76,6 +76,8 @@ public:
     /// The sound of the start, at once, and then the page: Start, or Explore with `photo` where one is given.
     void begin(const QString& photo);
 
+    /// Opens a page of this name; one that is about a photograph, on the one that one was at last.
+    void open_page(const QString& page);
     /// The keyboard has come to something; a screen reader says so itself.
     void tell_focus(const QString& words);
 

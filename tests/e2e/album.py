@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A small album of real photographs for the journeys: five sample portraits with names, recordings and a description,
-made by the program's own verbs."""
+"""A small album for the journeys, made by the program's own verbs."""
 import json
 import math
 import os
@@ -22,11 +21,11 @@ def tone(path, hz, seconds, rate=48000):
 
 
 class Album:
-    """`folder`/Family with copies of `photos`; `lab` is touchphoto-lab."""
+    """A folder with copies of `photos`; `lab` is touchphoto-lab."""
 
-    def __init__(self, lab, photos, folder):
+    def __init__(self, lab, photos, folder, name="Family"):
         self.lab = lab
-        self.folder = os.path.join(folder, "Family")
+        self.folder = os.path.join(folder, name)
         os.makedirs(self.folder)
         for day, photo in enumerate(photos):  # a day apart, so that they have an order
             taken = 1_750_000_000 + 86_400 * day

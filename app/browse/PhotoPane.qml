@@ -25,10 +25,10 @@ FocusScope {
         color: Theme.panel
         radius: Theme.radius
     }
-    FittedPicture {
+    PictureItem {
         anchors.fill: parent
         anchors.margins: 4
-        image: pane.session.picture
+        picture: pane.session.picture
     }
     TpText {
         anchors.centerIn: parent

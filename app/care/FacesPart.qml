@@ -53,6 +53,7 @@ FocusScope {
                     anchors.left: parent.left
                     width: 1.5 * Theme.target
                     height: 1.5 * Theme.target
+                    fill: PictureItem.Cover
                     picture: face.entry.picture
                     Accessible.ignored: true
                     MouseArea {

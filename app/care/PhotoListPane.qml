@@ -159,6 +159,7 @@ FocusScope {
                 width: Theme.target
                 height: Theme.target
                 anchors { left: parent.left; verticalCenter: row.verticalCenter }
+                fill: PictureItem.Cover
                 picture: item.picture
                 Accessible.ignored: true
                 MouseArea {

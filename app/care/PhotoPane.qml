@@ -38,7 +38,6 @@ FocusScope {
         PictureItem {
             width: parent.width
             height: Math.min(0.6 * width, 0.4 * pane.height)
-            whole: true
             visible: height > 100
             picture: pane.session.faces.picture
             Accessible.ignored: true

@@ -28,9 +28,9 @@ FocusScope {
         color: Theme.panel
         radius: Theme.radius
     }
-    PhotoItem {
+    PictureItem {
         anchors.fill: parent
-        image: surface.session.photo
+        picture: surface.session.photo
         place: Qt.rect(surface.photoRect.x * surface.pixelsPerMm, surface.photoRect.y * surface.pixelsPerMm,
                        surface.photoRect.width * surface.pixelsPerMm, surface.photoRect.height * surface.pixelsPerMm)
         opacity: surface.session.state === ExploreSession.Looking ? 0.3 : 0.9

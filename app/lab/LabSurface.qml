@@ -54,7 +54,8 @@ FocusScope {
         PictureItem {
             width: parent.width
             height: parent.height + surface.legend
-            image: surface.session.field
+            fill: PictureItem.Stretch
+            picture: surface.session.field
         }
         LabMarks {
             anchors.fill: parent

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QImage>
+#include <QPainter>
 #include <QQuickPaintedItem>
 #include <QRectF>
 #include <QVariant>

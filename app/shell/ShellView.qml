@@ -19,23 +19,13 @@ FocusScope {
     LayoutMirroring.enabled: Qt.application.layoutDirection === Qt.RightToLeft
     LayoutMirroring.childrenInherit: true
 
-    Keys.onPressed: (event) => {
-        event.accepted = true
-        if (event.key === Qt.Key_Escape)
-            view.shell.home ? view.shell.open(view.shell.page) : view.shell.goHome()
-        else if (event.key === Qt.Key_F1)
-            view.help()
-        else if (event.key === Qt.Key_F2)
-            view.shell.repeat()
-        else if (event.key === Qt.Key_F3)
-            view.shell.toggleVoice()
-        else if (event.key === Qt.Key_Left && event.modifiers === Qt.AltModifier)
-            view.shell.back()
-        else if (event.key === Qt.Key_Home && event.modifiers === Qt.AltModifier)
-            view.shell.goHome()
-        else
-            event.accepted = false
-    }
+    // A page has the first word about Escape, and none about the keys that hold everywhere.
+    Keys.onEscapePressed: view.shell.home ? view.shell.open(view.shell.page) : view.shell.goHome()
+    Shortcut { sequence: "F1"; onActivated: view.help() }
+    Shortcut { sequence: "F2"; onActivated: view.shell.repeat() }
+    Shortcut { sequence: "F3"; onActivated: view.shell.toggleVoice() }
+    Shortcut { sequence: "Alt+Left"; onActivated: view.shell.back() }
+    Shortcut { sequence: "Alt+Home"; onActivated: view.shell.goHome() }
 
     function help() {
         shell.help(pageItem !== null && pageItem.help !== undefined ? pageItem.help : "")
@@ -53,6 +43,9 @@ FocusScope {
             if (shown) {
                 current = loader
                 loader.forceActiveFocus()
+                const focused = view.Window.activeFocusItem
+                if (focused !== null && !focused.activeFocusOnTab) // the keyboard begins at the page's first control
+                    focused.nextItemInFocusChain(true).forceActiveFocus(Qt.TabFocusReason)
             }
         }
     }

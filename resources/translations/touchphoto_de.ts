@@ -732,6 +732,13 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>MendPage</name>
+    <message>
+        <source>Tab goes from point to point of the photograph's lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
+        <translation>Tab geht von Punkt zu Punkt der Linien auf dem Foto, Bild auf und Bild ab von Merkmal zu Merkmal. Pfeiltasten verschieben einen Punkt um ein Pixel, mit Umschalt um zehn, mit Strg um ein Fünftel. A fügt einen Punkt hinzu, Entf entfernt ihn, C macht aus einer Ecke einen glatten Punkt. Strg Z nimmt den letzten Schritt zurück, Strg S speichert; auch beim Verlassen der Seite wird gespeichert.</translation>
+    </message>
+</context>
+<context>
     <name>MendPanel</name>
     <message>
         <source>Mend contours</source>
@@ -2530,6 +2537,41 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>%1 of face %2</source>
         <comment>left eye of face 2</comment>
         <translation>%1 von Gesicht %2</translation>
+    </message>
+</context>
+<context>
+    <name>tp::FocusText</name>
+    <message>
+        <source>button</source>
+        <translation>Schaltfläche</translation>
+    </message>
+    <message>
+        <source>switch</source>
+        <translation>Schalter</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>Schieberegler</translation>
+    </message>
+    <message>
+        <source>text field</source>
+        <translation>Textfeld</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
     </message>
 </context>
 <context>

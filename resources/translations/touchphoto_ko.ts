@@ -728,6 +728,13 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>MendPage</name>
+    <message>
+        <source>Tab goes from point to point of the photograph's lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
+        <translation>탭 키는 사진 위 선의 점에서 점으로, 페이지 업과 페이지 다운 키는 부위에서 부위로 갑니다. 화살표 키는 점을 1픽셀씩, Shift와 함께 10픽셀씩, Ctrl과 함께 5분의 1픽셀씩 옮깁니다. A는 점을 더하고, Delete는 점을 지우고, C는 모서리를 매끄러운 점으로 바꿉니다. Ctrl Z는 마지막 단계를 되돌리고, Ctrl S는 저장합니다. 페이지를 떠날 때도 저장됩니다.</translation>
+    </message>
+</context>
+<context>
     <name>MendPanel</name>
     <message>
         <source>Mend contours</source>
@@ -2502,6 +2509,41 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>%1 of face %2</source>
         <comment>left eye of face 2</comment>
         <translation>%2번 얼굴의 %1</translation>
+    </message>
+</context>
+<context>
+    <name>tp::FocusText</name>
+    <message>
+        <source>button</source>
+        <translation>버튼</translation>
+    </message>
+    <message>
+        <source>switch</source>
+        <translation>스위치</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>선택 항목</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>슬라이더</translation>
+    </message>
+    <message>
+        <source>text field</source>
+        <translation>입력란</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>켜짐</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>꺼짐</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>선택됨</translation>
     </message>
 </context>
 <context>

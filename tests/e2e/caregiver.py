@@ -28,7 +28,7 @@ class Caregiver:
             print(f"heard: {sentence}")
 
     def imports_a_folder(self):
-        self.hears("TouchPhoto, start page. 1: Look after the album.")
+        self.page.await_name(desk.SAID + "TouchPhoto, start page. 1: Look after the album.…")
         self.page.keys("1")
         self.hears("Care for the album.")
         self.page.press("Import a folder…")
@@ -48,7 +48,7 @@ class Caregiver:
         self.hears("Saved: Clara.")
 
     def type_a_name(self, name):
-        field = self.page.await_name("Who is face …", self.page.atspi.ROLE_ENTRY)
+        field = self.page.await_name("Who is face …", self.page.atspi.ROLE_TEXT)
         field.queryComponent().grabFocus()
         self.page.type(name)
         self.page.keys("Return")

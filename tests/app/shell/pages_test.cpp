@@ -84,6 +84,22 @@ private slots:
         }
     }
 
+    void alt_and_left_goes_back_whatever_a_page_does_with_arrows() {
+        const Warnings warnings;
+        WholeProgram whole;
+        whole.window->show();
+        whole.window->requestActivate();
+        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        for (const QString& page : every_page) {
+            whole.shell().goHome();
+            whole.shell().open("settings");
+            whole.shell().open(page);
+            settle(whole);
+            QTest::keyClick(whole.window.get(), Qt::Key_Left, Qt::AltModifier);
+            QCOMPARE(page + " " + whole.shell().page(), page + (page == "settings" || page == "start" ? " start" : " settings"));
+        }
+    }
+
     void every_page_says_where_one_is_and_has_help() {
         const Warnings warnings;
         WholeProgram whole;
@@ -134,6 +150,7 @@ private slots:
         whole.window->show();
         QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
         QStringList untranslated;
+        whole.voice.clear();
         for (const QString& page : every_page) {
             whole.shell().open(page);
             settle(whole);

@@ -36,6 +36,7 @@ Item {
                     y: modelData.rect.y * targets.pixelsPerMm - face.y
                     width: modelData.rect.width * targets.pixelsPerMm
                     height: modelData.rect.height * targets.pixelsPerMm
+                    z: -width * height // the outline lies round all others and must not hide them
                     Accessible.role: Accessible.Button
                     Accessible.name: modelData.name
                     Accessible.description: qsTr("Sets the finger down there")

@@ -3,6 +3,7 @@
 
 #include "app/album/metadata/read_record.hpp"
 #include "app/scene/corrections.hpp"
+#include "app/tactile/braille.hpp"
 #include "app/tactile/face_names.hpp"
 #include "app/tactile/tactile_file.hpp"
 #include "core/files/durable_file.hpp"
@@ -18,12 +19,22 @@
 #include <QStandardPaths>
 #include <QSvgRenderer>
 
+#include <algorithm>
 #include <utility>
 
 namespace tp {
 
 namespace {
+
 constexpr double preview_px_per_mm = 4.0;
+
+/// Of the pages' language, English where that has no braille here.
+std::string braille_language() {
+    const std::string own = QLocale().name().left(2).toStdString();
+    const std::vector<std::string> all = braille_languages();
+    return std::find(all.begin(), all.end(), own) == all.end() ? "en" : own;
+}
+
 } // namespace
 
 PrintSession::Subject PrintSession::read_subject(const std::filesystem::path& photo) {
@@ -124,7 +135,7 @@ void PrintSession::make() {
     if (face_ > 0)
         options.face = static_cast<std::size_t>(face_ - 1);
     options.names = subject_.names;
-    options.language = QLocale().name().left(2).toStdString();
+    options.language = braille_language();
     if (titled_)
         options.title = photo_.stem().string();
     Result<TactileSheet> sheet = make_tactile_sheet(subject_.extraction, options);

@@ -87,10 +87,10 @@ class Caregiver:
         self.page.press("Mend the contours…")
         self.hears("ben_and_clara.jpg")
         self.page.await_name("Mend contours", self.page.atspi.ROLE_HEADING)
-        self.listener.listen(6)
+        self.page.await_name("Undo…")
+        self.listener.listen(3)
         self.page.keys("Tab", "Right", "Right")
-        self.listener.listen(1)
-        print(self.listener.heard)
+        self.hears(" across, ")
         self.page.keys("alt+Left")
         contours = self.photo + ".contours.svg"
         end = time.monotonic() + desk.PATIENCE

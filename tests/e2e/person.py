@@ -100,7 +100,7 @@ class Person:
         self.hears("lips")
         print("found by its place: lips")
         for key, sentence in (("z", "Zoomed to the eyes"), ("z", "Zoomed to the mouth"),
-                              ("shift+z", "Zoomed to the eyes"), ("shift+z", "Zoomed out to the whole face")):
+                              ("shift+z", "Zoomed out to the whole face")):
             self.page.keys(key)
             self.hears(sentence)
         self.page.keys("space")

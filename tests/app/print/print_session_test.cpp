@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/tactile/braille.hpp"
 #include "print_bench.hpp"
 
 #include <QFile>
 #include <QImage>
+#include <QLocale>
+#include <QScopeGuard>
 #include <QTest>
 
 using namespace tp;
@@ -15,7 +18,8 @@ private slots:
         PrintSession& session = bench.session;
         session.open_photo(PrintBench::sample("ben_and_clara.jpg"));
         QVERIFY(session.looking() && !session.ready());
-        QTRY_VERIFY_WITH_TIMEOUT(session.ready(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(!session.looking(), 60000);
+        QVERIFY2(session.ready(), qPrintable(bench.last_said()));
         QVERIFY(bench.last_said().startsWith("Print ben_and_clara.jpg on 210 by 297 millimetres."));
         QCOMPARE(session.faces(), QStringList({"All faces", "Face 1", "Face 2"}));
         const QImage seen = QImage::fromData(QByteArray::fromBase64(session.preview().section(',', 1).toLatin1()));
@@ -81,6 +85,28 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(bench.session.ready(), 60000);
         bench.session.store("svg");
         QVERIFY(bench.last_said().contains("could not be made"));
+    }
+
+    void names_are_in_braille_of_the_pages_language_or_else_in_english() {
+        const QLocale before;
+        const auto back = qScopeGuard([&] { QLocale::setDefault(before); });
+        std::vector<std::string> labels;
+        for (const char* language : {"de", "fr", "C"}) {
+            QLocale::setDefault(QLocale(language));
+            PrintBench bench;
+            PrintSession session(bench.narrator, bench.earcons, bench.preferences, bench.documents(),
+                                 [](const std::filesystem::path& photo) {
+                                     PrintSession::Subject subject = PrintSession::read_subject(photo);
+                                     subject.names = {"Jörg"};
+                                     return subject;
+                                 });
+            session.open_photo(PrintBench::sample("anna_smiling.jpg"));
+            QTRY_VERIFY_WITH_TIMEOUT(session.ready(), 60000);
+            QCOMPARE(session.sheet()->labels.size(), std::size_t{1});
+            labels.push_back(as_unicode(session.sheet()->labels[0].lines));
+        }
+        QVERIFY(labels[0] != labels[1]);
+        QCOMPARE(labels[1], labels[2]);
     }
 
     void the_newest_photograph_wins() {

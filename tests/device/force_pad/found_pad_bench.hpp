@@ -17,7 +17,7 @@ namespace tp {
 /// A servo on the only pad that is found, in simulated time: one tick for each report that went there and
 /// back.
 struct FoundPadBench {
-    std::function<long()> answered; ///< reports from the computer that were answered
+    std::function<long()> answered; ///< reports from the computer that were answered, or taken back by it
     VirtualClock clock;
     std::unique_ptr<ForcePad> device;
     std::unique_ptr<ServoLoop> loop;

@@ -39,6 +39,7 @@ public:
         long answered = 0; ///< frames of the pad that the computer has got
         long odd = 0;      ///< packets of another length that it has got
         long taken = 0;    ///< frames that the pad has got
+        long given_up = 0; ///< frames that the computer took back before the pad had them: a busy machine is late
         long halts_cleared = 0;
         long detached = 0; ///< times the kernel's driver was sent away
         long attached = 0; ///< and called back
@@ -263,6 +264,7 @@ private:
             for (Transfer& one : transfers_)
                 if (one.urb->client_addr == address && !one.done) {
                     one.finish(-ENOENT, 0);
+                    seen_.given_up += one.inward() ? 0 : 1;
                     return 0;
                 }
             return EINVAL;

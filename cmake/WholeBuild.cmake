@@ -18,16 +18,24 @@ endfunction()
 set(_precompiled <QDateTime> <QDir> <QFile> <QJsonDocument> <QObject> <QTemporaryDir> <QThread> <QVariant>
     <algorithm> <atomic> <cmath> <filesystem> <fstream> <functional> <random> <set> <thread> <opencv2/imgproc.hpp>)
 
+# What a test itself does is little; to optimize two hundred of them would cost more than all rooms together. The rooms
+# that it tests are those that people run.
 if(TOUCHPHOTO_WHOLE_BUILD)
+  set(_test_effort -Og)
+  if(TOUCHPHOTO_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    set(_test_effort -O0)
+  endif()
   file(CONFIGURE OUTPUT precompiled.cpp CONTENT "")
   add_library(tp_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
   target_link_libraries(tp_precompiled PRIVATE Qt6::Core opencv_imgproc tp_compile_options) # -Wpedantic changes macros
   target_precompile_headers(tp_precompiled PRIVATE ${_precompiled})
+  target_compile_options(tp_precompiled PRIVATE ${_test_effort})
 endif()
 
-# tp_use_precompiled(test)
-function(tp_use_precompiled test)
+# tp_compile_quickly(test)
+function(tp_compile_quickly test)
   if(TOUCHPHOTO_WHOLE_BUILD)
     target_precompile_headers(${test} REUSE_FROM tp_precompiled)
+    target_compile_options(${test} PRIVATE ${_test_effort})
   endif()
 endfunction()

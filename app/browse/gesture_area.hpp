@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/browse/touch_gestures.hpp"
+#include "app/browse/stroke_gestures.hpp"
 
 #include <QMouseEvent>
 #include <QPointF>

@@ -2,6 +2,7 @@
 #include "app/care/face_care.hpp"
 
 #include <QRect>
+#include <QRectF>
 #include <QVariantMap>
 
 #include <algorithm>
@@ -13,17 +14,17 @@ namespace {
 
 constexpr int crop_px = 320;
 
-QRectF part_of(const Rect& box, const Extraction& extraction) {
-    return QRectF(QPointF(box.min.x / extraction.width, box.min.y / extraction.height),
-                  QPointF(box.max.x / extraction.width, box.max.y / extraction.height));
+Rect part_of(const Rect& box, const Extraction& extraction) {
+    const Vec2 size(extraction.width, extraction.height);
+    return {box.min / size, box.max / size};
 }
 
 /// The face with some of what is round it.
-QImage crop(const QImage& image, const QRectF& part) {
+QImage crop(const QImage& image, const Rect& part) {
     if (image.isNull())
         return {};
     const double around = 0.25 * std::max(part.width() * image.width(), part.height() * image.height());
-    const QRectF pixels(part.x() * image.width(), part.y() * image.height(), part.width() * image.width(),
+    const QRectF pixels(part.min.x * image.width(), part.min.y * image.height(), part.width() * image.width(),
                         part.height() * image.height());
     const QRect inside = pixels.adjusted(-around, -around, around, around).toAlignedRect() & image.rect();
     const QImage cut = image.copy(inside);
@@ -32,7 +33,7 @@ QImage crop(const QImage& image, const QRectF& part) {
                : cut.scaled(crop_px, crop_px, Qt::KeepAspectRatio, Qt::SmoothTransformation);
 }
 
-double size_of_part(const QRectF& part) { return part.width() * part.height(); }
+double size_of_part(const Rect& part) { return part.width() * part.height(); }
 
 } // namespace
 
@@ -59,13 +60,13 @@ PictureTurn FaceCare::turn() const {
 
 /// What was found and what was marked, as one list: a found face that somebody marked has the mark's place and name.
 void FaceCare::list_faces() {
-    const QRectF chosen = chosen_ >= 0 ? faces_[static_cast<std::size_t>(chosen_)].part : QRectF();
+    const Rect chosen = chosen_ >= 0 ? faces_[static_cast<std::size_t>(chosen_)].part : Rect{};
     faces_.clear();
     for (const FaceRegion& region : photo_.record().faces)
         faces_.push_back({shown_part(region, turn()), region, {}});
     if (found_ && found_->extraction.width > 0)
         for (const Face& face : found_->extraction.faces) {
-            const QRectF part = part_of(face.box, found_->extraction);
+            const Rect part = part_of(face.box, found_->extraction);
             const auto same = std::find_if(faces_.begin(), faces_.end(), [&](const KnownFace& known) {
                 return same_face(known.part, part);
             });
@@ -79,7 +80,9 @@ void FaceCare::list_faces() {
         return std::pair(!a.region.name.empty(), -size_of_part(a.part)) <
                std::pair(!b.region.name.empty(), -size_of_part(b.part));
     });
-    const auto again = std::find_if(faces_.begin(), faces_.end(), [&](const KnownFace& face) { return face.part == chosen; });
+    const auto again = std::find_if(faces_.begin(), faces_.end(), [&](const KnownFace& face) {
+        return face.part.min == chosen.min && face.part.max == chosen.max;
+    });
     chosen_ = chosen_ < 0 || again == faces_.end() ? -1 : static_cast<int>(again - faces_.begin());
     emit changed();
 }

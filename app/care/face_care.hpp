@@ -4,10 +4,9 @@
 #include "app/care/care_teller.hpp"
 #include "app/care/cared_photo.hpp"
 #include "app/care/face_finder.hpp"
-#include "app/care/region_place.hpp"
+#include "app/people/region_place.hpp"
 
 #include <QImage>
-#include <QRectF>
 #include <QString>
 #include <QStringList>
 #include <QVariantList>
@@ -64,7 +63,7 @@ signals:
 
 private:
     struct KnownFace {
-        QRectF part;       ///< of the picture in which faces were found, 0 … 1
+        Rect part;         ///< of the picture in which faces were found, 0 … 1
         FaceRegion region; ///< stored picture; with the name
         QString problem;   ///< why its contours may be wrong, in a sentence
     };

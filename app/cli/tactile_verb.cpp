@@ -3,8 +3,8 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/json_number.hpp"
 #include "app/cli/verbs.hpp"
+#include "app/people/face_names.hpp"
 #include "app/scene/corrections.hpp"
-#include "app/tactile/face_names.hpp"
 #include "app/tactile/tactile_file.hpp"
 #include "faces/face_extractor.hpp"
 
@@ -88,7 +88,7 @@ int tactile_verb(const QStringList& words) {
         options.names.push_back(name.toStdString());
     if (options.names.empty())
         if (const auto record = read_record(photo))
-            options.names = names_at_faces(found, *record);
+            options.names = names_of_faces(found, *record);
     const auto sheet = make_tactile_sheet(found, options);
     if (!sheet) {
         say_problem(sheet.error(), photo);

@@ -2,7 +2,7 @@
 #include "app/explore/photo_loader.hpp"
 
 #include "app/album/metadata/read_record.hpp"
-#include "app/explore/face_names.hpp"
+#include "app/people/face_names.hpp"
 #include "app/picture/overlay.hpp"
 #include "app/scene/corrections.hpp"
 #include "faces/face_extractor.hpp"
@@ -11,6 +11,7 @@
 #include <QFileInfo>
 
 #include <exception>
+#include <string>
 
 namespace tp {
 
@@ -41,7 +42,8 @@ LoadedPhoto read_and_find(const QString& file, std::unique_ptr<FaceExtractor>& e
     photo.extraction = with_corrections(extractor->extract(*picture, stop), file.toStdString());
     photo.image = for_the_screen(turned(*picture, photo.extraction.turned_degrees));
     if (const Result<PhotoRecord> record = read_record(file.toStdString()))
-        photo.names = names_of_faces(photo.extraction, *record);
+        for (const std::string& name : names_of_faces(photo.extraction, *record))
+            photo.names.push_back(QString::fromStdString(name).simplified());
     return photo;
 }
 

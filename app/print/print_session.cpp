@@ -2,9 +2,9 @@
 #include "app/print/print_session.hpp"
 
 #include "app/album/metadata/read_record.hpp"
+#include "app/people/face_names.hpp"
 #include "app/scene/corrections.hpp"
 #include "app/tactile/braille.hpp"
-#include "app/tactile/face_names.hpp"
 #include "app/tactile/tactile_file.hpp"
 #include "core/files/durable_file.hpp"
 #include "faces/face_extractor.hpp"
@@ -46,7 +46,7 @@ PrintSession::Subject PrintSession::read_subject(const std::filesystem::path& ph
     }
     Subject subject{with_corrections(extractor->extract(photo), photo), {}};
     if (const auto record = read_record(photo))
-        subject.names = names_at_faces(subject.extraction, *record);
+        subject.names = names_of_faces(subject.extraction, *record);
     return subject;
 }
 

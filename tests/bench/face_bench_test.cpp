@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is weighed against time must be weighed rightly. No time is asserted.
 #include "app/bench/face_bench.hpp"
+#include "places.hpp"
 
 #include <QFile>
 #include <QImage>
@@ -11,7 +12,7 @@ using namespace tp;
 
 namespace {
 
-const std::filesystem::path shared_faces = std::filesystem::path(TP_SHARED_DIR) / "faces";
+const std::filesystem::path shared_faces = std::filesystem::path(test::in_shared("faces"));
 
 /// A few people with contours placed by hand; none where the portraits are not there.
 std::vector<PlacedPortrait> some_people(std::size_t count) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/picture.hpp"
 #include "picture_check.hpp"
+#include "places.hpp"
 #include "svg_mutants.hpp"
 
 #include <QTest>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr int mutated_inputs = 400;
 
-std::vector<Seed> pictures() { return corpus(TP_SOURCE_DIR "/tests/faces/corpus"); }
+std::vector<Seed> pictures() { return corpus(test::in_source("tests/faces/corpus")); }
 
 /// A few bytes changed, lost, doubled, or the end cut off.
 std::string damaged(std::string bytes, std::mt19937_64& random) {
@@ -60,7 +61,7 @@ private slots:
     }
     void turned_ones() {
         QFETCH(int, degrees);
-        const cv::Mat upright = tp::read_picture(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg").value();
+        const cv::Mat upright = tp::read_picture(test::in_source("resources/samples/anna_smiling.jpg")).value();
         QVERIFY(upright.cols != upright.rows);
         QCOMPARE(complaint_about_search_in(tp::turned(upright, degrees)), std::string());
     }

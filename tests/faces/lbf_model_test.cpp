@@ -7,6 +7,7 @@
 #include "faces/model_catalog.hpp"
 #include "faces/picture.hpp"
 #include "faces/quiet_opencv.hpp"
+#include "places.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -39,7 +40,7 @@ std::vector<DrawnFace> drawn_faces() {
     std::vector<DrawnFace> faces;
     for (const char* name : drawn_people) {
         DrawnFace face;
-        face.picture = read_picture(std::string(TP_SOURCE_DIR "/resources/samples/") + name + ".jpg").value();
+        face.picture = read_picture(std::string(test::in_source("resources/samples/")) + name + ".jpg").value();
         face.detection = detector.detect(face.picture, Effort::usual).at(0);
         face.points = nets.locate(face.picture, face.detection).value();
         faces.push_back(face);

@@ -3,6 +3,7 @@
 
 #include "faces/face.hpp"
 #include "faces/picture.hpp"
+#include "places.hpp"
 
 #include <opencv2/core/persistence.hpp>
 
@@ -15,7 +16,7 @@
 /// Photographs of people that lie beside the repository, not in it.
 namespace portraits {
 
-inline std::filesystem::path folder() { return std::filesystem::path(TP_SHARED_DIR) / "faces"; }
+inline std::filesystem::path folder() { return std::filesystem::path(tp::test::in_shared("faces")); }
 inline bool present() { return std::filesystem::exists(folder() / "photos/london_truth.json"); }
 
 struct Portrait {
@@ -25,7 +26,7 @@ struct Portrait {
 
 /// Numbers of the people of the London set whom the training of the embedded models did not see.
 inline std::set<std::string> held_out_people() {
-    std::ifstream file(std::filesystem::path(TP_SOURCE_DIR) / "faces/training/holdout.txt");
+    std::ifstream file(std::filesystem::path(tp::test::in_source("faces/training/holdout.txt")));
     std::set<std::string> people;
     for (std::string line; std::getline(file, line);)
         if (!line.empty() && line.front() != '#')

@@ -3,6 +3,7 @@
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/face_extractor.hpp"
 #include "faces/picture.hpp"
+#include "places.hpp"
 
 #include <QTest>
 
@@ -11,7 +12,7 @@ using namespace tp;
 namespace {
 
 cv::Mat portrait(const char* name) {
-    return read_picture(std::string(TP_SOURCE_DIR "/resources/samples/") + name).value();
+    return read_picture(std::string(test::in_source("resources/samples/")) + name).value();
 }
 
 } // namespace

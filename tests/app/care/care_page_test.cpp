@@ -2,6 +2,7 @@
 #include "app/album/keeper/photo_files.hpp"
 #include "app/care/care_module.hpp"
 #include "care_bench.hpp"
+#include "places.hpp"
 
 #include <QAccessible>
 #include <QCoreApplication>
@@ -383,9 +384,9 @@ private slots:
     void faces_are_named_by_keys_and_by_choosing() {
         Page page({"a.png"});
         const fs::path portrait = page.bench.photo("anna.jpg");
-        if (!fs::exists(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg"))
+        if (!fs::exists(test::in_source("resources/samples/anna_smiling.jpg")))
             QSKIP("The sample portrait is not there.");
-        fs::copy_file(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg", portrait);
+        fs::copy_file(test::in_source("resources/samples/anna_smiling.jpg"), portrait);
         SidecarChanges changes;
         changes.persons = {"Anna"};
         QCOMPARE(write_sidecar(page.bench.photo("a.png"), changes), std::string());

@@ -2,24 +2,12 @@
 #include "app/care/care_words.hpp"
 #include "app/care/described_in.hpp"
 #include "app/care/import_pace.hpp"
-#include "app/care/region_place.hpp"
 
 #include <QTest>
 
-#include <cmath>
 #include <limits>
 
 using namespace tp;
-
-namespace {
-
-bool near(double a, double b) { return std::abs(a - b) < 1e-12; }
-
-bool same_place(const FaceRegion& a, const FaceRegion& b) {
-    return near(a.x, b.x) && near(a.y, b.y) && near(a.width, b.width) && near(a.height, b.height);
-}
-
-} // namespace
 
 class CareWordsTest : public QObject {
     Q_OBJECT
@@ -105,41 +93,6 @@ private slots:
         QCOMPARE(described_in(record, "de"), std::string("de"));
         QCOMPARE(text_in(record.description, "de"), QString("Hallo"));
         QCOMPARE(text_in(record.alt_text, "de"), QString());
-    }
-
-    void a_place_on_the_shown_picture_goes_back_to_the_same_place_on_the_stored_one() {
-        const FaceRegion region{0.3, 0.2, 0.1, 0.25, {}};
-        for (int orientation = 1; orientation <= 8; ++orientation)
-            for (const int turned : {0, 90, 180, 270}) {
-                const PictureTurn turn{orientation, turned};
-                QVERIFY2(same_place(stored_region(shown_part(region, turn), turn), region),
-                         qPrintable(QString("%1 %2").arg(orientation).arg(turned)));
-            }
-    }
-
-    void a_camera_on_its_side_shows_the_stored_left_upper_corner_at_the_right() {
-        const FaceRegion corner{0.05, 0.1, 0.1, 0.2, {}}; // in the left upper corner as stored
-        const QRectF shown = shown_part(corner, {6, 0});  // to be turned clockwise by 90 degrees
-        QVERIFY(near(shown.right(), 1.0) && near(shown.top(), 0.0));
-        QVERIFY(near(shown.width(), 0.2) && near(shown.height(), 0.1));
-        const QRectF mirrored = shown_part(corner, {2, 0});
-        QVERIFY(near(mirrored.right(), 1.0) && near(mirrored.top(), 0.0) && near(mirrored.width(), 0.1));
-        const QRectF on_its_head = shown_part(corner, {1, 180});
-        QVERIFY(near(on_its_head.right(), 1.0) && near(on_its_head.bottom(), 1.0));
-    }
-
-    void what_reaches_beyond_the_picture_is_cut_off() {
-        const FaceRegion region = stored_region(QRectF(-0.1, 0.5, 0.3, 0.7), {});
-        QVERIFY(same_place(region, {0.1, 0.75, 0.2, 0.5, {}}));
-    }
-
-    void boxes_of_one_face_are_told_from_those_of_two() {
-        const QRectF face(0.4, 0.4, 0.2, 0.2);
-        QVERIFY(same_face(face, face));
-        QVERIFY(same_face(face, QRectF(0.35, 0.3, 0.3, 0.35)));  // with hair
-        QVERIFY(!same_face(face, QRectF(0.55, 0.4, 0.2, 0.2)));  // the neighbour
-        QVERIFY(!same_face(face, QRectF(0.0, 0.0, 1.0, 1.0)));   // the whole picture
-        QVERIFY(!same_face(face, QRectF(0.5, 0.5, 0.0, 0.0)));   // nothing
     }
 };
 

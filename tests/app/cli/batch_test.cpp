@@ -2,6 +2,7 @@
 // Archives through touchphoto-lab faces: many photographs, stopped anywhere and gone on with.
 #include "app/cli/results_file.hpp"
 #include "lab_process.hpp"
+#include "places.hpp"
 
 #include <QDir>
 #include <QImage>
@@ -73,7 +74,7 @@ class BatchTest : public QObject {
 private slots:
     void initTestCase() {
         QVERIFY(folder_.isValid());
-        QImage portrait(QStringLiteral(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg"));
+        QImage portrait(QString(test::in_source("resources/samples/anna_smiling.jpg")));
         QVERIFY(!portrait.isNull());
         for (int i = 0; i < 22; ++i) {
             if (i == 1)

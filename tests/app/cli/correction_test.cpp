@@ -2,6 +2,7 @@
 // A caregiver's corrections from the shell: they override, survive, and are weighed by what is felt.
 #include "core/svg/contour_sheet.hpp"
 #include "lab_process.hpp"
+#include "places.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -19,7 +20,7 @@ class CorrectionTest : public QObject {
     QTemporaryDir folder_;
     QString photo_;
     QString sheet_;
-    QString truth_ = QStringLiteral(TP_SOURCE_DIR "/resources/samples/anna_smiling.truth.svg");
+    QString truth_ = QString(test::in_source("resources/samples/anna_smiling.truth.svg"));
 
     QJsonObject face(const QStringList& options = {}) const {
         const Run run = lab(QStringList{"faces", "--json", photo_} + options);
@@ -32,7 +33,7 @@ private slots:
         sheet_ = photo_ + ".contours.svg";
         QFile::remove(photo_);
         QFile::remove(sheet_);
-        QVERIFY(QFile::copy(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg", photo_));
+        QVERIFY(QFile::copy(test::in_source("resources/samples/anna_smiling.jpg"), photo_));
     }
 
     void a_correction_overrides_survives_and_is_never_written_over() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How well contours tell expressions: on people drawn for it, and on portraits of people.
 #include "expression_runs.hpp"
+#include "places.hpp"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -11,12 +12,12 @@ using namespace expression_runs;
 
 namespace {
 
-const QString london = QStringLiteral(TP_SHARED_DIR "/faces/photos/london");
+const QString london = QString(tp::test::in_shared("faces/photos/london"));
 
 /// Neutral and smiling portraits of the people whom the training of the nets did not see.
 QStringList portraits() {
     QStringList files;
-    for (const QByteArray& person : bytes_of(TP_SOURCE_DIR "/faces/training/holdout.txt").split('\n'))
+    for (const QByteArray& person : bytes_of(tp::test::in_source("faces/training/holdout.txt")).split('\n'))
         if (!person.isEmpty() && !person.startsWith('#'))
             files += files_in(london, person + "_*.jpg");
     return files;
@@ -67,7 +68,7 @@ private slots:
         const QString learned = path("learned.inc");
         const Run run = lab(QStringList{"expressions", "--learn", learned} + files);
         QVERIFY2(run.code == 0, run.err.constData());
-        QCOMPARE(bytes_of(learned), bytes_of(TP_SOURCE_DIR "/core/study/expression_observer.inc"));
+        QCOMPARE(bytes_of(learned), bytes_of(tp::test::in_source("core/study/expression_observer.inc")));
     }
 
     /// Portraits of 34 people, neutral and smiling. Neutral is not among the paper's four, so what is told

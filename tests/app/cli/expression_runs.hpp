@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lab_process.hpp"
+#include "places.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -11,7 +12,7 @@
 /// touchphoto-lab expressions, and what it writes.
 namespace expression_runs {
 
-inline const QString samples = QStringLiteral(TP_SOURCE_DIR "/resources/samples");
+inline const QString samples = QString(tp::test::in_source("resources/samples"));
 
 inline QStringList files_in(const QString& folder, const QString& pattern) {
     QStringList files;

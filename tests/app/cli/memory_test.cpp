@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much memory touchphoto-lab takes for the largest photographs of today's cameras.
 #include "lab_process.hpp"
+#include "places.hpp"
 
 #include <QSize>
 #include <QTemporaryDir>
@@ -31,7 +32,7 @@ double peak_bytes(qint64 program) {
 void write_photograph(const QString& file, QSize size, bool has_face) {
     cv::Mat small(size.height() / 10, size.width() / 10, CV_8UC3), large;
     if (has_face)
-        small = cv::imread(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg");
+        small = cv::imread(tp::test::in_source("resources/samples/anna_smiling.jpg"));
     else
         cv::RNG(7).fill(small, cv::RNG::UNIFORM, 0, 255);
     cv::resize(small, large, {size.width(), size.height()}, 0, 0, cv::INTER_CUBIC);

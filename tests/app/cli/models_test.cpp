@@ -2,6 +2,7 @@
 // touchphoto-lab models as a shell sees it.
 #include "faces/model_catalog.hpp"
 #include "lab_process.hpp"
+#include "places.hpp"
 #include "small_web.hpp"
 
 #include <QDir>
@@ -16,8 +17,8 @@ using namespace tp;
 
 namespace {
 
-const QString another_net = QStringLiteral(TP_SOURCE_DIR "/resources/models/eye.onnx");
-const QString known_yunet = QStringLiteral(TP_SHARED_DIR "/faces/models/yunet.onnx");
+const QString another_net = QString(test::in_source("resources/models/eye.onnx"));
+const QString known_yunet = QString(test::in_shared("faces/models/yunet.onnx"));
 
 QByteArray bytes_of(const QString& name) {
     QFile file(name);

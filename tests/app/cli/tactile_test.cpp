@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab_process.hpp"
+#include "places.hpp"
 
 #include <QFile>
 #include <QJsonArray>
@@ -10,8 +11,8 @@
 
 namespace {
 
-const QString anna = QStringLiteral(TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg");
-const QString two_people = QStringLiteral(TP_SOURCE_DIR "/resources/samples/ben_and_clara.jpg");
+const QString anna = QString(tp::test::in_source("resources/samples/anna_smiling.jpg"));
+const QString two_people = QString(tp::test::in_source("resources/samples/ben_and_clara.jpg"));
 
 QByteArray bytes_of(const QString& name) {
     QFile file(name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/controls/controls_module.hpp"
+#include "places.hpp"
 
 #include <QAccessible>
 #include <QColor>
@@ -53,7 +54,7 @@ private slots:
         tp::register_controls();
     }
     void init() {
-        view_ = std::make_unique<QQuickView>(QUrl::fromLocalFile(QFINDTESTDATA("Gallery.qml")));
+        view_ = std::make_unique<QQuickView>(QUrl::fromLocalFile(tp::test::in_source("tests/app/controls/Gallery.qml")));
         QCOMPARE(view_->status(), QQuickView::Ready);
         view_->show();
         view_->requestActivate();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/metadata/write_sidecar.hpp"
 #include "app/explore/photo_loader.hpp"
+#include "places.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -9,7 +10,7 @@
 using namespace tp;
 
 namespace {
-const QString samples = TP_SOURCE_DIR "/resources/samples/";
+const QString samples = test::in_source("resources/samples/");
 }
 
 class PhotoLoaderTest : public QObject {

@@ -2,6 +2,7 @@
 #include "app/lab/lab_setup.hpp"
 #include "app/lab/sample_scenes.hpp"
 #include "lab_setup_check.hpp"
+#include "places.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -68,7 +69,7 @@ private slots:
     }
 
     void the_corpus_and_its_broken_copies_hold_what_the_fuzzer_asks() {
-        QDir corpus(TP_SOURCE_DIR "/tests/app/lab/corpus");
+        QDir corpus(test::in_source("tests/app/lab/corpus"));
         const QStringList files = corpus.entryList(QDir::Files);
         QVERIFY(files.size() >= 4);
         std::mt19937 random(7);

@@ -5,6 +5,7 @@
 #include "app/print/print_session.hpp"
 #include "audio/speech/recording_voice.hpp"
 #include "fake_loudspeaker.hpp"
+#include "places.hpp"
 
 #include <QTemporaryDir>
 
@@ -21,7 +22,7 @@ struct PrintBench {
 
     std::filesystem::path documents() const { return folder.filePath("Documents/TouchPhoto").toStdString(); }
     static std::filesystem::path sample(const char* name) {
-        return std::filesystem::path(TP_SOURCE_DIR "/resources/samples") / name;
+        return std::filesystem::path(tp::test::in_source("resources/samples")) / name;
     }
     QString last_said() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
 };

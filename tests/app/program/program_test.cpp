@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "places.hpp"
+
 #include <QColor>
 #include <QImage>
 #include <QProcess>
@@ -42,7 +44,7 @@ private slots:
     void it_takes_a_picture_of_a_finger_at_an_eye() {
         const QTemporaryDir folder;
         const QString file = folder.filePath("page.png");
-        const Run done = run({"--screenshot", file, TP_SOURCE_DIR "/resources/samples/anna_smiling.jpg"});
+        const Run done = run({"--screenshot", file, tp::test::in_source("resources/samples/anna_smiling.jpg")});
         QVERIFY2(done.code == 0, qPrintable(done.output));
         const QImage picture(file);
         QVERIFY(picture.width() >= 800);

@@ -5,6 +5,7 @@
 #include "audio/speech/recording_voice.hpp"
 #include "fake_loudspeaker.hpp"
 #include "fake_microphone.hpp"
+#include "places.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -22,7 +23,7 @@ public:
     explicit WholeProgram(const tp::Choices& choices = asked()) {
         QDir().mkpath(folder.filePath("Family"));
         for (const char* name : {"anna_smiling.jpg", "ben_and_clara.jpg", "ben_smiling.jpg"})
-            QFile::copy(QString(TP_SOURCE_DIR "/resources/samples/") + name, folder.filePath(QString("Family/") + name));
+            QFile::copy(QString(tp::test::in_source("resources/samples/")) + name, folder.filePath(QString("Family/") + name));
         tp::Choices with_album = choices;
         with_album.folders = {folder.filePath("Family")};
         {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/tactile/face_names.hpp"
 #include "app/tactile/tactile_sheet.hpp"
 #include "core/geometry/flatten.hpp"
 #include "drawn_faces.hpp"
@@ -176,22 +175,6 @@ private slots:
         QCOMPARE(paper_named("braille")->width_mm, 11.5 * 25.4);
         QVERIFY(!paper_named("a5"));
         QCOMPARE(turned(*paper_named("a3")).width_mm, 420.0);
-    }
-    void names_come_to_the_faces_they_lie_on() {
-        Extraction extraction;
-        extraction.width = 1000;
-        extraction.height = 500;
-        Face left, right;
-        left.box = {{100, 100}, {300, 400}};
-        right.box = {{600, 100}, {800, 400}};
-        extraction.faces = {left, right};
-        PhotoRecord record;
-        record.faces = {{0.7, 0.5, 0.2, 0.6, "Ben"}, {0.2, 0.52, 0.2, 0.6, "Anna"}, {0.95, 0.05, 0.1, 0.1, "nobody"}};
-        QCOMPARE(names_at_faces(extraction, record), (std::vector<std::string>{"Anna", "Ben"}));
-        // Stored lying on its side: orientation 6 is turned clockwise to stand.
-        record.orientation = 6;
-        record.faces = {{0.5, 0.8, 0.6, 0.2, "Anna"}, {0.5, 0.3, 0.6, 0.2, "Ben"}};
-        QCOMPARE(names_at_faces(extraction, record), (std::vector<std::string>{"Anna", "Ben"}));
     }
 };
 

@@ -5,6 +5,7 @@
 #include "byte_mutants.hpp"
 #include "flac_check.hpp"
 #include "owned_bytes.hpp"
+#include "places.hpp"
 #include "sounds.hpp"
 #include "wav_check.hpp"
 
@@ -23,8 +24,8 @@ constexpr std::uint64_t seed = 20190709;
 constexpr std::size_t mutated_heads = 20'000;
 constexpr std::size_t mutated_sounds = 10'000;
 
-std::vector<Seed> wavs() { return corpus(TP_SOURCE_DIR "/tests/audio/recordings/wav_corpus"); }
-std::vector<Seed> flacs() { return corpus(TP_SOURCE_DIR "/tests/audio/recordings/flac_corpus"); }
+std::vector<Seed> wavs() { return corpus(test::in_source("tests/audio/recordings/wav_corpus")); }
+std::vector<Seed> flacs() { return corpus(test::in_source("tests/audio/recordings/flac_corpus")); }
 
 /// A little sound in every format that is read.
 std::vector<Seed> sounds(const fs::path& folder) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/svg/contour_sheet.hpp"
+#include "places.hpp"
 #include "scene_check.hpp"
 #include "svg_mutants.hpp"
 
@@ -12,8 +13,8 @@ namespace {
 constexpr int mutated_inputs = 2000;
 
 std::vector<Seed> scenes() {
-    std::vector<Seed> all = corpus(TP_SOURCE_DIR "/tests/core/guidance/corpus");
-    const std::vector<Seed> sheets = corpus(TP_SOURCE_DIR "/tests/core/svg/corpus");
+    std::vector<Seed> all = corpus(test::in_source("tests/core/guidance/corpus"));
+    const std::vector<Seed> sheets = corpus(test::in_source("tests/core/svg/corpus"));
     all.insert(all.end(), sheets.begin(), sheets.end());
     return all;
 }

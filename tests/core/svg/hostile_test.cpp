@@ -2,6 +2,7 @@
 #include "core/svg/contour_sheet.hpp"
 #include "core/svg/path_pieces.hpp"
 #include "path_check.hpp"
+#include "places.hpp"
 #include "sheet_check.hpp"
 #include "svg_mutants.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 constexpr std::size_t mutated_inputs = 20'000;
 constexpr std::uint64_t seed = 20190709;
 
-std::vector<Seed> sheets() { return tp::test::corpus(TP_SOURCE_DIR "/tests/core/svg/corpus"); }
+std::vector<Seed> sheets() { return tp::test::corpus(tp::test::in_source("tests/core/svg/corpus")); }
 
 } // namespace
 
@@ -54,7 +55,7 @@ private slots:
     }
 
     void mutated_path_data() {
-        const std::vector<Seed> seeds = tp::test::corpus(TP_SOURCE_DIR "/tests/core/svg/path_corpus");
+        const std::vector<Seed> seeds = tp::test::corpus(tp::test::in_source("tests/core/svg/path_corpus"));
         QVERIFY(seeds.size() >= 5);
         for (const Seed& input : seeds)
             QCOMPARE(tp::test::complaint_about_path(input.text), std::string());

@@ -2,6 +2,7 @@
 #include "device/force_pad/protocol/frame.hpp"
 #include "device/force_pad/protocol/usb.hpp"
 #include "frame_check.hpp"
+#include "places.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -20,7 +21,7 @@ QByteArray hex(const Frame& frame) {
 
 /// The frame of PROTOCOL.md with its CRC, made there by another program.
 QByteArray golden(const char* start) {
-    QFile page(QStringLiteral(TP_SOURCE_DIR "/device/force_pad/PROTOCOL.md"));
+    QFile page(QString(test::in_source("device/force_pad/PROTOCOL.md")));
     if (!page.open(QIODevice::ReadOnly))
         return {};
     const QList<QByteArray> lines = page.readAll().split('\n');
@@ -234,7 +235,7 @@ private slots:
     }
 
     void the_fuzzers_inputs_hold() {
-        const QDir corpus(QStringLiteral(TP_SOURCE_DIR "/tests/device/force_pad/corpus"));
+        const QDir corpus(QString(test::in_source("tests/device/force_pad/corpus")));
         const QStringList names = corpus.entryList(QDir::Files);
         QVERIFY(names.size() >= 5);
         for (const QString& name : names) {

@@ -2,6 +2,7 @@
 #include "device/recording/recording_device.hpp"
 #include "device/recording/replay_device.hpp"
 #include "device/simulated/simulated_device.hpp"
+#include "places.hpp"
 #include "recording_check.hpp"
 
 #include <QDir>
@@ -163,7 +164,7 @@ private slots:
     }
 
     void the_fuzzers_inputs_hold() {
-        const QDir corpus(QStringLiteral(TP_SOURCE_DIR "/tests/device/recording/corpus"));
+        const QDir corpus(QString(test::in_source("tests/device/recording/corpus")));
         const QStringList names = corpus.entryList(QDir::Files);
         QVERIFY(names.size() >= 4);
         for (const QString& name : names) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bundle_check.hpp"
 #include "byte_mutants.hpp"
+#include "places.hpp"
 
 #include <QTest>
 
@@ -11,7 +12,7 @@ namespace {
 constexpr std::uint64_t seed = 20260501;
 constexpr std::size_t mutated_bundles = 2'000;
 
-std::vector<Seed> bundles() { return corpus(TP_SOURCE_DIR "/tests/app/album/keeper/bundle_corpus"); }
+std::vector<Seed> bundles() { return corpus(test::in_source("tests/app/album/keeper/bundle_corpus")); }
 
 } // namespace
 

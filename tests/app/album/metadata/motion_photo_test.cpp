@@ -4,6 +4,7 @@
 #include "byte_mutants.hpp"
 #include "made_video.hpp"
 #include "motion_check.hpp"
+#include "places.hpp"
 
 #include <QTest>
 
@@ -122,7 +123,7 @@ private slots:
     }
 
     void the_corpus_and_its_mutants() {
-        const std::vector<Seed> seeds = corpus(TP_SOURCE_DIR "/tests/app/album/metadata/motion_corpus");
+        const std::vector<Seed> seeds = corpus(test::in_source("tests/app/album/metadata/motion_corpus"));
         QVERIFY(seeds.size() >= 6);
         for (const Seed& input : seeds) {
             const std::string complaint = complaint_about_motion(input.text);

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/album/metadata/photo_record.hpp"
-
-#include <QRectF>
+#include "core/geometry/vec.hpp"
 
 namespace tp {
 
@@ -14,12 +13,15 @@ struct PictureTurn {
 };
 
 /// A region of the stored picture as a part (0 … 1, y down) of the picture in which faces were found.
-QRectF shown_part(const FaceRegion& region, const PictureTurn& turn);
+Rect shown_part(const FaceRegion& region, const PictureTurn& turn);
 /// Back: the stored picture's region for a part of that picture, cut off at its edges; without a name.
-FaceRegion stored_region(const QRectF& part, const PictureTurn& turn);
+FaceRegion stored_region(const Rect& part, const PictureTurn& turn);
+
+/// The share of the smaller one that lies in the other, 0 … 1; a point's is 1 where it lies in the other.
+double overlap(const Rect& a, const Rect& b);
 
 /// Whether the two are one face, as far as their places tell: detectors and photo programs draw the box of a face
 /// tighter or wider.
-bool same_face(const QRectF& a, const QRectF& b);
+bool same_face(const Rect& a, const Rect& b);
 
 } // namespace tp

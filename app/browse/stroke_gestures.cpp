@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/browse/touch_gestures.hpp"
+#include "app/browse/stroke_gestures.hpp"
 
 #include <QLineF>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/browse/touch_gestures.hpp"
+#include "app/browse/stroke_gestures.hpp"
 
 #include <QTest>
 
@@ -148,4 +148,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TouchGesturesTest)
-#include "touch_gestures_test.moc"
+#include "stroke_gestures_test.moc"

@@ -12,7 +12,7 @@ using namespace tp;
 
 namespace {
 
-const std::filesystem::path shared_faces = std::filesystem::path(test::in_shared("faces"));
+const std::filesystem::path shared_faces = std::filesystem::path(tp::test::in_shared("faces"));
 
 /// A few people with contours placed by hand; none where the portraits are not there.
 std::vector<PlacedPortrait> some_people(std::size_t count) {

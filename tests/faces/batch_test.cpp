@@ -9,7 +9,7 @@ using namespace tp;
 
 namespace {
 
-const std::filesystem::path samples = test::in_source("resources/samples");
+const std::filesystem::path samples = tp::test::in_source("resources/samples");
 const std::vector<std::filesystem::path> photos{
     samples / "anna_smiling.jpg", "missing.jpg", samples / "ben_and_clara.jpg", samples,
     samples / "anna_sad.jpg",     "missing.jpg", samples / "anna_smiling.jpg"};

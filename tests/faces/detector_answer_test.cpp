@@ -21,7 +21,7 @@ namespace {
 cv::Mat crowd(cv::Size size) {
     cv::RNG random(17);
     cv::Mat picture = drawn::clouds(random, size, 60);
-    const cv::Mat portrait = read_picture(test::in_source("resources/samples/anna_smiling.jpg")).value();
+    const cv::Mat portrait = read_picture(tp::test::in_source("resources/samples/anna_smiling.jpg")).value();
     for (int px = 40; px < std::min(size.width, size.height) / 2; px += px / 2) {
         cv::Mat small;
         cv::resize(portrait, small, {px, px * portrait.rows / portrait.cols}, 0, 0, cv::INTER_AREA);

@@ -45,7 +45,7 @@ cv::Mat lip(double edge) {
 }
 
 std::vector<std::string> table_lines() {
-    std::ifstream file(test::in_source("faces/edge_look_weights.inc"));
+    std::ifstream file(tp::test::in_source("faces/edge_look_weights.inc"));
     std::vector<std::string> lines;
     for (std::string line; std::getline(file, line);)
         if (line.starts_with("    {"))
@@ -159,7 +159,7 @@ private slots:
     }
 
     void who_is_held_out_is_read_or_refused() {
-        const auto people = held_out_people(test::in_source("faces/training/holdout.txt"));
+        const auto people = held_out_people(tp::test::in_source("faces/training/holdout.txt"));
         QVERIFY(people.ok());
         QCOMPARE(people->size(), std::size_t{34});
         QVERIFY(people->contains("003") && !people->contains("002"));

@@ -19,7 +19,7 @@ cv::Mat portrait_in_clouds(cv::Size size, int px) {
     cv::RNG random(11);
     cv::Mat picture = drawn::clouds(random, size, 60);
     if (px > 0) {
-        cv::Mat small = read_picture(test::in_source("resources/samples/anna_smiling.jpg")).value();
+        cv::Mat small = read_picture(tp::test::in_source("resources/samples/anna_smiling.jpg")).value();
         cv::resize(small, small, {px, px * small.rows / small.cols}, 0, 0, cv::INTER_AREA);
         small.copyTo(picture(cv::Rect(cv::Point(size.width / 3, size.height / 4), small.size())));
     }

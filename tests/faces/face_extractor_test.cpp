@@ -422,7 +422,7 @@ private slots:
 
     void a_search_that_is_asked_to_stop_ends_without_faces() {
         FaceExtractor faces = extractor();
-        const cv::Mat picture = *read_picture(test::in_source("resources/samples/anna_smiling.jpg"));
+        const cv::Mat picture = *read_picture(tp::test::in_source("resources/samples/anna_smiling.jpg"));
         std::stop_source stop;
         QCOMPARE(faces.extract(picture, stop.get_token()).faces.size(), std::size_t{1});
         stop.request_stop();

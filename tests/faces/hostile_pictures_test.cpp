@@ -12,7 +12,7 @@ namespace {
 
 constexpr int mutated_inputs = 400;
 
-std::vector<Seed> pictures() { return corpus(test::in_source("tests/faces/corpus")); }
+std::vector<Seed> pictures() { return corpus(tp::test::in_source("tests/faces/corpus")); }
 
 /// A few bytes changed, lost, doubled, or the end cut off.
 std::string damaged(std::string bytes, std::mt19937_64& random) {
@@ -61,7 +61,7 @@ private slots:
     }
     void turned_ones() {
         QFETCH(int, degrees);
-        const cv::Mat upright = tp::read_picture(test::in_source("resources/samples/anna_smiling.jpg")).value();
+        const cv::Mat upright = tp::read_picture(tp::test::in_source("resources/samples/anna_smiling.jpg")).value();
         QVERIFY(upright.cols != upright.rows);
         QCOMPARE(complaint_about_search_in(tp::turned(upright, degrees)), std::string());
     }

@@ -40,7 +40,7 @@ std::vector<DrawnFace> drawn_faces() {
     std::vector<DrawnFace> faces;
     for (const char* name : drawn_people) {
         DrawnFace face;
-        face.picture = read_picture(std::string(test::in_source("resources/samples/")) + name + ".jpg").value();
+        face.picture = read_picture(std::string(tp::test::in_source("resources/samples/")) + name + ".jpg").value();
         face.detection = detector.detect(face.picture, Effort::usual).at(0);
         face.points = nets.locate(face.picture, face.detection).value();
         faces.push_back(face);

@@ -42,12 +42,12 @@ private slots:
     }
     void embedded_nets_are_listed_with_their_size() {
         std::size_t bytes = 0, files = 0;
-        for (const auto& entry : fs::directory_iterator(test::in_source("resources/models")))
+        for (const auto& entry : fs::directory_iterator(tp::test::in_source("resources/models")))
             files += entry.path().extension() == ".onnx";
         QCOMPARE(embedded_models().size(), files);
         for (const EmbeddedModelFacts& model : embedded_models()) {
             const fs::path file =
-                fs::path(test::in_source("resources/models")) / (model.name + std::string(".onnx"));
+                fs::path(tp::test::in_source("resources/models")) / (model.name + std::string(".onnx"));
             QCOMPARE(static_cast<std::uintmax_t>(model.bytes), fs::file_size(file));
             QVERIFY(*model.purpose && *model.licence);
             bytes += model.bytes;
@@ -107,7 +107,7 @@ private slots:
         QTest::newRow("empty file") << QString::fromStdString(touched("empty.onnx", "").string())
                                     << "can be used";
         QTest::newRow("not YAML") << QString::fromStdString(touched("text.yaml").string()) << "can be used";
-        QTest::newRow("another net") << QString(test::in_source("resources/models/eye.onnx")) << "can be used";
+        QTest::newRow("another net") << QString(tp::test::in_source("resources/models/eye.onnx")) << "can be used";
     }
     void wrong_choices_are_sentences() {
         QFETCH(QString, choice);

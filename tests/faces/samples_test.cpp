@@ -33,7 +33,7 @@ class SamplesTest : public QObject {
 
     static std::vector<fs::path> photos() {
         std::vector<fs::path> found;
-        for (const auto& entry : fs::directory_iterator(test::in_source("resources/samples")))
+        for (const auto& entry : fs::directory_iterator(tp::test::in_source("resources/samples")))
             if (entry.path().extension() == ".jpg")
                 found.push_back(entry.path());
         std::sort(found.begin(), found.end());

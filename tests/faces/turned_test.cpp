@@ -12,7 +12,7 @@ using namespace tp;
 namespace {
 
 cv::Mat portrait(const char* name) {
-    return read_picture(std::string(test::in_source("resources/samples/")) + name).value();
+    return read_picture(std::string(tp::test::in_source("resources/samples/")) + name).value();
 }
 
 } // namespace

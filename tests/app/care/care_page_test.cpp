@@ -11,11 +11,14 @@
 #include <QEvent>
 #include <QKeyEvent>
 #include <QMimeData>
+#include <QPoint>
+#include <QPointF>
 #include <QPointingDevice>
 #include <QQmlComponent>
 #include <QQmlEngine>
 #include <QQuickItem>
 #include <QQuickView>
+#include <QRectF>
 #include <QSet>
 #include <QtGlobal>
 
@@ -384,9 +387,9 @@ private slots:
     void faces_are_named_by_keys_and_by_choosing() {
         Page page({"a.png"});
         const fs::path portrait = page.bench.photo("anna.jpg");
-        if (!fs::exists(test::in_source("resources/samples/anna_smiling.jpg")))
+        if (!fs::exists(tp::test::in_source("resources/samples/anna_smiling.jpg")))
             QSKIP("The sample portrait is not there.");
-        fs::copy_file(test::in_source("resources/samples/anna_smiling.jpg"), portrait);
+        fs::copy_file(tp::test::in_source("resources/samples/anna_smiling.jpg"), portrait);
         SidecarChanges changes;
         changes.persons = {"Anna"};
         QCOMPARE(write_sidecar(page.bench.photo("a.png"), changes), std::string());

@@ -74,7 +74,7 @@ class BatchTest : public QObject {
 private slots:
     void initTestCase() {
         QVERIFY(folder_.isValid());
-        QImage portrait(QString(test::in_source("resources/samples/anna_smiling.jpg")));
+        QImage portrait(QString(tp::test::in_source("resources/samples/anna_smiling.jpg")));
         QVERIFY(!portrait.isNull());
         for (int i = 0; i < 22; ++i) {
             if (i == 1)

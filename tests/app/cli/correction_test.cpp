@@ -20,7 +20,7 @@ class CorrectionTest : public QObject {
     QTemporaryDir folder_;
     QString photo_;
     QString sheet_;
-    QString truth_ = QString(test::in_source("resources/samples/anna_smiling.truth.svg"));
+    QString truth_ = QString(tp::test::in_source("resources/samples/anna_smiling.truth.svg"));
 
     QJsonObject face(const QStringList& options = {}) const {
         const Run run = lab(QStringList{"faces", "--json", photo_} + options);
@@ -33,7 +33,7 @@ private slots:
         sheet_ = photo_ + ".contours.svg";
         QFile::remove(photo_);
         QFile::remove(sheet_);
-        QVERIFY(QFile::copy(test::in_source("resources/samples/anna_smiling.jpg"), photo_));
+        QVERIFY(QFile::copy(tp::test::in_source("resources/samples/anna_smiling.jpg"), photo_));
     }
 
     void a_correction_overrides_survives_and_is_never_written_over() {

@@ -17,8 +17,8 @@ using namespace tp;
 
 namespace {
 
-const QString sample = QString(test::in_source("resources/samples/anna_smiling.jpg"));
-const QString two_people = QString(test::in_source("resources/samples/ben_and_clara.jpg"));
+const QString sample = QString(tp::test::in_source("resources/samples/anna_smiling.jpg"));
+const QString two_people = QString(tp::test::in_source("resources/samples/ben_and_clara.jpg"));
 
 } // namespace
 
@@ -121,7 +121,7 @@ private slots:
     void eyes_are_wide_enough_for_a_finger() {
         QFETCH(QString, photo);
         const QString file = path("eyes.svg");
-        QCOMPARE(lab({"scene", test::in_source("resources/samples/") + photo, "--out", file}).code, 0);
+        QCOMPARE(lab({"scene", tp::test::in_source("resources/samples/") + photo, "--out", file}).code, 0);
         const auto sheet = read_sheet(file.toStdString(), ContourSheet::Unit::millimetre);
         for (const Contour& contour : sheet->contours)
             if (contour.name == "left_eye" || contour.name == "right_eye") {

@@ -17,8 +17,8 @@ using namespace tp;
 
 namespace {
 
-const QString another_net = QString(test::in_source("resources/models/eye.onnx"));
-const QString known_yunet = QString(test::in_shared("faces/models/yunet.onnx"));
+const QString another_net = QString(tp::test::in_source("resources/models/eye.onnx"));
+const QString known_yunet = QString(tp::test::in_shared("faces/models/yunet.onnx"));
 
 QByteArray bytes_of(const QString& name) {
     QFile file(name);

@@ -63,7 +63,7 @@ private slots:
     void a_search_can_be_stopped() {
         Bench bench;
         const QString name = bench.session.photoName();
-        bench.session.open_file(test::in_source("resources/samples/anna_smiling.jpg"));
+        bench.session.open_file(tp::test::in_source("resources/samples/anna_smiling.jpg"));
         QCOMPARE(bench.session.state(), ExploreSession::State::Looking);
         bench.session.stopOrStart();
         QCOMPARE(bench.session.state(), ExploreSession::State::Ready); // what was open before
@@ -78,12 +78,12 @@ private slots:
         Narrator narrator(voice, announcer);
         ExploreSounds sounds;
         ExploreSession first(narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings());
-        first.open_file(test::in_source("resources/samples/anna_smiling.jpg"));
+        first.open_file(tp::test::in_source("resources/samples/anna_smiling.jpg"));
         first.stopOrStart();
         PhotoLoader later; // has the same to do and began after it
         bool answered = false;
         connect(&later, &PhotoLoader::loaded, this, [&] { answered = true; });
-        later.load(test::in_source("resources/samples/anna_smiling.jpg"));
+        later.load(tp::test::in_source("resources/samples/anna_smiling.jpg"));
         QTRY_VERIFY_WITH_TIMEOUT(answered, 60000);
         QCOMPARE(first.state(), ExploreSession::State::Empty);
         QCOMPARE(first.sentence(), QString("Stopped looking. Press O to open a photograph."));
@@ -224,7 +224,7 @@ private slots:
         QVERIFY(bench.voice.said().back().contains("at all.jpg"));
         QCOMPARE(bench.session.sentence(), bench.voice.said().back());
         QCOMPARE(bench.session.newtons(), 0.0);
-        bench.session.open(QUrl::fromLocalFile(test::in_source("resources/samples/anna_smiling.jpg")));
+        bench.session.open(QUrl::fromLocalFile(tp::test::in_source("resources/samples/anna_smiling.jpg")));
         QTRY_COMPARE_WITH_TIMEOUT(bench.session.state(), ExploreSession::State::Ready, 60000);
         QVERIFY(bench.voice.said().back().startsWith("One face."));
     }

@@ -10,7 +10,7 @@
 using namespace tp;
 
 namespace {
-const QString samples = test::in_source("resources/samples/");
+const QString samples = tp::test::in_source("resources/samples/");
 }
 
 class PhotoLoaderTest : public QObject {

@@ -434,7 +434,7 @@ private slots:
         bench.session.openPhoto(QUrl::fromLocalFile("/nowhere/face.jpg"));
         QTRY_VERIFY(bench.last().startsWith("face.jpg: "));
         QCOMPARE(bench.session.scene(), 0);
-        bench.session.openPhoto(QUrl::fromLocalFile(test::in_source("resources/samples/anna_smiling.jpg")));
+        bench.session.openPhoto(QUrl::fromLocalFile(tp::test::in_source("resources/samples/anna_smiling.jpg")));
         QTRY_COMPARE_WITH_TIMEOUT(bench.session.scene(), 3, 120000);
         QVERIFY2(bench.last().startsWith("anna_smiling.jpg: "), qPrintable(bench.last()));
         QVERIFY(bench.session.flat().lines.size() >= 5);

@@ -69,7 +69,7 @@ private slots:
     }
 
     void the_corpus_and_its_broken_copies_hold_what_the_fuzzer_asks() {
-        QDir corpus(test::in_source("tests/app/lab/corpus"));
+        QDir corpus(tp::test::in_source("tests/app/lab/corpus"));
         const QStringList files = corpus.entryList(QDir::Files);
         QVERIFY(files.size() >= 4);
         std::mt19937 random(7);

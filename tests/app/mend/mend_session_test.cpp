@@ -446,7 +446,7 @@ private slots:
     void a_portrait_is_read_and_mended() {
         QTemporaryDir folder;
         const QString file = folder.filePath("anna.jpg");
-        QVERIFY(QFile::copy(test::in_source("resources/samples/anna_smiling.jpg"), file));
+        QVERIFY(QFile::copy(tp::test::in_source("resources/samples/anna_smiling.jpg"), file));
         RecordingVoice voice;
         RecordingAnnouncer announcer;
         Narrator narrator(voice, announcer);
@@ -479,7 +479,7 @@ private slots:
     void mended_contours_that_cannot_be_read_are_not_written_over() {
         QTemporaryDir folder;
         const QString file = folder.filePath("anna.jpg");
-        QVERIFY(QFile::copy(test::in_source("resources/samples/anna_smiling.jpg"), file));
+        QVERIFY(QFile::copy(tp::test::in_source("resources/samples/anna_smiling.jpg"), file));
         const auto contours = correction_file(file.toStdString());
         QVERIFY(replace_file(contours, "not a drawing").empty());
         RecordingVoice voice;

@@ -24,8 +24,8 @@ constexpr std::uint64_t seed = 20190709;
 constexpr std::size_t mutated_heads = 20'000;
 constexpr std::size_t mutated_sounds = 10'000;
 
-std::vector<Seed> wavs() { return corpus(test::in_source("tests/audio/recordings/wav_corpus")); }
-std::vector<Seed> flacs() { return corpus(test::in_source("tests/audio/recordings/flac_corpus")); }
+std::vector<Seed> wavs() { return corpus(tp::test::in_source("tests/audio/recordings/wav_corpus")); }
+std::vector<Seed> flacs() { return corpus(tp::test::in_source("tests/audio/recordings/flac_corpus")); }
 
 /// A little sound in every format that is read.
 std::vector<Seed> sounds(const fs::path& folder) {

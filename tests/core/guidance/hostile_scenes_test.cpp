@@ -13,8 +13,8 @@ namespace {
 constexpr int mutated_inputs = 2000;
 
 std::vector<Seed> scenes() {
-    std::vector<Seed> all = corpus(test::in_source("tests/core/guidance/corpus"));
-    const std::vector<Seed> sheets = corpus(test::in_source("tests/core/svg/corpus"));
+    std::vector<Seed> all = corpus(tp::test::in_source("tests/core/guidance/corpus"));
+    const std::vector<Seed> sheets = corpus(tp::test::in_source("tests/core/svg/corpus"));
     all.insert(all.end(), sheets.begin(), sheets.end());
     return all;
 }

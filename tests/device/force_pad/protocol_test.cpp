@@ -21,7 +21,7 @@ QByteArray hex(const Frame& frame) {
 
 /// The frame of PROTOCOL.md with its CRC, made there by another program.
 QByteArray golden(const char* start) {
-    QFile page(QString(test::in_source("device/force_pad/PROTOCOL.md")));
+    QFile page(QString(tp::test::in_source("device/force_pad/PROTOCOL.md")));
     if (!page.open(QIODevice::ReadOnly))
         return {};
     const QList<QByteArray> lines = page.readAll().split('\n');
@@ -235,7 +235,7 @@ private slots:
     }
 
     void the_fuzzers_inputs_hold() {
-        const QDir corpus(QString(test::in_source("tests/device/force_pad/corpus")));
+        const QDir corpus(QString(tp::test::in_source("tests/device/force_pad/corpus")));
         const QStringList names = corpus.entryList(QDir::Files);
         QVERIFY(names.size() >= 5);
         for (const QString& name : names) {

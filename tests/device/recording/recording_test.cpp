@@ -164,7 +164,7 @@ private slots:
     }
 
     void the_fuzzers_inputs_hold() {
-        const QDir corpus(QString(test::in_source("tests/device/recording/corpus")));
+        const QDir corpus(QString(tp::test::in_source("tests/device/recording/corpus")));
         const QStringList names = corpus.entryList(QDir::Files);
         QVERIFY(names.size() >= 4);
         for (const QString& name : names) {

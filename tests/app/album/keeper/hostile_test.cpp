@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint64_t seed = 20260501;
 constexpr std::size_t mutated_bundles = 2'000;
 
-std::vector<Seed> bundles() { return corpus(test::in_source("tests/app/album/keeper/bundle_corpus")); }
+std::vector<Seed> bundles() { return corpus(tp::test::in_source("tests/app/album/keeper/bundle_corpus")); }
 
 } // namespace
 

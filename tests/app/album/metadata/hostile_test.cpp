@@ -24,8 +24,8 @@ namespace {
 constexpr std::size_t mutated_inputs = 10'000;
 constexpr std::uint64_t seed = 20260501;
 
-std::vector<Seed> sidecars() { return corpus(test::in_source("tests/app/album/metadata/corpus")); }
-std::vector<Seed> regions() { return corpus(test::in_source("tests/app/album/metadata/region_corpus")); }
+std::vector<Seed> sidecars() { return corpus(tp::test::in_source("tests/app/album/metadata/corpus")); }
+std::vector<Seed> regions() { return corpus(tp::test::in_source("tests/app/album/metadata/region_corpus")); }
 
 std::string repeated(const std::string& text, int times) {
     std::string all;

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <initializer_list>
 #include <string>
 
 using namespace tp;
@@ -106,8 +107,8 @@ private slots:
         row("empty", {});
         std::string samsung = made_motion_photo(">", samsung_end(video));
         row("Samsung's list is cut", samsung.substr(0, samsung.size() - 1));
-        for (const std::size_t from_end :
-             {5, 6, 7, 8, 9, 12, 13, 16, 17, 20, 24}) { // sizes, places and numbers in it
+        // Sizes, places and numbers in it.
+        for (const std::size_t from_end : std::initializer_list<std::size_t>{5, 6, 7, 8, 9, 12, 13, 16, 17, 20, 24}) {
             std::string changed = samsung;
             changed[samsung.size() - from_end] = '\x7F';
             row(("Samsung's list, byte " + std::to_string(from_end)).c_str(), changed);
@@ -123,7 +124,7 @@ private slots:
     }
 
     void the_corpus_and_its_mutants() {
-        const std::vector<Seed> seeds = corpus(test::in_source("tests/app/album/metadata/motion_corpus"));
+        const std::vector<Seed> seeds = corpus(tp::test::in_source("tests/app/album/metadata/motion_corpus"));
         QVERIFY(seeds.size() >= 6);
         for (const Seed& input : seeds) {
             const std::string complaint = complaint_about_motion(input.text);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 
 using namespace tp;
 using namespace tp::test;
@@ -312,7 +313,7 @@ private slots:
         const PhotoRecord read = record();
         QCOMPARE(read.place_name, std::string("Graz"));
         QCOMPARE(read.problems.size(), std::size_t{1});
-        for (const std::size_t size : {0, 1, 2, 20, 100, 105}) {
+        for (const std::size_t size : std::initializer_list<std::size_t>{0, 1, 2, 20, 100, 105}) {
             write_bytes(photo_, jpeg_bytes(400, 300).substr(0, size));
             QVERIFY(read_record(photo_).ok());
         }

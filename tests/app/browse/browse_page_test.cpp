@@ -545,34 +545,6 @@ private slots:
             QVERIFY(visited.size() >= 14);
         }
     }
-
-    void pictures_to_look_at() {
-        const QString folder = qEnvironmentVariable("TP_PICTURES");
-        if (folder.isEmpty())
-            QSKIP("TP_PICTURES names no folder");
-        for (const auto& [size, name] :
-             {std::pair(QSize(1280, 800), "wide"), std::pair(QSize(600, 1000), "tall")})
-            for (const int scale : {1, 2}) {
-                Page page(size);
-                QVERIFY(page.ready());
-                page.theme("textScale", scale);
-                QTRY_VERIFY(!page.session->picture().isNull());
-                const auto grab = [&](const char* what) {
-                    QTest::qWait(50);
-                    QVERIFY(page.window.grabWindow().save(
-                        QString("%1/%2_%3_%4.png").arg(folder, what, name).arg(scale)));
-                };
-                page.session->nextDetail();
-                page.session->play();
-                page.loudspeaker.play(0.3);
-                grab("photo");
-                page.key(Qt::Key_P);
-                grab("people");
-                page.key(Qt::Key_S);
-                page.words("an");
-                grab("search");
-            }
-    }
 };
 
 QTEST_MAIN(BrowsePageTest)

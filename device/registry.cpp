@@ -7,6 +7,7 @@
 #include "device/simulated/simulated_device.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -15,6 +16,12 @@ namespace tp {
 namespace {
 
 constexpr const char* simulated = "simulated";
+
+/// One look or opening at a time: hidapi's own set-up and its list are not made for two threads.
+std::mutex& one_at_a_time() {
+    static std::mutex mutex;
+    return mutex;
+}
 
 /// A force pad by the interfaces that this system shows; at least one.
 struct PluggedPad {
@@ -44,6 +51,7 @@ std::vector<PluggedPad> plugged_pads() {
 }
 
 Result<std::unique_ptr<ReportTransport>> open_pad(const PluggedPad& pad) {
+    const std::lock_guard lock(one_at_a_time());
     if (!pad.hid)
         return open_bulk(*pad.bulk);
     Result<std::unique_ptr<ReportTransport>> over_hid = open_hid(*pad.hid);
@@ -61,6 +69,7 @@ const char* interface_used(const PluggedPad& pad) {
 } // namespace
 
 std::vector<ListedDevice> list_devices() {
+    const std::lock_guard lock(one_at_a_time());
     std::vector<ListedDevice> devices{{simulated, "the mouse or a finger on the screen", "", ""}};
     for (const PluggedPad& pad : plugged_pads())
         devices.push_back({pad.name(), pad.any().product.empty() ? "force pad" : pad.any().product,
@@ -71,6 +80,7 @@ std::vector<ListedDevice> list_devices() {
 Result<std::unique_ptr<ForceDevice>> device_named(const std::string& name) {
     if (name == simulated)
         return std::unique_ptr<ForceDevice>(std::make_unique<SimulatedDevice>(200.0, 150.0));
+    const std::lock_guard lock(one_at_a_time());
     for (const PluggedPad& pad : plugged_pads())
         if (pad.name() == name)
             return std::unique_ptr<ForceDevice>(std::make_unique<ForcePad>([pad] { return open_pad(pad); }));

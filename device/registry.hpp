@@ -19,10 +19,11 @@ struct ListedDevice {
 };
 
 /// The simulated device first, then what is plugged in, each once: a force pad is used over HID, and over its
-/// bulk interface where HID does not show it or does not let it be opened. One thread at a time.
+/// bulk interface where HID does not show it or does not let it be opened. Any thread; it may wait for another.
 std::vector<ListedDevice> list_devices();
 
-/// A device by its name, not yet open. An error where there is none of that name now.
+/// A device by its name, not yet open. An error where there is none of that name now. Any thread, as open() of the
+/// device.
 Result<std::unique_ptr<ForceDevice>> device_named(const std::string& name);
 
 } // namespace tp

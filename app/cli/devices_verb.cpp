@@ -89,7 +89,7 @@ int test(const QStringList& words) {
     std::string complaint;
     const auto* const pad = dynamic_cast<const ForcePad*>(device.get());
     const std::set<Fault> faults =
-        run_for(*seconds, loop, [&] { complaint = pad != nullptr ? pad->complaint() : ""; });
+        run_for(*seconds, loop, [&] { complaint = device->complaint(); });
     const ServoSnapshot last = loop.snapshot();
     std::printf("ticks       %llu\nplace       %.2f %.2f mm\n", static_cast<unsigned long long>(last.ticks),
                 last.x, last.y);

@@ -69,6 +69,14 @@ TpScroll {
     }
     TpStatus {
         width: parent.width
+        visible: panel.session.deviceName !== ""
+        text: qsTr("Device: %1").arg(panel.session.deviceName)
+        textFormat: Text.PlainText
+        font.pixelSize: Theme.smallSize
+        color: Theme.quiet
+    }
+    TpStatus {
+        width: parent.width
         visible: text !== ""
         text: panel.session.voiceProblem
         font.pixelSize: Theme.smallSize

@@ -10,6 +10,7 @@ namespace tp {
 namespace {
 constexpr double grab_mm = 5.0;       ///< a hand that moves farther during a tour wants to lead itself
 constexpr double still_moving_s = 1.0; ///< how long a hand that cannot be lifted (mouse, keys) is heard after a move
+constexpr double device_moved_mm = 0.3; ///< a device's finger that moves by more is not at rest
 constexpr double quieter = 0.35;      ///< the guide beside a force, outside the force's reach: −9 dB
 } // namespace
 
@@ -32,12 +33,16 @@ void ExploreSession::moveTo(double x, double y) {
     if (!finger_down_)
         hand_kind_ = Hand::pointing;
     hand_ = to;
+    if (servo_.real()) // whose handle says where the finger is, on a tour too
+        return;
     moved_at_ = now();
     if (!touring() || grabs(to))
         servo_.move(to);
 }
 
 void ExploreSession::handGone() {
+    if (servo_.real())
+        return;
     moved_at_ = -1e9;
     lift();
 }
@@ -56,6 +61,8 @@ void ExploreSession::nudge(double dx, double dy) {
         return;
     if (touring())
         end_tour(tr("Tour ended."));
+    if (servo_.real())
+        return tell(tr("Move the finger with the device."), Priority::touch);
     hand_kind_ = Hand::pointing;
     moved_at_ = now();
     servo_.move(servo_.pointer() + Vec2(dx, -dy));
@@ -64,7 +71,7 @@ void ExploreSession::nudge(double dx, double dy) {
 /// A fingertip on a touchscreen is where it is, whatever the drawn finger does; a device's finger and a mouse's are
 /// where the force has drawn them.
 Vec2 ExploreSession::felt_place() const {
-    const bool fingertip = hand_kind_ == Hand::touching && !settings_.force_is_felt && !servo_.leads();
+    const bool fingertip = hand_kind_ == Hand::touching && !servo_.real() && !servo_.leads();
     return fingertip ? servo_.pointer() : servo_.finger();
 }
 
@@ -158,6 +165,15 @@ void ExploreSession::goToFeature(int index) {
         return;
     if (touring())
         end_tour({});
+    if (servo_.real()) { // nobody's finger is set down elsewhere: it is told the way
+        last_feature_ = index;
+        const Polyline& line = servo_.felt().lines[static_cast<std::size_t>(index)];
+        const Vec2 way = point_along(line, nearest_arc(line, felt_place())) - felt_place();
+        return tell(tr("%1: %2 o'clock, %n millimetre(s).", nullptr, static_cast<int>(std::lround(length(way))))
+                        .arg(at_the_start(label_of(index)))
+                        .arg(clock_direction(way)),
+                    Priority::touch);
+    }
     hand_kind_ = Hand::pointing;
     moved_at_ = now();
     servo_.place(landing_place(servo_.felt().lines[static_cast<std::size_t>(index)]));
@@ -191,6 +207,10 @@ void ExploreSession::poll() {
         pointer_ = pointer;
         tour_progress_ = progress;
         emit handMoved();
+    }
+    if (servo_.real() && length(servo_.finger() - device_was_at_) > device_moved_mm) {
+        device_was_at_ = servo_.finger();
+        moved_at_ = time;
     }
     watch_faults(seen.fault, time);
     lead_on(time);
@@ -231,7 +251,7 @@ bool ExploreSession::guides() const { return preferences_.choices().guide != Cho
 /// How loud the guide is: beside a force that is felt it only leads to where the force begins, and softly; within the
 /// force's reach it is silent, because the hand knows better and a tone would cover the words.
 double ExploreSession::guide_level(double distance) const {
-    if (!settings_.force_is_felt || !engaged())
+    if (!servo_.real() || !engaged())
         return 1.0;
     return distance < TentProfile{}.band() ? 0.0 : quieter;
 }
@@ -241,11 +261,14 @@ void ExploreSession::guide_finger(Vec2 place, double now) {
     const Choices::Guide kind = preferences_.choices().guide;
     const bool beeps = kind == Choices::Guide::sonar || kind == Choices::Guide::both;
     if (touring()) {
-        if (!beeps || settings_.force_is_felt || !servo_.leads())
+        if (!beeps || servo_.real() || !servo_.leads())
             return guide_.silence();
         return guide_.sound(tour_cue(0.5 + place.x / frame_.width_mm, 0.5 + place.y / frame_.height_mm));
     }
-    const bool present = finger_down_ ? gestures_.explores() : hand_kind_ == Hand::pointing && now - moved_at_ < still_moving_s;
+    const bool moves = now - moved_at_ < still_moving_s;
+    const bool present = servo_.real()  ? moves
+                         : finger_down_ ? gestures_.explores()
+                                        : hand_kind_ == Hand::pointing && moves;
     if (!present || hushed_ || kind == Choices::Guide::none)
         return guide_.silence();
     const Guidance guidance = law_->at(place);
@@ -278,6 +301,8 @@ void ExploreSession::watch_faults(Fault fault, double now) {
     }
     if (faults_.shown() != shown)
         emit modeChanged();
+    if (fault == Fault::device_lost && servo_.real())
+        device_gone();
 }
 
 } // namespace tp

@@ -29,12 +29,16 @@ ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
                                Preferences& preferences, ExploreSettings settings)
     : settings_(std::move(settings)), frame_{settings_.surface.width_mm, settings_.surface.height_mm},
       narrator_(narrator), earcons_(earcons), guide_(guide), preferences_(preferences),
-      servo_(settings_.surface, settings_.servo, settings_.plant), dwell_(settings_.dwell_s) {
+      servo_(settings_.surface, settings_.servo, settings_.plant), dwell_(settings_.dwell_s), desk_(settings_.devices) {
     pointer_ = finger_ = frame_.from_surface(Vec2(0.0));
     servo_.set_max_force(maxForce());
     connect(&loader_, &PhotoLoader::loaded, this, &ExploreSession::show);
     connect(&narrator_, &Narrator::changed, this, &ExploreSession::voiceChanged);
     connect(&preferences_, &Preferences::changed, this, &ExploreSession::choices_changed);
+    connect(&desk_, &DeviceDesk::looked, this, &ExploreSession::devices_seen);
+    connect(&desk_, &DeviceDesk::opened, this,
+            [this](const std::shared_ptr<OpenDevice>& open) { use_device(*open); });
+    connect(&desk_, &DeviceDesk::refused, this, &ExploreSession::device_refused);
     timer_.setInterval(poll_ms);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &ExploreSession::poll);
@@ -129,6 +133,7 @@ void ExploreSession::enter() {
     const bool was_here = here_;
     here_ = true;
     hushed_ = false;
+    want_device();
     if (was_here && state_ == State::Looking)
         return; // just told
     if (state_ == State::Ready && force_wanted_) {
@@ -147,6 +152,7 @@ void ExploreSession::leave() {
         return;
     force_wanted_ = engaged() || state_ != State::Ready;
     stop_everything();
+    leave_device();
     here_ = false;
 }
 
@@ -247,6 +253,8 @@ void ExploreSession::build(bool fresh) {
     hand_.reset();
     become(State::Ready);
     timer_.start();
+    if (fresh)
+        devices_seen();
 }
 
 void ExploreSession::list_faces() {
@@ -489,9 +497,12 @@ void ExploreSession::engage() {
     if (state_ != State::Ready)
         return;
     hushed_ = false;
+    refused_.clear();
+    device_expected_ = true; // where one was refused, it is asked again
     servo_.engage();
     emit modeChanged();
     tell(tr("The force is on."), Priority::touch);
+    devices_seen();
 }
 
 void ExploreSession::whereAmI() {

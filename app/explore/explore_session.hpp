@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/devices/device_desk.hpp"
+#include "app/devices/device_words.hpp"
 #include "app/explore/clock_guide.hpp"
 #include "app/explore/dwell.hpp"
 #include "app/explore/fault_watch.hpp"
@@ -42,7 +44,8 @@ struct ExploreSettings {
     ExtraFeatures extras; ///< felt beside those that the person has chosen
     ServoSettings servo = settings_for_a_drawn_finger();
     SimulatedPlant plant;
-    bool force_is_felt = false;     ///< the device moves a real finger; else the force is only drawn
+    DeviceAccess devices;           ///< that move a real finger; without one the force is only drawn
+    ServoSettings device_servo;     ///< theirs
     double dwell_s = Dwell::usual_s; ///< how long a finger stays on a feature before it is told
     std::function<double()> now;    ///< seconds; empty: real time since the session was made
 };
@@ -80,6 +83,8 @@ class ExploreSession final : public QObject {
     Q_PROPERTY(bool engaged READ engaged NOTIFY modeChanged)
     Q_PROPERTY(bool touring READ touring NOTIFY modeChanged)
     Q_PROPERTY(QString faultSentence READ faultSentence NOTIFY modeChanged)
+    /// The device that moves the finger; empty where it is only drawn.
+    Q_PROPERTY(QString deviceName READ deviceName NOTIFY modeChanged)
     Q_PROPERTY(double maxForce READ maxForce WRITE setMaxForce NOTIFY choicesChanged)
     /// What guides where no force does: index into guideNames.
     Q_PROPERTY(int guide READ guide WRITE setGuide NOTIFY choicesChanged)
@@ -122,7 +127,8 @@ public:
     QString featureName() const { return label_of(tracker_.current()); }
     bool engaged() const { return servo_.engaged(); }
     bool touring() const { return servo_.leads() || !tour_left_.empty(); }
-    QString faultSentence() const { return fault_words(faults_.shown()); }
+    QString faultSentence() const;
+    QString deviceName() const;
     double maxForce() const;
     void setMaxForce(double newtons);
     int guide() const { return static_cast<int>(preferences_.choices().guide); }
@@ -233,10 +239,18 @@ private:
     void stop_everything();
     void stop_looking();
 
+    // the device
+    void leave_device();
+    void want_device();
+    void devices_seen();
+    void use_device(OpenDevice& open);
+    void device_refused(const QString& sentence);
+    void device_gone();
+
     // the hand
     void poll();
     Vec2 felt_place() const;
-    bool lifted() const { return hand_kind_ == Hand::touching && !finger_down_; }
+    bool lifted() const { return !servo_.real() && hand_kind_ == Hand::touching && !finger_down_; }
     bool grabs(Vec2 to);
     void lift();
     void perform(TouchGestures::Gesture gesture);
@@ -295,8 +309,14 @@ private:
     bool here_ = true;               ///< the page is in sight
     bool force_wanted_ = true;       ///< when it comes back into sight
 
+    QString device_about_;         ///< of the one that moves the finger
+    std::string refused_;          ///< name of the one that could not be opened; it is not asked again by itself
+    bool device_expected_ = false; ///< the person has just come: a device that is there gets the force at once
+    Vec2 device_was_at_{0.0};      ///< surface frame
+
     QTimer timer_;
     QElapsedTimer clock_;
+    DeviceDesk desk_;
     PhotoLoader loader_; ///< last: its thread ends first
 };
 

@@ -10,23 +10,8 @@ namespace tp {
 
 namespace {
 
-/// The sentences of core/servo/fault.cpp and of the room faces, word for word: a test compares them.
+/// The sentences of the room faces, word for word.
 constexpr std::array problem_sources{
-    QT_TRANSLATE_NOOP("tp::Problems",
-                      "The force was switched off for a moment, because a measurement was not a number."),
-    QT_TRANSLATE_NOOP("tp::Problems", "The force is off, because the finger is outside the area that the device reaches. "
-                                      "Move it back."),
-    QT_TRANSLATE_NOOP("tp::Problems",
-                      "The force is off, because the finger moves too fast. Move slowly and it comes back."),
-    QT_TRANSLATE_NOOP("tp::Problems", "The force is off, because the device has switched its motors off to be safe. It "
-                                      "comes back when the device is ready."),
-    QT_TRANSLATE_NOOP("tp::Problems", "The force is off, because the device does not say where the finger is."),
-    QT_TRANSLATE_NOOP("tp::Problems",
-                      "The force is off for a moment, because this computer was too busy to guide the finger."),
-    QT_TRANSLATE_NOOP("tp::Problems", "The device was switched off, because this computer stood still. Start it again "
-                                      "when you are ready."),
-    QT_TRANSLATE_NOOP("tp::Problems", "The device was switched off, because it no longer answers. Check its cable and "
-                                      "start it again."),
     QT_TRANSLATE_NOOP("tp::Problems", "No face was found in this picture."),
     QT_TRANSLATE_NOOP("tp::Problems", "The picture is empty."),
     QT_TRANSLATE_NOOP("tp::Problems", "The picture is not in 8-bit colour."),
@@ -51,10 +36,6 @@ constexpr std::array problem_sources{
 
 QString problem_words(const std::string& problem) {
     return problem.empty() ? QString() : QCoreApplication::translate("tp::Problems", problem.c_str());
-}
-
-QString fault_words(Fault fault) {
-    return fault == Fault::none ? QString() : QCoreApplication::translate("tp::Problems", sentence(fault));
 }
 
 bool is_translatable(const QString& sentence) {

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/servo/fault.hpp"
-
 #include <QString>
 
 #include <string>
 
 namespace tp {
-
-/// A fault of the servo as a sentence in the person's language; empty for none.
-QString fault_words(Fault fault);
 
 /// What the search for faces says of a picture or a face, in the person's language where it is a sentence without a
 /// number or a name in it; others stay as they are.

@@ -46,8 +46,7 @@ public:
     Result<bool> home();
     /// Sends what the mailbox holds, if anything is new in it.
     void deliver() noexcept;
-    /// Why its motors are off and what to do, for a person. Any thread.
-    std::string complaint() const;
+    std::string complaint() const override;
     /// Frames since open that were broken, repeated or older than one before. Any thread.
     std::uint64_t bad_frames() const noexcept { return bad_frames_.load(std::memory_order_relaxed); }
 

@@ -734,7 +734,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>MendPage</name>
     <message>
-        <source>Tab goes from point to point of the photograph's lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
+        <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
         <translation>Tab geht von Punkt zu Punkt der Linien auf dem Foto, Bild auf und Bild ab von Merkmal zu Merkmal. Pfeiltasten verschieben einen Punkt um ein Pixel, mit Umschalt um zehn, mit Strg um ein Fünftel. A fügt einen Punkt hinzu, Entf entfernt ihn, C macht aus einer Ecke einen glatten Punkt. Strg Z nimmt den letzten Schritt zurück, Strg S speichert; auch beim Verlassen der Seite wird gespeichert.</translation>
     </message>
 </context>
@@ -1253,7 +1253,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>%1 %2</source>
-        <comment>the month's name and the year</comment>
+        <comment>the month&apos;s name and the year</comment>
         <translation>%1 %2</translation>
     </message>
     <message>
@@ -1534,7 +1534,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Alles wie am Anfang</translation>
     </message>
     <message>
-        <source>The album's folders stay; it can be taken back</source>
+        <source>The album&apos;s folders stay; it can be taken back</source>
         <translation>Die Ordner des Albums bleiben; es kann zurückgenommen werden</translation>
     </message>
 </context>
@@ -1674,6 +1674,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Key: O</source>
         <translation>Taste: O</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>Gerät: %1</translation>
     </message>
 </context>
 <context>
@@ -2185,7 +2189,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Rundgang beendet.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 o'clock, %n millimetre(s)</source>
+        <source>%1 o&apos;clock, %n millimetre(s)</source>
         <translation>
             <numerusform>%1 Uhr, %n Millimeter</numerusform>
             <numerusform>%1 Uhr, %n Millimeter</numerusform>
@@ -2352,6 +2356,29 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Guide: %1.</source>
         <translation>Führung: %1.</translation>
+    </message>
+    <message>
+        <source>Device: %1. Its force is on.</source>
+        <translation>Gerät: %1. Seine Kraft ist an.</translation>
+    </message>
+    <message>
+        <source>Device: %1. Its force is off. Press Enter to switch it on.</source>
+        <translation>Gerät: %1. Seine Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>%1 Until then the force is only drawn.</source>
+        <translation>%1 Bis dahin wird die Kraft nur gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Move the finger with the device.</source>
+        <translation>Bewegen Sie den Finger mit dem Gerät.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 o&apos;clock, %n millimetre(s).</source>
+        <translation>
+            <numerusform>%1: %2 Uhr, %n Millimeter.</numerusform>
+            <numerusform>%1: %2 Uhr, %n Millimeter.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3226,21 +3253,21 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::PlaceWords</name>
     <message numerus="yes">
-        <source>%1. On the %2, at its %3 o'clock, %n millimetre(s) from its middle.</source>
+        <source>%1. On the %2, at its %3 o&apos;clock, %n millimetre(s) from its middle.</source>
         <translation>
             <numerusform>%1. Auf der Linie: %2, auf %3 Uhr, %n Millimeter von der Mitte.</numerusform>
             <numerusform>%1. Auf der Linie: %2, auf %3 Uhr, %n Millimeter von der Mitte.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Beside %1. %2 at %3 o'clock, %n millimetre(s).</source>
+        <source>Beside %1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
         <translation>
             <numerusform>Daneben: %1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
             <numerusform>Daneben: %1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1. %2 at %3 o'clock, %n millimetre(s).</source>
+        <source>%1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
             <numerusform>%1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
@@ -3431,6 +3458,86 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>This picture could not be worked on. It may be too large for this computer.</source>
         <translation>Dieses Bild konnte nicht bearbeitet werden. Vielleicht ist es für diesen Computer zu groß.</translation>
     </message>
+    <message>
+        <source>You may not use the force pad yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
+        <translation>Sie dürfen das Kraftpad noch nicht benutzen. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie dann das Gerät ab und stecken Sie es wieder ein.</translation>
+    </message>
+    <message>
+        <source>Windows does not let this program use the force pad. Unplug it and plug it in again; if that does not help, close other programs that use it.</source>
+        <translation>Windows lässt dieses Programm das Kraftpad nicht benutzen. Ziehen Sie es ab und stecken Sie es wieder ein; hilft das nicht, schließen Sie andere Programme, die es benutzen.</translation>
+    </message>
+    <message>
+        <source>macOS does not let this program use the force pad. Allow it under System Settings, Privacy &amp; Security, Input Monitoring, and start it again.</source>
+        <translation>macOS lässt dieses Programm das Kraftpad nicht benutzen. Erlauben Sie es unter Systemeinstellungen, Datenschutz &amp; Sicherheit, Eingabeüberwachung, und starten Sie das Programm neu.</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the force pad. Unplug the device and plug it in again; if that does not help, its kernel must have the hidraw driver.</source>
+        <translation>Ein anderer Treiber des Systems hält das Kraftpad fest. Ziehen Sie das Gerät ab und stecken Sie es wieder ein; hilft das nicht, braucht der Kernel den Treiber hidraw.</translation>
+    </message>
+    <message>
+        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then &quot;USB Input Device&quot;.</source>
+        <translation>Das Kraftpad hat den falschen Treiber. Wählen Sie im Geräte-Manager „Treiber aktualisieren“, dann „USB-Eingabegerät“.</translation>
+    </message>
+    <message>
+        <source>Another driver holds the force pad. Remove the driver that its maker installed and start this computer again.</source>
+        <translation>Ein anderer Treiber hält das Kraftpad fest. Entfernen Sie den Treiber seines Herstellers und starten Sie diesen Computer neu.</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the force pad and does not let go of it. Unplug the device, unload that driver and plug the device in again.</source>
+        <translation>Ein anderer Treiber des Systems hält das Kraftpad fest und gibt es nicht frei. Ziehen Sie das Gerät ab, entladen Sie diesen Treiber und stecken Sie das Gerät wieder ein.</translation>
+    </message>
+    <message>
+        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then &quot;WinUsb Device&quot;.</source>
+        <translation>Das Kraftpad hat den falschen Treiber. Wählen Sie im Geräte-Manager „Treiber aktualisieren“, dann „WinUsb-Gerät“.</translation>
+    </message>
+    <message>
+        <source>Another program uses the force pad. Close that program and try again.</source>
+        <translation>Ein anderes Programm benutzt das Kraftpad. Schließen Sie dieses Programm und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The force pad was unplugged. Plug it in again.</source>
+        <translation>Das Kraftpad wurde abgezogen. Stecken Sie es wieder ein.</translation>
+    </message>
+    <message>
+        <source>The force pad could not be opened. Unplug it, plug it in again and try once more.</source>
+        <translation>Das Kraftpad ließ sich nicht öffnen. Ziehen Sie es ab, stecken Sie es wieder ein und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The force pad does not know where its knob is. Put the knob on its mark and home the pad.</source>
+        <translation>Das Kraftpad weiß nicht, wo sein Knopf steht. Stellen Sie den Knopf auf seine Marke und lassen Sie das Pad sich dort ausrichten.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
+        <translation>Die Messwerte des Kraftpads widersprechen sich: Ein Seil hängt durch oder ist gerutscht. Stellen Sie den Knopf auf seine Marke und lassen Sie das Pad sich dort ausrichten.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s motors are too hot. It goes on by itself when they have cooled.</source>
+        <translation>Die Motoren des Kraftpads sind zu heiß. Es geht von selbst weiter, wenn sie abgekühlt sind.</translation>
+    </message>
+    <message>
+        <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
+        <translation>Ein Motor des Kraftpads hat zu viel Strom gezogen. Sehen Sie nach, ob etwas den Knopf blockiert.</translation>
+    </message>
+    <message>
+        <source>The force pad heard nothing from this computer for a moment and switched its motors off.</source>
+        <translation>Das Kraftpad hat einen Augenblick nichts von diesem Computer gehört und seine Motoren abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s motors are off.</source>
+        <translation>Die Motoren des Kraftpads sind aus.</translation>
+    </message>
+    <message>
+        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
+        <translation>Das Gerät mit den Kennzahlen eines Kraftpads antwortet nicht wie eines. Ziehen Sie es ab und stecken Sie es wieder ein; ist es kein Kraftpad, wählen Sie ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>The force pad did not say which places it reaches. Unplug it and plug it in again.</source>
+        <translation>Das Kraftpad hat nicht gesagt, welche Stellen es erreicht. Ziehen Sie es ab und stecken Sie es wieder ein.</translation>
+    </message>
+    <message>
+        <source>force pad</source>
+        <translation>Kraftpad</translation>
+    </message>
 </context>
 <context>
     <name>tp::Program</name>
@@ -3620,7 +3727,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Album hat diesen Ordner schon.</translation>
     </message>
     <message>
-        <source>the album's new folder</source>
+        <source>the album&apos;s new folder</source>
         <translation>der neue Ordner des Albums</translation>
     </message>
     <message>
@@ -3828,7 +3935,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>das Zurücksetzen</translation>
     </message>
     <message>
-        <source>All settings are as they were at first. The album's folders stay.</source>
+        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
         <translation>Alle Einstellungen sind wie am Anfang. Die Ordner des Albums bleiben.</translation>
     </message>
     <message>

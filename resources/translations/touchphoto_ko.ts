@@ -730,7 +730,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>MendPage</name>
     <message>
-        <source>Tab goes from point to point of the photograph's lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
+        <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
         <translation>탭 키는 사진 위 선의 점에서 점으로, 페이지 업과 페이지 다운 키는 부위에서 부위로 갑니다. 화살표 키는 점을 1픽셀씩, Shift와 함께 10픽셀씩, Ctrl과 함께 5분의 1픽셀씩 옮깁니다. A는 점을 더하고, Delete는 점을 지우고, C는 모서리를 매끄러운 점으로 바꿉니다. Ctrl Z는 마지막 단계를 되돌리고, Ctrl S는 저장합니다. 페이지를 떠날 때도 저장됩니다.</translation>
     </message>
 </context>
@@ -1241,7 +1241,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>%1 %2</source>
-        <comment>the month's name and the year</comment>
+        <comment>the month&apos;s name and the year</comment>
         <translation>%2년 %1</translation>
     </message>
     <message>
@@ -1522,7 +1522,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모두 처음 상태로</translation>
     </message>
     <message>
-        <source>The album's folders stay; it can be taken back</source>
+        <source>The album&apos;s folders stay; it can be taken back</source>
         <translation>앨범의 폴더는 그대로 남으며, 되돌릴 수 있습니다</translation>
     </message>
 </context>
@@ -1662,6 +1662,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Key: O</source>
         <translation>O 키</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>장치: %1</translation>
     </message>
 </context>
 <context>
@@ -2163,7 +2167,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>안내가 끝났습니다.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 o'clock, %n millimetre(s)</source>
+        <source>%1 o&apos;clock, %n millimetre(s)</source>
         <translation>
             <numerusform>%1시 방향, %n밀리미터</numerusform>
         </translation>
@@ -2327,6 +2331,28 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Guide: %1.</source>
         <translation>길잡이: %1.</translation>
+    </message>
+    <message>
+        <source>Device: %1. Its force is on.</source>
+        <translation>장치: %1. 힘이 켜졌습니다.</translation>
+    </message>
+    <message>
+        <source>Device: %1. Its force is off. Press Enter to switch it on.</source>
+        <translation>장치: %1. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
+    </message>
+    <message>
+        <source>%1 Until then the force is only drawn.</source>
+        <translation>%1 그때까지 힘은 그림으로만 나타납니다.</translation>
+    </message>
+    <message>
+        <source>Move the finger with the device.</source>
+        <translation>장치로 손가락을 움직이세요.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 o&apos;clock, %n millimetre(s).</source>
+        <translation>
+            <numerusform>%1: %2시 방향, %n밀리미터.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3190,19 +3216,19 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::PlaceWords</name>
     <message numerus="yes">
-        <source>%1. On the %2, at its %3 o'clock, %n millimetre(s) from its middle.</source>
+        <source>%1. On the %2, at its %3 o&apos;clock, %n millimetre(s) from its middle.</source>
         <translation>
             <numerusform>%1. %2 위, 중심에서 %3시 방향, %n밀리미터.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Beside %1. %2 at %3 o'clock, %n millimetre(s).</source>
+        <source>Beside %1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1 옆. %2, %3시 방향, %n밀리미터.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1. %2 at %3 o'clock, %n millimetre(s).</source>
+        <source>%1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1. %2, %3시 방향, %n밀리미터.</numerusform>
         </translation>
@@ -3391,6 +3417,86 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>This picture could not be worked on. It may be too large for this computer.</source>
         <translation>이 사진을 처리할 수 없습니다. 이 컴퓨터에 너무 큰 사진일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>You may not use the force pad yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
+        <translation>아직 힘 패드를 쓸 권한이 없습니다. resources/udev/70-touchphoto.rules 파일을 /etc/udev/rules.d에 복사한 다음 장치를 뽑았다가 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>Windows does not let this program use the force pad. Unplug it and plug it in again; if that does not help, close other programs that use it.</source>
+        <translation>Windows가 이 프로그램의 힘 패드 사용을 허용하지 않습니다. 뽑았다가 다시 꽂으세요. 그래도 안 되면 힘 패드를 쓰는 다른 프로그램을 닫으세요.</translation>
+    </message>
+    <message>
+        <source>macOS does not let this program use the force pad. Allow it under System Settings, Privacy &amp; Security, Input Monitoring, and start it again.</source>
+        <translation>macOS가 이 프로그램의 힘 패드 사용을 허용하지 않습니다. 시스템 설정, 개인정보 보호 및 보안, 입력 모니터링에서 허용한 다음 프로그램을 다시 시작하세요.</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the force pad. Unplug the device and plug it in again; if that does not help, its kernel must have the hidraw driver.</source>
+        <translation>시스템의 다른 드라이버가 힘 패드를 잡고 있습니다. 장치를 뽑았다가 다시 꽂으세요. 그래도 안 되면 커널에 hidraw 드라이버가 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then &quot;USB Input Device&quot;.</source>
+        <translation>힘 패드의 드라이버가 맞지 않습니다. 장치 관리자에서 드라이버 업데이트를 고른 다음 &quot;USB 입력 장치&quot;를 고르세요.</translation>
+    </message>
+    <message>
+        <source>Another driver holds the force pad. Remove the driver that its maker installed and start this computer again.</source>
+        <translation>다른 드라이버가 힘 패드를 잡고 있습니다. 제조사가 설치한 드라이버를 지우고 컴퓨터를 다시 시작하세요.</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the force pad and does not let go of it. Unplug the device, unload that driver and plug the device in again.</source>
+        <translation>시스템의 다른 드라이버가 힘 패드를 잡고 놓지 않습니다. 장치를 뽑고 그 드라이버를 내린 다음 장치를 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then &quot;WinUsb Device&quot;.</source>
+        <translation>힘 패드의 드라이버가 맞지 않습니다. 장치 관리자에서 드라이버 업데이트를 고른 다음 &quot;WinUsb 장치&quot;를 고르세요.</translation>
+    </message>
+    <message>
+        <source>Another program uses the force pad. Close that program and try again.</source>
+        <translation>다른 프로그램이 힘 패드를 쓰고 있습니다. 그 프로그램을 닫고 다시 해 보세요.</translation>
+    </message>
+    <message>
+        <source>The force pad was unplugged. Plug it in again.</source>
+        <translation>힘 패드가 뽑혔습니다. 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>The force pad could not be opened. Unplug it, plug it in again and try once more.</source>
+        <translation>힘 패드를 열 수 없습니다. 뽑았다가 다시 꽂고 한 번 더 해 보세요.</translation>
+    </message>
+    <message>
+        <source>The force pad does not know where its knob is. Put the knob on its mark and home the pad.</source>
+        <translation>힘 패드가 손잡이의 위치를 모릅니다. 손잡이를 표시에 맞추고 패드의 기준점을 잡으세요.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
+        <translation>힘 패드의 측정값이 서로 어긋납니다. 줄이 느슨하거나 미끄러졌습니다. 손잡이를 표시에 맞추고 패드의 기준점을 잡으세요.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s motors are too hot. It goes on by itself when they have cooled.</source>
+        <translation>힘 패드의 모터가 너무 뜨겁습니다. 식으면 저절로 다시 움직입니다.</translation>
+    </message>
+    <message>
+        <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
+        <translation>힘 패드의 모터에 전류가 너무 많이 흘렀습니다. 손잡이를 막는 것이 없는지 살펴보세요.</translation>
+    </message>
+    <message>
+        <source>The force pad heard nothing from this computer for a moment and switched its motors off.</source>
+        <translation>힘 패드가 잠시 컴퓨터의 신호를 받지 못해 모터를 껐습니다.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s motors are off.</source>
+        <translation>힘 패드의 모터가 꺼져 있습니다.</translation>
+    </message>
+    <message>
+        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
+        <translation>힘 패드의 식별 번호를 가진 장치가 힘 패드처럼 답하지 않습니다. 뽑았다가 다시 꽂으세요. 힘 패드가 아니라면 다른 장치를 고르세요.</translation>
+    </message>
+    <message>
+        <source>The force pad did not say which places it reaches. Unplug it and plug it in again.</source>
+        <translation>힘 패드가 닿을 수 있는 범위를 알려 주지 않았습니다. 뽑았다가 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>force pad</source>
+        <translation>힘 패드</translation>
     </message>
 </context>
 <context>
@@ -3581,7 +3687,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이미 앨범에 있는 폴더입니다.</translation>
     </message>
     <message>
-        <source>the album's new folder</source>
+        <source>the album&apos;s new folder</source>
         <translation>앨범의 새 폴더</translation>
     </message>
     <message>
@@ -3789,7 +3895,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>처음 상태로 돌리기</translation>
     </message>
     <message>
-        <source>All settings are as they were at first. The album's folders stay.</source>
+        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
         <translation>모든 설정이 처음 상태로 돌아갔습니다. 앨범의 폴더는 그대로입니다.</translation>
     </message>
     <message>

@@ -52,10 +52,12 @@ std::shared_ptr<const LoadedPhoto> drawn_photo(int faces, std::vector<QString> n
 
 ExploreSettings patient_settings() {
     ExploreSettings settings;
-    settings.servo.limits.stall = 60.0;
-    settings.servo.limits.stale_after = 60.0;
-    settings.servo.limits.late_periods = 60000.0;
-    settings.servo.limits.max_speed = 1e9;
+    for (ServoSettings* servo : {&settings.servo, &settings.device_servo}) {
+        servo->limits.stall = 60.0;
+        servo->limits.stale_after = 60.0;
+        servo->limits.late_periods = 60000.0;
+        servo->limits.max_speed = 1e9;
+    }
     return settings;
 }
 

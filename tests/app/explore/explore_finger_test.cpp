@@ -28,17 +28,11 @@ struct Bench {
     ExploreSounds sounds;
     ExploreSession session;
 
-    explicit Bench(int faces = 1, std::vector<QString> names = {}, bool force_is_felt = false)
-        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings(force_is_felt)) {
+    explicit Bench(int faces = 1, std::vector<QString> names = {})
+        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings_at(time)) {
         session.show(drawn_photo(faces, std::move(names)));
         voice.clear();
     }
-    ExploreSettings settings(bool force_is_felt) {
-        ExploreSettings made = settings_at(time);
-        made.force_is_felt = force_is_felt;
-        return made;
-    }
-
     /// A place so many millimetres right of and above a feature's first point (sheet frame).
     QPointF by(int feature, double right = 0.0, double up = 0.0) const {
         return session.frame().from_surface(session.felt().lines.at(static_cast<std::size_t>(feature)).points[0] +
@@ -279,19 +273,6 @@ private slots:
         bench.session.leave();
         bench.session.enter();
         QVERIFY(!bench.session.engaged());
-    }
-
-    void beside_a_force_that_is_felt_the_guide_is_quieter_and_silent_in_its_reach() {
-        Bench alone;
-        Bench felt(1, {}, true);
-        alone.down(alone.left_of_outline(15.0));
-        felt.session.touchDown(felt.left_of_outline(15.0).x(), felt.left_of_outline(15.0).y());
-        QTRY_VERIFY(felt.sounds.guide.sounds());
-        const double loud = alone.sounds.guide_peak(1.0);
-        const double soft = felt.sounds.guide_peak(1.0);
-        QVERIFY2(soft > 0.0 && soft < 0.5 * loud, qPrintable(QString("%1, %2").arg(soft).arg(loud)));
-        felt.session.touchDown(felt.left_of_outline(3.0).x(), felt.left_of_outline(3.0).y());
-        QTRY_VERIFY(!felt.sounds.guide.sounds());
     }
 
     void entering_a_face_leaving_it_and_crossing_a_line_are_heard() {

@@ -75,6 +75,10 @@ public:
     /// With or without a HID node that the kernel made for its other interface, and with or without the bulk
     /// interface.
     bool plug_in(bool hid = false, bool bulk = true) {
+        {
+            const std::lock_guard lock(mutex_);
+            gone_ = false;
+        }
         const std::vector<std::uint8_t> bytes = descriptors(bulk);
         std::string description =
             "P: /devices/pci0000:00/usb1/1-1\nN: bus/usb/001/002\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\n"
@@ -95,6 +99,11 @@ public:
             gone_ = true;
         }
         umockdev_testbed_uevent(bed_, "/sys/devices/pci0000:00/usb1/1-1", "remove");
+    }
+    /// Nothing in /sys tells of it any more, so that it can be plugged in again.
+    void forget() {
+        umockdev_testbed_detach_ioctl(bed_, node, nullptr);
+        umockdev_testbed_remove_device(bed_, "/sys/devices/pci0000:00/usb1/1-1");
     }
     void behave(const Behaviour& behaviour) {
         const std::lock_guard lock(mutex_);

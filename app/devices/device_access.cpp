@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/devices/device_access.hpp"
+
+#include <algorithm>
+
+namespace tp {
+
+DeviceAccess DeviceAccess::of_this_computer() { return {list_devices, device_named}; }
+
+QString key_of(const ListedDevice& device) {
+    return QString::fromStdString(device.serial_number.empty() ? device.name : device.serial_number);
+}
+
+const ListedDevice* device_for(const std::vector<ListedDevice>& there, const QString& key) {
+    if (there.empty() || key == no_device_key)
+        return nullptr;
+    const auto chosen =
+        std::find_if(there.begin(), there.end(), [&key](const ListedDevice& one) { return key_of(one) == key; });
+    return chosen == there.end() ? &there.front() : &*chosen;
+}
+
+} // namespace tp

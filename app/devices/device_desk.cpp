@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/devices/device_desk.hpp"
+
+#include "app/devices/device_words.hpp"
+
+#include <QMetaObject>
+
+#include <utility>
+
+namespace tp {
+
+DeviceDesk::DeviceDesk(DeviceAccess access) : access_(std::move(access)) {
+    pool_.setMaxThreadCount(1);
+    timer_.setInterval(access_.look_every_ms);
+    connect(&timer_, &QTimer::timeout, this, &DeviceDesk::look);
+}
+
+DeviceDesk::~DeviceDesk() { pool_.waitForDone(); }
+
+void DeviceDesk::watch(bool on) {
+    if (!access_.list || on == timer_.isActive())
+        return;
+    ++watched_;
+    looking_ = knows_ = false;
+    if (!on)
+        return timer_.stop();
+    timer_.start();
+    look();
+}
+
+void DeviceDesk::look() {
+    if (looking_)
+        return;
+    looking_ = true;
+    pool_.start([this, watch = watched_, list = access_.list] {
+        std::vector<ListedDevice> found = list();
+        std::erase_if(found, [](const ListedDevice& one) { return one.interface.empty(); }); // the simulated one
+        QMetaObject::invokeMethod(this, [this, watch, found = std::move(found)]() mutable {
+            if (watch != watched_)
+                return;
+            looking_ = false;
+            knows_ = true;
+            there_ = std::move(found);
+            emit looked();
+        });
+    });
+}
+
+void DeviceDesk::open(const ListedDevice& listed) {
+    opening_ = true;
+    pool_.start([this, wish = ++wish_, listed, make = access_.make] {
+        auto open = std::make_shared<OpenDevice>();
+        open->listed = listed;
+        QString problem;
+        if (Result<std::unique_ptr<ForceDevice>> made = make(listed.name); !made) {
+            problem = device_words(made.error());
+        } else {
+            open->device = std::move(made).value();
+            if (Result<Capabilities> can = open->device->open())
+                open->can = std::move(can).value();
+            else
+                problem = device_words(can.error());
+        }
+        QMetaObject::invokeMethod(this, [this, wish, problem, open] {
+            if (wish != wish_)
+                return pool_.start([open] { open->device.reset(); }); // giving it back may wait
+            opening_ = false;
+            if (problem.isEmpty())
+                emit opened(open);
+            else
+                emit refused(problem);
+        });
+    });
+}
+
+void DeviceDesk::cancel() {
+    ++wish_;
+    opening_ = false;
+}
+
+void DeviceDesk::release(std::unique_ptr<DeviceDrive> drive) {
+    if (drive)
+        pool_.start([held = std::make_shared<std::unique_ptr<DeviceDrive>>(std::move(drive))] { held->reset(); });
+}
+
+} // namespace tp

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The device of an ExploreSession: found, opened and given back while the page is in sight.
+#include "app/explore/explore_session.hpp"
+
+#include <utility>
+
+namespace tp {
+
+QString ExploreSession::faultSentence() const {
+    const QString why = faults_.shown() == Fault::motors_off ? device_words(servo_.complaint()) : QString();
+    return why.isEmpty() ? fault_words(faults_.shown()) : why;
+}
+
+QString ExploreSession::deviceName() const { return servo_.real() ? device_about_ : QString(); }
+
+/// The page has come into sight.
+void ExploreSession::want_device() {
+    refused_.clear();
+    device_expected_ = true;
+    desk_.watch(!servo_.real());
+}
+
+void ExploreSession::leave_device() {
+    desk_.watch(false);
+    desk_.cancel();
+    if (servo_.real())
+        desk_.release(servo_.use_simulated());
+}
+
+/// Opens the device that the person wants as soon as there is something to feel.
+void ExploreSession::devices_seen() {
+    if (!here_ || state_ != State::Ready || servo_.real() || desk_.opening() || !desk_.knows())
+        return;
+    const ListedDevice* device = device_for(desk_.there(), preferences_.choices().device);
+    if (device == nullptr) {
+        device_expected_ = false;
+        refused_.clear();
+    } else if (device->name != refused_) {
+        desk_.open(*device);
+    }
+}
+
+void ExploreSession::use_device(OpenDevice& open) {
+    const bool at_once = device_expected_ && engaged();
+    device_expected_ = false;
+    if (touring())
+        end_tour(tr("Tour ended."));
+    ServoSettings servo = settings_.device_servo;
+    servo.device_to_surface = middle_on_middle(open.can);
+    device_about_ = device_words(open.listed.about);
+    device_was_at_ = {};
+    faults_ = {}; // what was told of another, or before it was plugged in again, is told anew
+    desk_.watch(false);
+    desk_.release(servo_.use(std::make_unique<DeviceDrive>(std::move(open.device), open.can, servo)));
+    lift();
+    if (at_once)
+        servo_.engage();
+    emit modeChanged();
+    tell(at_once ? tr("Device: %1. Its force is on.").arg(device_about_)
+                 : tr("Device: %1. Its force is off. Press Enter to switch it on.").arg(device_about_),
+         Priority::message);
+}
+
+void ExploreSession::device_refused(const QString& sentence) {
+    device_expected_ = false;
+    if (const ListedDevice* device = device_for(desk_.there(), preferences_.choices().device))
+        refused_ = device->name;
+    earcons_.play(Earcon::fault);
+    tell(tr("%1 Until then the force is only drawn.").arg(sentence), Priority::fault);
+}
+
+/// It was unplugged; where it comes back the person lets its force in.
+void ExploreSession::device_gone() {
+    desk_.release(servo_.use_simulated());
+    device_expected_ = false;
+    lift();
+    emit modeChanged();
+    desk_.watch(true);
+}
+
+} // namespace tp

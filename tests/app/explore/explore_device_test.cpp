@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+// A real device under the Explore page: its handle is the finger, its force is the person's own, and it comes and goes.
+#include "app/controls/recording_announcer.hpp"
+#include "device_socket.hpp"
+#include "explore_bench.hpp"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace tp;
+using tp::testing::DeviceSocket;
+
+namespace {
+
+constexpr int left_eye = 0;
+constexpr int outline = 3;
+
+struct Bench {
+    DeviceSocket socket;
+    RecordingVoice voice;
+    RecordingAnnouncer announcer;
+    Narrator narrator{voice, announcer};
+    ExploreSounds sounds;
+    ExploreSession session;
+
+    Bench() : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings()) {
+        socket.hold_at(in_device({0.0, 0.0}));
+    }
+    ExploreSettings settings() {
+        ExploreSettings made = patient_settings();
+        made.devices = socket.access();
+        return made;
+    }
+    /// As the program does: the page comes into sight, and a photograph is opened.
+    void begin() {
+        session.enter();
+        session.show(drawn_photo());
+    }
+    bool with_device() const { return !session.deviceName().isEmpty(); }
+    /// The middle of the device's reach, (0, 100) mm, lies on the middle of the surface.
+    static Vec2 in_device(Vec2 surface) { return surface + Vec2(0.0, 100.0); }
+    /// A place left of the outline's left side by so much, surface frame.
+    Vec2 left_of_outline(double away) const {
+        const auto& points = session.felt().lines.at(outline).points;
+        return 0.5 * (points[0] + points[1]) - Vec2(away, 0.0);
+    }
+    bool said(const QString& part) const { return !voice.said().filter(part).isEmpty(); }
+};
+
+} // namespace
+
+class ExploreDeviceTest : public QObject {
+    Q_OBJECT
+private slots:
+    void a_device_that_is_there_gets_the_force_when_the_person_comes() {
+        Bench bench;
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        QCOMPARE(bench.session.deviceName(), QString("force pad"));
+        QVERIFY(bench.session.engaged());
+        QTRY_VERIFY(bench.said("Device: force pad. Its force is on."));
+        // Its handle is the finger, and the mouse is not.
+        const Vec2 place = bench.left_of_outline(4.0);
+        bench.socket.hold_at(Bench::in_device(place));
+        const QPointF finger = bench.session.frame().from_surface(place);
+        QTRY_VERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
+        bench.session.touchDown(10.0, 10.0);
+        bench.session.moveTo(12.0, 10.0);
+        QTRY_VERIFY(bench.socket.force().x > 0.75); // 0.8 N at 4 mm, to the right, onto the line
+        QVERIFY(std::abs(bench.socket.force().y) < 1e-9);
+        QVERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
+        bench.voice.clear();
+        bench.session.whereAmI();
+        QVERIFY(bench.voice.said().back().endsWith("Face outline at 3 o'clock, 4 millimetre(s)."));
+    }
+
+    void never_more_than_the_persons_own_strongest_force() {
+        Bench bench;
+        bench.sounds.preferences.change([](Choices& choices) { choices.max_force_n = 0.3; });
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        bench.socket.hold_at(Bench::in_device(bench.left_of_outline(4.0)));
+        QTRY_VERIFY(bench.socket.force().x > 0.299);
+        QVERIFY(bench.socket.strongest() < 0.3 + 1e-9);
+        bench.session.setMaxForce(0.5);
+        QTRY_VERIFY(bench.socket.force().x > 0.499);
+        QVERIFY(bench.socket.strongest() < 0.5 + 1e-9);
+    }
+
+    void escape_takes_the_force_and_return_gives_it_back() {
+        Bench bench;
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        bench.socket.hold_at(Bench::in_device(bench.left_of_outline(4.0)));
+        QTRY_VERIFY(bench.socket.force().x > 0.5);
+        QVERIFY(bench.session.stop());
+        QTRY_VERIFY(bench.socket.force() == Vec2(0.0));
+        QVERIFY(bench.with_device());
+        bench.session.engage();
+        QTRY_VERIFY(bench.socket.force().x > 0.5);
+        QCOMPARE(bench.socket.opened(), 1);
+    }
+
+    void unplugged_in_mid_touch_it_is_said_and_the_page_goes_on() {
+        Bench bench;
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        bench.socket.hold_at(Bench::in_device(bench.left_of_outline(4.0)));
+        QTRY_VERIFY(bench.socket.force().x > 0.5);
+        bench.sounds.hears(Earcon::ready);
+        bench.voice.clear();
+        bench.socket.unplug();
+        QTRY_VERIFY(bench.said("it no longer answers. Check its cable"));
+        QCOMPARE(bench.voice.last_priority(), Priority::fault);
+        QVERIFY(bench.socket.force() == Vec2(0.0));
+        QTRY_VERIFY(!bench.with_device());
+        QVERIFY(!bench.session.engaged());
+        QTRY_VERIFY(!bench.socket.in_use());
+        // Without it: sound and a drawn finger.
+        const QPointF beside = bench.session.frame().from_surface(bench.left_of_outline(12.0));
+        bench.session.fingerDown(0, beside.x(), beside.y());
+        bench.session.whereAmI();
+        QVERIFY(bench.said("Face outline at 3 o'clock, 12 millimetre(s)."));
+        bench.session.fingerUp(0);
+        // It is found again, and gives nothing before the person wants it.
+        bench.voice.clear();
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.with_device());
+        QTRY_VERIFY(bench.said("Its force is off. Press Enter to switch it on."));
+        QVERIFY(!bench.session.engaged());
+        QTest::qWait(50);
+        QVERIFY(bench.socket.force() == Vec2(0.0));
+        bench.session.engage();
+        QTRY_VERIFY(bench.socket.force().x > 0.5);
+        QCOMPARE(bench.socket.opened(), 2);
+        // A second time is said as the first was.
+        bench.voice.clear();
+        bench.socket.unplug();
+        QTRY_VERIFY(bench.said("it no longer answers. Check its cable"));
+    }
+
+    void plugged_in_later_it_waits_for_the_person_though_the_drawn_force_is_on() {
+        Bench bench;
+        bench.begin();
+        QVERIFY(bench.session.engaged());
+        QTest::qWait(30); // looks have found nothing
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.with_device());
+        QVERIFY(!bench.session.engaged());
+        QVERIFY(bench.said("Its force is off. Press Enter"));
+        QCOMPARE(bench.socket.strongest(), 0.0);
+    }
+
+    void one_that_cannot_be_opened_is_told_once_and_asked_again_by_return() {
+        Bench bench;
+        bench.socket.refuse("Another program uses the force pad. Close that program and try again.");
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.said("Close that program and try again. Until then the force is only drawn."));
+        QVERIFY(bench.session.engaged());
+        QTest::qWait(50);
+        QCOMPARE(bench.socket.tried(), 1);
+        bench.socket.refuse({});
+        bench.session.engage();
+        QTRY_VERIFY(bench.with_device());
+        QVERIFY(bench.session.engaged());
+    }
+
+    void one_that_was_refused_is_tried_again_when_it_is_plugged_in_again() {
+        Bench bench;
+        bench.socket.refuse("The force pad could not be opened. Unplug it, plug it in again and try once more.");
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_COMPARE(bench.socket.tried(), 1);
+        QTRY_VERIFY(bench.said("plug it in again"));
+        bench.socket.unplug();
+        bench.socket.refuse({});
+        QTest::qWait(50);
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.with_device());
+        QVERIFY(!bench.session.engaged());
+    }
+
+    void out_of_sight_it_is_given_back_and_taken_again() {
+        Bench bench;
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        bench.socket.hold_at(Bench::in_device(bench.left_of_outline(4.0)));
+        QTRY_VERIFY(bench.socket.force().x > 0.5);
+        bench.session.leave();
+        QTRY_VERIFY(!bench.socket.in_use());
+        QVERIFY(bench.socket.force() == Vec2(0.0));
+        QTest::qWait(30);
+        QVERIFY(!bench.socket.in_use());
+        bench.session.enter();
+        QTRY_VERIFY(bench.with_device());
+        QVERIFY(bench.session.engaged());
+        bench.session.stop();
+        bench.session.leave();
+        bench.session.enter(); // who switched the force off finds it off
+        QTRY_VERIFY(bench.with_device());
+        QVERIFY(!bench.session.engaged());
+    }
+
+    void who_wants_no_device_gets_none_and_a_page_without_a_photograph_opens_none() {
+        Bench bench;
+        bench.socket.plug_in();
+        bench.session.enter();
+        QTest::qWait(50);
+        QCOMPARE(bench.socket.tried(), 0);
+        bench.sounds.preferences.change([](Choices& choices) { choices.device = no_device_key; });
+        bench.session.show(drawn_photo());
+        QTest::qWait(50);
+        QCOMPARE(bench.socket.tried(), 0);
+        QVERIFY(bench.session.engaged());
+    }
+
+    void the_motors_own_reason_is_told() {
+        Bench bench;
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        bench.socket.switch_motors_off("The force pad's motors are too hot. It goes on by itself when they have cooled.");
+        QTRY_VERIFY(bench.said("motors are too hot"));
+        QVERIFY(bench.session.faultSentence().contains("too hot"));
+        bench.socket.switch_motors_off({});
+        QTRY_VERIFY(bench.session.faultSentence().isEmpty());
+    }
+
+    void keys_that_would_move_the_finger_tell_the_way_instead() {
+        Bench bench;
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        const Vec2 above = bench.session.felt().lines[left_eye].points[0] + Vec2(0.0, 9.0);
+        bench.socket.hold_at(Bench::in_device(above));
+        const QPointF finger = bench.session.frame().from_surface(above);
+        QTRY_VERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
+        bench.session.goToFeature(left_eye);
+        QCOMPARE(bench.voice.said().back(), QString("Left eye: 6 o'clock, 9 millimetre(s)."));
+        bench.session.nudge(2.0, 0.0);
+        QCOMPARE(bench.voice.said().back(), QString("Move the finger with the device."));
+        QTest::qWait(30);
+        QVERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
+    }
+
+    void beside_its_force_the_guide_is_quieter_and_silent_in_its_reach() {
+        Bench drawn;
+        drawn.begin();
+        const QPointF far = drawn.session.frame().from_surface(drawn.left_of_outline(15.0));
+        drawn.session.fingerDown(0, far.x(), far.y());
+        const double loud = drawn.sounds.guide_peak(1.0);
+        Bench felt;
+        felt.socket.plug_in();
+        felt.begin();
+        QTRY_VERIFY(felt.with_device());
+        felt.socket.hold_at(Bench::in_device(felt.left_of_outline(15.0)));
+        QTRY_VERIFY(felt.sounds.guide.sounds());
+        const double soft = felt.sounds.guide_peak(1.0);
+        QVERIFY2(soft > 0.0 && soft < 0.5 * loud, qPrintable(QString("%1, %2").arg(soft).arg(loud)));
+        felt.socket.hold_at(Bench::in_device(felt.left_of_outline(3.0)));
+        QTRY_VERIFY(!felt.sounds.guide.sounds());
+    }
+
+    void it_leads_the_finger_round_a_feature() {
+        Bench bench;
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        const Vec2 start = bench.session.felt().lines[left_eye].points[0];
+        bench.socket.hold_at(Bench::in_device(start));
+        QTRY_COMPARE(bench.session.featureName(), QString("left eye"));
+        bench.session.toggleTour();
+        bench.session.moveTo(5.0, 5.0); // neither mouse nor screen ends it
+        bench.session.moveTo(90.0, 90.0);
+        QVERIFY(bench.session.touring());
+        QTRY_VERIFY(length(bench.socket.force()) > 0.05);
+        QVERIFY(bench.session.stop());
+        QTRY_VERIFY(bench.socket.force() == Vec2(0.0));
+    }
+};
+
+QTEST_GUILESS_MAIN(ExploreDeviceTest)
+#include "explore_device_test.moc"

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/devices/device_access.hpp"
+#include "core/servo/force_device.hpp"
+#include "device/registry.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tp::testing {
+
+/// A force device that a test plugs in and pulls out, and whose handle it holds, while a page uses it on threads of its
+/// own. All of it may be asked at any moment.
+class DeviceSocket {
+public:
+    static constexpr const char* serial_number = "TPC-0042";
+
+    void plug_in() { state_->plugged = true; }
+    void unplug() { state_->plugged = false; }
+    /// The handle is there now, mm in the device's frame.
+    void hold_at(Vec2 place) {
+        const std::lock_guard lock(state_->mutex);
+        state_->place = place;
+    }
+    /// It cannot be opened, and says so; empty: it can.
+    void refuse(std::string sentence) {
+        const std::lock_guard lock(state_->mutex);
+        state_->refusal = std::move(sentence);
+    }
+    /// Its own motors are off for that reason; empty: they are not.
+    void switch_motors_off(std::string why) {
+        const std::lock_guard lock(state_->mutex);
+        state_->complaint = std::move(why);
+    }
+    /// N, what is on its handle now.
+    Vec2 force() const {
+        const std::lock_guard lock(state_->mutex);
+        return state_->force;
+    }
+    /// N, the strongest that ever was.
+    double strongest() const {
+        const std::lock_guard lock(state_->mutex);
+        return state_->strongest;
+    }
+    int opened() const { return state_->opened; }
+    int tried() const { return state_->tried; }
+    /// Opened and not given back.
+    bool in_use() const { return state_->in_use; }
+
+    DeviceAccess access() const {
+        DeviceAccess access;
+        access.look_every_ms = 5;
+        access.list = [state = state_] {
+            std::vector<ListedDevice> there{{"simulated", "the mouse", "", ""}};
+            if (state->plugged)
+                there.push_back({std::string("pad:") + serial_number, "force pad", serial_number, "hid"});
+            return there;
+        };
+        access.make = [state = state_](const std::string&) -> Result<std::unique_ptr<ForceDevice>> {
+            return std::unique_ptr<ForceDevice>(std::make_unique<Device>(state));
+        };
+        return access;
+    }
+
+private:
+    struct State {
+        mutable std::mutex mutex; ///< of what follows
+        Vec2 place{0.0};
+        Vec2 force{0.0};
+        double strongest = 0.0;
+        std::string refusal;
+        std::string complaint;
+        std::atomic<bool> plugged{false};
+        std::atomic<bool> in_use{false};
+        std::atomic<int> opened{0};
+        std::atomic<int> tried{0};
+    };
+    class Device final : public ForceDevice {
+    public:
+        explicit Device(std::shared_ptr<State> state) : state_(std::move(state)) {}
+        ~Device() override { stop(); }
+        Result<Capabilities> open() override {
+            const std::lock_guard lock(state_->mutex);
+            ++state_->tried;
+            if (!state_->refusal.empty())
+                return Error{state_->refusal};
+            ++state_->opened;
+            state_->in_use = true;
+            open_ = true;
+            Capabilities can;
+            can.name = "double";
+            can.serial_number = serial_number;
+            can.workspace = {{-100, 25}, {100, 25}, {100, 175}, {-100, 175}};
+            can.max_force = 3.0;
+            return can;
+        }
+        std::optional<DeviceState> read(double now) noexcept override {
+            if (lost_ || !state_->plugged) {
+                lost_ = true;
+                return std::nullopt;
+            }
+            const std::lock_guard lock(state_->mutex);
+            return DeviceState{now, state_->place, 0};
+        }
+        bool write(const SafeForce& force) noexcept override {
+            const std::lock_guard lock(state_->mutex);
+            if (lost_ || !state_->plugged) {
+                state_->force = Vec2(0.0); // there is no motor any more
+                return false;
+            }
+            state_->force = force.newtons();
+            state_->strongest = std::max(state_->strongest, length(force.newtons()));
+            return true;
+        }
+        void halt() noexcept override {}
+        void stop() noexcept override {
+            if (!open_)
+                return;
+            open_ = false;
+            const std::lock_guard lock(state_->mutex);
+            state_->force = Vec2(0.0);
+            state_->in_use = false;
+        }
+        bool lost() const noexcept override { return lost_; }
+        bool motors_off() const noexcept override {
+            const std::lock_guard lock(state_->mutex);
+            return !state_->complaint.empty();
+        }
+        std::string complaint() const override {
+            const std::lock_guard lock(state_->mutex);
+            return state_->complaint;
+        }
+
+    private:
+        std::shared_ptr<State> state_;
+        std::atomic<bool> lost_{false}; ///< for good: what is plugged in again is opened again
+        bool open_ = false;
+    };
+
+    std::shared_ptr<State> state_ = std::make_shared<State>();
+};
+
+} // namespace tp::testing

@@ -7,7 +7,6 @@
 #include "app/explore/feature_tracker.hpp"
 #include "app/explore/finger_servo.hpp"
 #include "app/explore/photo_loader.hpp"
-#include "app/explore/problem_words.hpp"
 #include "app/explore/sheet_frame.hpp"
 #include "app/explore/touch_gestures.hpp"
 #include "app/explore/way_watch.hpp"
@@ -16,8 +15,10 @@
 #include "app/scene/extra_features.hpp"
 #include "app/scene/scene_builder.hpp"
 #include "audio/guide/sonified_guide.hpp"
+#include "audio/sentences/sentences.hpp"
 #include "audio/sound/earcon_player.hpp"
 #include "core/guidance/guidance_law.hpp"
+#include "core/servo/fault.hpp"
 
 #include <QElapsedTimer>
 #include <QEvent>
@@ -33,6 +34,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tp {
@@ -122,7 +124,7 @@ public:
     QString featureName() const { return label_of(tracker_.current()); }
     bool engaged() const { return servo_.engaged(); }
     bool touring() const { return servo_.leads() || !tour_left_.empty(); }
-    QString faultSentence() const { return fault_words(faults_.shown()); }
+    QString faultSentence() const { return in_persons_language(std::string(sentence(faults_.shown()))); }
     double maxForce() const;
     void setMaxForce(double newtons);
     int guide() const { return static_cast<int>(preferences_.choices().guide); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/explore/demonstration.hpp"
 #include "app/shell/program_window.hpp"
+#include "audio/sentences/sentences.hpp"
 #include "audio/sound/recorder.hpp"
 #include "audio/sound/system_loudspeaker.hpp"
 #include "audio/speech/spoken_voice.hpp"
@@ -37,7 +38,7 @@ std::vector<tp::FoundDevice> force_devices() {
     std::vector<tp::FoundDevice> found;
     for (const tp::ListedDevice& device : tp::list_devices())
         if (!device.interface.empty()) // the simulated one is always there
-            found.push_back({QString::fromStdString(device.about), QString::fromStdString(device.serial_number)});
+            found.push_back({in_persons_language(device.about), QString::fromStdString(device.serial_number)});
     return found;
 }
 

@@ -11,19 +11,31 @@ namespace {
 constexpr double smallest_exact_px = 32.0; ///< width of a face whose eyes still have some pixels
 constexpr double most_outside = 0.03;      ///< of the face's width, that its contours may leave the picture
 
+/// By a bit for each of left, right, top, bottom; whole, because languages join them in their own ways.
+constexpr const char* edge_names[] = {"",
+                                      "left edge",
+                                      "right edge",
+                                      "left and right edges",
+                                      "top edge",
+                                      "left and top edges",
+                                      "right and top edges",
+                                      "left and right and top edges",
+                                      "bottom edge",
+                                      "left and bottom edges",
+                                      "right and bottom edges",
+                                      "left and right and bottom edges",
+                                      "top and bottom edges",
+                                      "left and top and bottom edges",
+                                      "right and top and bottom edges",
+                                      "left and right and top and bottom edges"};
+
 /// "left edge", "left and top edges", …; empty where the points stay inside.
 std::string edges_crossed(const Rect& points, double tolerance, const cv::Size& picture) {
-    std::string names;
-    int count = 0;
-    const auto add = [&](const char* name, double outside) {
-        if (outside > tolerance)
-            names += (count++ ? " and " : "") + std::string(name);
-    };
-    add("left", -points.min.x);
-    add("right", points.max.x - picture.width);
-    add("top", -points.min.y);
-    add("bottom", points.max.y - picture.height);
-    return names.empty() ? names : names + (count > 1 ? " edges" : " edge");
+    const unsigned crossed = (-points.min.x > tolerance ? 1U : 0U) |
+                             (points.max.x - picture.width > tolerance ? 2U : 0U) |
+                             (-points.min.y > tolerance ? 4U : 0U) |
+                             (points.max.y - picture.height > tolerance ? 8U : 0U);
+    return edge_names[crossed];
 }
 
 constexpr double worth_saying_percent = 3.0; ///< six times what lids, thrice what lips usually miss

@@ -76,19 +76,22 @@ bool may_be_covered(const QualitySigns& signs, FeatureIndex feature) {
     return elsewhere > clear_face && (nothing_there || other_edges_there);
 }
 
+enum { aside_reason, small_reason, blurred_reason, covered_reason, faint_reason };
+constexpr const char* reason_words[] = {"turned to the side", "too small", "blurred", "may be covered", "its edge is faint"};
+
 std::vector<std::string> reasons(const QualitySigns& signs, FeatureIndex feature) {
     std::vector<std::string> words;
     if (std::abs(signs.turn) > turned_from)
-        words.emplace_back("turned to the side");
+        words.emplace_back(reason_words[aside_reason]);
     const EdgeReports::Pair* lips = edges_of(signs.edges, at_outer_lip);
     if (signs.unit_px < small_below_px)
-        words.emplace_back("too small");
+        words.emplace_back(reason_words[small_reason]);
     else if (mean_clarity(signs.edges) < blurred_below)
-        words.emplace_back("blurred");
+        words.emplace_back(reason_words[blurred_reason]);
     else if (may_be_covered(signs, feature))
-        words.emplace_back("may be covered");
+        words.emplace_back(reason_words[covered_reason]);
     else if (feature == at_outer_lip && lips->lower.clarity + lips->upper.clarity < faint_below)
-        words.emplace_back("its edge is faint");
+        words.emplace_back(reason_words[faint_reason]);
     return words;
 }
 

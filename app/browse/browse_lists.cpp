@@ -2,6 +2,8 @@
 // The levels of BrowseSession: lists of names, years, places and keywords, and the search.
 #include "app/browse/browse_session.hpp"
 
+#include "audio/sentences/sentences.hpp"
+
 #include <QLocale>
 #include <QVariantMap>
 
@@ -70,7 +72,7 @@ void BrowseSession::openSearch() {
 
 void BrowseSession::open_photos(const QString& title, PhotoTrail trail, const std::optional<PhotoEntry>& at) {
     if (const Result<bool> there = at ? trail.to(*at) : trail.to_first(); !there)
-        return refuse(QString::fromStdString(there.error()));
+        return refuse(in_persons_language(there.error()));
     if (!trail.here())
         return refuse(tr("There is no photograph of that any more."));
     levels_.push_back({View::Photos, title, std::move(trail), {}, {}, -1});
@@ -139,7 +141,7 @@ void BrowseSession::list_names(std::size_t most) {
     if (level().kind == "year") {
         const auto years = queries.years();
         if (!years)
-            return refuse(QString::fromStdString(years.error()));
+            return refuse(in_persons_language(years.error()));
         for (auto year = years->rbegin(); year != years->rend(); ++year) {
             const auto photos = queries.count_before(OfYear{*year}, {});
             add_row(QString::number(*year),
@@ -150,7 +152,7 @@ void BrowseSession::list_names(std::size_t most) {
     }
     auto topics = queries.topics(level().kind, {}, most + 1);
     if (!topics)
-        return refuse(QString::fromStdString(topics.error()));
+        return refuse(in_persons_language(topics.error()));
     const bool more = topics->size() > most;
     if (more)
         topics->pop_back();
@@ -179,7 +181,7 @@ void BrowseSession::list_matches() {
     const auto topics = queries.suggestions(words, most_suggestions);
     const auto photos = queries.search(words, most_results);
     if (!topics || !photos)
-        return refuse(QString::fromStdString(topics ? photos.error() : topics.error()));
+        return refuse(in_persons_language(topics ? photos.error() : topics.error()));
     for (const TopicEntry& topic : *topics)
         add_row(QString::fromStdString(topic.name), topic_words(topic), topic);
     const PhotoWords say;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/browse/browse_session.hpp"
 
+#include "audio/sentences/sentences.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QFile>
@@ -53,7 +54,7 @@ BrowseSession::BrowseSession(OpenAlbum& album, Narrator& narrator, EarconPlayer&
                 if (picture->photo != shown_)
                     return;
                 picture_ = picture->image;
-                picture_problem_ = QString::fromStdString(picture->problem);
+                picture_problem_ = in_persons_language(picture->problem);
                 emit pictureChanged();
             });
     connect(&preferences_, &Preferences::changed, this, &BrowseSession::speedChanged);
@@ -75,7 +76,7 @@ PhotoTrail& BrowseSession::trail() { return const_cast<PhotoTrail&>(std::as_cons
 
 bool BrowseSession::checked(const Result<bool>& moved) {
     if (!moved)
-        refuse(QString::fromStdString(moved.error()));
+        refuse(in_persons_language(moved.error()));
     return moved && *moved;
 }
 
@@ -93,7 +94,7 @@ void BrowseSession::look_at_album() {
             const Result<bool> same =
                 one.trail->look_again(&*one.trail == &trail() ? sha256_ : std::string());
             if (!same)
-                return refuse(QString::fromStdString(same.error()));
+                return refuse(in_persons_language(same.error()));
             lost = &*one.trail == &trail() ? !*same : lost;
         }
     bool level_gone = false;
@@ -121,7 +122,7 @@ void BrowseSession::begin() {
             at = std::move(**found);
     const Result<bool> there = at ? all.to(*at) : all.to_first();
     if (!there)
-        return refuse(QString::fromStdString(there.error()));
+        return refuse(in_persons_language(there.error()));
     // while the first scan goes on, where one was may still come
     begun_ = all.here() && (at || preferences_.choices().last_photo.isEmpty() || !album_.scanning());
     show_here();
@@ -281,7 +282,7 @@ void BrowseSession::step(bool forward) {
     begun_ = true;
     const Result<bool> moved = forward ? trail().next() : trail().previous();
     if (!moved)
-        return refuse(QString::fromStdString(moved.error()));
+        return refuse(in_persons_language(moved.error()));
     playback_.stop();
     if (!*moved) {
         earcons_.play(Earcon::list_end);
@@ -299,7 +300,7 @@ void BrowseSession::previous() { step(false); }
 
 void BrowseSession::jump(const Result<bool>& moved) {
     if (!moved)
-        return refuse(QString::fromStdString(moved.error()));
+        return refuse(in_persons_language(moved.error()));
     begun_ = true;
     playback_.stop();
     earcons_.play(Earcon::next);
@@ -325,7 +326,7 @@ void BrowseSession::surprise() {
     for (int i = 0; i < attempts && (!other || other->path == shown_); ++i) {
         auto any = album_.queries().surprise(QRandomGenerator::global()->generate64());
         if (!any)
-            return refuse(QString::fromStdString(any.error()));
+            return refuse(in_persons_language(any.error()));
         other = std::move(*any);
     }
     levels_.resize(1);

@@ -2,6 +2,7 @@
 #include "app/care/care_words.hpp"
 
 #include "app/care/described_in.hpp"
+#include "audio/sentences/sentences.hpp"
 #include "audio/sound/sound_words.hpp"
 #include "core/files/file_words.hpp"
 
@@ -119,7 +120,7 @@ QString CareWords::import_report(const ImportReport& report) {
         const auto first = std::find_if(report.photos.begin(), report.photos.end(), [](const ImportedPhoto& photo) {
             return photo.fate == ImportedPhoto::Fate::failed;
         });
-        words = tr("%1: %2").arg(parts.join(", "), QString::fromStdString(first->problem));
+        words = tr("%1: %2").arg(parts.join(", "), in_persons_language(first->problem));
     }
     if (report.stopped)
         words = tr("%1 The import was stopped; it can go on later.").arg(words);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/care/face_care.hpp"
 
+#include "audio/sentences/sentences.hpp"
+
 #include <QRect>
 #include <QRectF>
 #include <QVariantMap>
@@ -70,7 +72,7 @@ void FaceCare::list_faces() {
             const auto same = std::find_if(faces_.begin(), faces_.end(), [&](const KnownFace& known) {
                 return same_face(known.part, part);
             });
-            const QString problem = face.mended.empty() ? QString::fromStdString(face.problem) : QString();
+            const QString problem = face.mended.empty() ? in_persons_language(face.problem) : QString();
             if (same == faces_.end())
                 faces_.push_back({part, stored_region(part, turn()), problem});
             else
@@ -120,7 +122,7 @@ QString FaceCare::summary() const {
         return tr("Looking for faces…");
     if (faces_.empty())
         return found_->extraction.problem.empty() ? tr("No face was found on this photograph.")
-                                                  : QString::fromStdString(found_->extraction.problem);
+                                                  : in_persons_language(found_->extraction.problem);
     const auto unnamed = static_cast<int>(std::count_if(
         faces_.begin(), faces_.end(), [](const KnownFace& face) { return face.region.name.empty(); }));
     const QString faces = tr("%n face(s)", nullptr, count());

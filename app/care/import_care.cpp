@@ -3,6 +3,7 @@
 
 #include "app/album/index/album_queries.hpp"
 #include "app/care/care_words.hpp"
+#include "audio/sentences/sentences.hpp"
 
 #include <QFile>
 #include <QFileInfo>
@@ -146,7 +147,7 @@ void ImportCare::giveUp() {
     if (!unfinished())
         return;
     if (const std::string problem = give_up_import(album_folder(), unfinished_.front()); !problem.empty())
-        teller_.problem(QString::fromStdString(problem));
+        teller_.problem(in_persons_language(problem));
     else
         teller_.tell(tr("The import is not gone on with. What it brought stays."));
     look();
@@ -190,11 +191,11 @@ void ImportCare::show(const ImportProgress& progress) {
 
 void ImportCare::finish(const Result<ImportReport>& report) {
     running_ = false;
-    report_ = report ? CareWords::import_report(*report) : QString::fromStdString(report.error());
+    report_ = report ? CareWords::import_report(*report) : in_persons_language(report.error());
     if (report)
         for (const ImportedPhoto& photo : report->photos)
             if (!photo.problem.empty())
-                problems_ << QString::fromStdString(photo.problem);
+                problems_ << in_persons_language(photo.problem);
     look();
     emit progressed();
     album_.rescan();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/care/keeper_steps.hpp"
 
+#include "audio/sentences/sentences.hpp"
+
 #include <QMetaObject>
 
 #include <exception>
+#include <string>
 #include <utility>
 
 namespace tp {
@@ -23,9 +26,9 @@ void KeeperSteps::begin(AlbumKeeper& keeper, Step step, Then then) {
         }
         QMetaObject::invokeMethod(
             this,
-            [this, then, problem = QString::fromStdString(problem),
-             undo = QString::fromStdString(keeper.history().next_undo()),
-             redo = QString::fromStdString(keeper.history().next_redo())] {
+            [this, then, problem = in_persons_language(problem),
+             undo = in_persons_language(keeper.history().next_undo()),
+             redo = in_persons_language(keeper.history().next_redo())] {
                 --waiting_;
                 next_undo_ = undo;
                 next_redo_ = redo;
@@ -52,24 +55,14 @@ void KeeperSteps::undo(Then then) {
     if (last_ == nullptr)
         then(tr("There is nothing to undo."));
     else
-        begin(
-            *last_,
-            [nothing = tr("There is nothing to undo.").toStdString()](AlbumKeeper& keeper) {
-                return keeper.history().next_undo().empty() ? nothing : keeper.history().undo();
-            },
-            std::move(then));
+        begin(*last_, [](AlbumKeeper& keeper) { return keeper.history().undo(); }, std::move(then));
 }
 
 void KeeperSteps::redo(Then then) {
     if (last_ == nullptr)
         then(tr("There is nothing to do again."));
     else
-        begin(
-            *last_,
-            [nothing = tr("There is nothing to do again.").toStdString()](AlbumKeeper& keeper) {
-                return keeper.history().next_redo().empty() ? nothing : keeper.history().redo();
-            },
-            std::move(then));
+        begin(*last_, [](AlbumKeeper& keeper) { return keeper.history().redo(); }, std::move(then));
 }
 
 } // namespace tp

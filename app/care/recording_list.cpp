@@ -2,6 +2,7 @@
 #include "app/care/recording_list.hpp"
 
 #include "app/care/care_words.hpp"
+#include "audio/sentences/sentences.hpp"
 
 #include <QFile>
 #include <QLocale>
@@ -245,7 +246,7 @@ void RecordingList::addFiles(const QList<QUrl>& sounds, int kind) {
                 teller_.did(Earcon::saved,
                             tr("Added: %1, %2. %3")
                                 .arg(CareWords::recording(added->tag.label), CareWords::recording_details(added->tag),
-                                     QString::fromStdString(added->warning))
+                                     in_persons_language(added->warning))
                                 .trimmed());
             });
     }

@@ -94,7 +94,7 @@ public:
             return sheet.error();
         const auto mended = corrected(found, *sheet);
         if (!mended)
-            return "The mended contours cannot be used: " + mended.error() + ".";
+            return "The mended contours cannot be used: " + mended.error();
         std::optional<Extraction> truth;
         if (line_.has("truth")) {
             const auto true_sheet = read_sheet(line_.text("truth").toStdString(), ContourSheet::Unit::pixel);
@@ -102,7 +102,7 @@ public:
                 return true_sheet.error();
             const auto placed = corrected(found, *true_sheet);
             if (!placed)
-                return "The true contours cannot be used: " + placed.error() + ".";
+                return "The true contours cannot be used: " + placed.error();
             truth = *placed;
         }
         print_features(found, *mended, truth);

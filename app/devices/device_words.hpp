@@ -16,7 +16,4 @@ QString fault_words(Fault fault);
 /// language where a translator knows it; others, a maker's name for his device above all, stay as they are.
 QString device_words(const std::string& words);
 
-/// Whether there is something for a translator to translate it from.
-bool is_device_words(const std::string& words);
-
 } // namespace tp

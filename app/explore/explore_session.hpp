@@ -9,7 +9,6 @@
 #include "app/explore/feature_tracker.hpp"
 #include "app/explore/finger_servo.hpp"
 #include "app/explore/photo_loader.hpp"
-#include "app/explore/problem_words.hpp"
 #include "app/explore/sheet_frame.hpp"
 #include "app/explore/touch_gestures.hpp"
 #include "app/explore/way_watch.hpp"
@@ -18,8 +17,10 @@
 #include "app/scene/extra_features.hpp"
 #include "app/scene/scene_builder.hpp"
 #include "audio/guide/sonified_guide.hpp"
+#include "audio/sentences/sentences.hpp"
 #include "audio/sound/earcon_player.hpp"
 #include "core/guidance/guidance_law.hpp"
+#include "core/servo/fault.hpp"
 
 #include <QElapsedTimer>
 #include <QEvent>
@@ -35,6 +36,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tp {

@@ -2,11 +2,12 @@
 #include "app/explore/extraction_words.hpp"
 
 #include "app/explore/feature_labels.hpp"
-#include "app/explore/problem_words.hpp"
+#include "audio/sentences/sentences.hpp"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
 namespace tp {
@@ -50,7 +51,7 @@ QString listed(QStringList items) {
 
 QString describe(const Extraction& extraction, const std::vector<QString>& names) {
     if (extraction.faces.empty())
-        return problem_words(extraction.problem.empty() ? "No face was found in this picture." : extraction.problem);
+        return in_persons_language(extraction.problem.empty() ? std::string("No face was found in this picture.") : extraction.problem);
     QStringList can_be_felt;
     if (any_has(extraction, feature::left_eye) || any_has(extraction, feature::right_eye))
         can_be_felt << ExtractionWords::tr("eyes");
@@ -78,10 +79,10 @@ QString describe(const Extraction& extraction, const std::vector<QString>& names
                                  : ExtractionWords::tr("%1 of each can be felt.").arg(list));
     }
     if (!extraction.problem.empty())
-        sentences << problem_words(extraction.problem);
+        sentences << in_persons_language(extraction.problem);
     if (count == 1 && !extraction.faces.front().problem.empty() &&
         extraction.faces.front().problem != extraction.problem)
-        sentences << problem_words(extraction.faces.front().problem);
+        sentences << in_persons_language(extraction.faces.front().problem);
     return sentences.join(" ");
 }
 

@@ -5,6 +5,7 @@
 #include "app/lab/sample_scenes.hpp"
 #include "app/picture/field_picture.hpp"
 #include "app/scene/corrections.hpp"
+#include "audio/sentences/sentences.hpp"
 #include "core/files/durable_file.hpp"
 #include "faces/face_extractor.hpp"
 #include "faces/picture.hpp"
@@ -180,7 +181,7 @@ void LabSession::use_photo(const QString& file) {
         auto photo = std::make_shared<LabPhoto>(read_photo(path, surface, *extractor, stop));
         return [this, photo, file] {
             if (!photo->problem.empty())
-                return say(tr("%1: %2").arg(QFileInfo(file).fileName(), QString::fromStdString(photo->problem)));
+                return say(tr("%1: %2").arg(QFileInfo(file).fileName(), in_persons_language(photo->problem)));
             if (fixed())
                 return;
             photo_ = file;
@@ -291,7 +292,7 @@ void LabSession::apply(LabEffect effect) {
     if (effect == LabEffect::scene) {
         Result<std::unique_ptr<HapticScene>> made = felt_scene(flat_, parameters_);
         if (!made)
-            return say(QString::fromStdString(made.error()));
+            return say(in_persons_language(made.error()));
         felt_ = std::move(made).value();
         paint_field();
         if (servo_ && !recording_)
@@ -388,7 +389,7 @@ void LabSession::undo() {
 QStringList LabSession::devices() const {
     QStringList names{tr("Simulated: the mouse or a finger on the screen")};
     for (std::size_t i = 1; i < found_.size(); ++i)
-        names << tr("%1, %2").arg(QString::fromStdString(found_[i].about), QString::fromStdString(found_[i].name));
+        names << tr("%1, %2").arg(in_persons_language(found_[i].about), QString::fromStdString(found_[i].name));
     return names;
 }
 
@@ -443,7 +444,7 @@ void LabSession::open(const std::filesystem::path& recording) {
         if (!chain) {
             recording_ = false;
             timer_.stop();
-            return become(Stopped, QString::fromStdString(chain.error()));
+            return become(Stopped, in_persons_language(chain.error()));
         }
         return run(*chain);
     }
@@ -456,7 +457,7 @@ void LabSession::open(const std::filesystem::path& recording) {
             if (chain->ok())
                 return run(chain->value());
             recording_ = false;
-            become(Stopped, QString::fromStdString(chain->error()));
+            become(Stopped, in_persons_language(chain->error()));
         };
     });
 }
@@ -476,8 +477,8 @@ void LabSession::run(const std::shared_ptr<DeviceChain>& chain) {
     if (anew)
         emit changed();
     else
-        become(Running, recording_ ? tr("Recording: %1. Escape ends it.").arg(QString::fromStdString(can.name))
-                                   : tr("The servo runs: %1. Escape stops it.").arg(QString::fromStdString(can.name)));
+        become(Running, recording_ ? tr("Recording: %1. Escape ends it.").arg(in_persons_language(can.name))
+                                   : tr("The servo runs: %1. Escape stops it.").arg(in_persons_language(can.name)));
 }
 
 void LabSession::end_run() {
@@ -588,7 +589,7 @@ void LabSession::watch(Fault fault) {
     const bool same = fault == told_ && clock_.now() - told_at_ < fault_again_s;
     told_ = fault;
     told_at_ = clock_.now();
-    const QString sentence = QString::fromUtf8(tp::sentence(fault));
+    const QString sentence = in_persons_language(std::string(tp::sentence(fault)));
     if (disables(fault)) {
         stop();
         status_ = status_ + ' ' + sentence;
@@ -686,10 +687,10 @@ void LabSession::toggleRecording() {
     }
     stop();
     if (const std::string reason = make_folder(settings_.folder); !reason.empty())
-        return say(tr("The folder %1 cannot be made: %2").arg(folder(), QString::fromStdString(reason)));
+        return say(tr("The folder %1 cannot be made: %2").arg(folder(), in_persons_language(reason)));
     recording_file_ = settings_.folder / (new_name() + ".touch").toStdString();
     if (const std::string reason = replace_file(setup_file(recording_file_), setup()); !reason.empty())
-        return say(tr("The recording cannot be begun: %1").arg(QString::fromStdString(reason)));
+        return say(tr("The recording cannot be begun: %1").arg(in_persons_language(reason)));
     recording_ = true;
     recording_whole_ = true;
     open(recording_file_);
@@ -714,7 +715,7 @@ void LabSession::replay(int index) {
         auto read = std::make_shared<Result<LabReplay>>(read_replay(file, stop_asked));
         return [this, read, name = QString::fromStdString(file.filename().string())] {
             if (!read->ok())
-                return say(QString::fromStdString(read->error()));
+                return say(in_persons_language(read->error()));
             if (state_ != Stopped)
                 return;
             replay_ = std::make_shared<LabReplay>(std::move(*read).value());
@@ -739,13 +740,13 @@ void LabSession::writeTable() {
     if (trace_.points().empty())
         return say(tr("There is nothing to write yet. Start the servo first."));
     if (const std::string reason = make_folder(settings_.folder); !reason.empty())
-        return say(tr("The folder %1 cannot be made: %2").arg(folder(), QString::fromStdString(reason)));
+        return say(tr("The folder %1 cannot be made: %2").arg(folder(), in_persons_language(reason)));
     const std::filesystem::path table = settings_.folder / (new_name() + ".csv").toStdString();
     std::string reason = replace_file(table, trace_.csv());
     if (reason.empty())
         reason = replace_file(setup_file(table), setup());
     if (!reason.empty())
-        return say(tr("%1 cannot be written: %2").arg(path_words(table), QString::fromStdString(reason)));
+        return say(tr("%1 cannot be written: %2").arg(path_words(table), in_persons_language(reason)));
     say(tr("%n row(s) are in %1; the parameters lie beside them.", nullptr, static_cast<int>(trace_.points().size()))
             .arg(path_words(table)));
 }

@@ -2,6 +2,7 @@
 #include "app/mend/mend_session.hpp"
 
 #include "app/mend/mend_words.hpp"
+#include "audio/sentences/sentences.hpp"
 #include "core/geometry/flatten.hpp"
 #include "core/svg/contour_sheet.hpp"
 
@@ -98,7 +99,7 @@ void MendSession::enter() {
         return tell(tr("Looking for faces…"), Priority::message);
     case State::Problem:
         return tell(tr("%1: %2", "a photograph and what is wrong with it")
-                        .arg(photoName(), QString::fromStdString(photo_.problem)),
+                        .arg(photoName(), in_persons_language(photo_.problem)),
                     Priority::message);
     case State::Ready:
         break;
@@ -598,7 +599,7 @@ void MendSession::redo() {
 bool MendSession::write(QString& problem) {
     if (!photo_.usable || !photo_.contours.differs(photo_.work))
         return true;
-    problem = QString::fromStdString(photo_.contours.save(photo_.work));
+    problem = in_persons_language(photo_.contours.save(photo_.work));
     if (problem.isEmpty())
         emit saved(photo_.file);
     return problem.isEmpty();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/preferences/preferences.hpp"
 
+#include "audio/sentences/sentences.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/whole_file.hpp"
 
@@ -64,7 +65,7 @@ QString Preferences::keep() {
     if (why.empty())
         why = replace_file(file_, json_of(choices_).toStdString(), Readers::owner_only);
     if (!why.empty())
-        return tr("Your settings could not be kept: %1").arg(QString::fromStdString(why));
+        return tr("Your settings could not be kept: %1").arg(in_persons_language(why));
     kept_ = choices_;
     return {};
 }

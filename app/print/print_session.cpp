@@ -6,6 +6,7 @@
 #include "app/scene/corrections.hpp"
 #include "app/tactile/braille.hpp"
 #include "app/tactile/tactile_file.hpp"
+#include "audio/sentences/sentences.hpp"
 #include "core/files/durable_file.hpp"
 #include "faces/face_extractor.hpp"
 
@@ -147,7 +148,7 @@ void PrintSession::make() {
             notes_ << QString::fromStdString(note);
     } else {
         const std::string& problem = subject_.extraction.problem;
-        notes_ << QString::fromStdString(problem.empty() ? sheet.error() : problem);
+        notes_ << in_persons_language(problem.empty() ? sheet.error() : problem);
     }
     draw();
     emit sheetChanged();
@@ -220,14 +221,14 @@ void PrintSession::store(const QString& ending) {
         return refuse(notes_.isEmpty() ? tr("There is no sheet yet.") : notes_.join(' '));
     if (const std::string why = make_folder(folder_); !why.empty())
         return refuse(tr("The folder %1 could not be made: %2")
-                          .arg(QString::fromStdU16String(folder_.u16string()), QString::fromStdString(why)));
+                          .arg(QString::fromStdU16String(folder_.u16string()), in_persons_language(why)));
     const QString stem = QString::fromStdU16String((folder_ / photo_.stem()).u16string());
     std::filesystem::path file = (stem + '.' + ending).toStdU16String();
     for (int number = 2; name_taken(file); ++number)
         file = QString("%1 %2.%3").arg(stem).arg(number).arg(ending).toStdU16String();
     const auto written = write_tactile(file, *sheet_);
     if (!written)
-        return refuse(QString::fromStdString(written.error()));
+        return refuse(in_persons_language(written.error()));
     earcons_.play(Earcon::saved);
     narrator_.tell(tr("The sheet is stored as %1. Print it at 100 percent, unscaled.")
                        .arg(QString::fromStdU16String(file.u16string())),

@@ -116,7 +116,7 @@ Result<Extraction> corrected(Extraction extraction, const ContourSheet& sheet) {
     if (!(std::abs(across / down - 1.0) < 0.01))
         return Error{"they belong to a picture of another shape, " +
                      std::to_string(std::lround(sheet.width)) + " × " +
-                     std::to_string(std::lround(sheet.height)) + " pixels"};
+                     std::to_string(std::lround(sheet.height)) + " pixels."};
     std::map<int, std::vector<Contour>> people;
     for (const Contour& contour : sheet.contours) {
         auto [number, feature] = face_and_feature(contour.name);
@@ -162,7 +162,7 @@ Extraction with_corrections(Extraction extraction, const std::filesystem::path& 
     if (!sheet)
         return unusable(sheet.error());
     Result<Extraction> mended = corrected(extraction, *sheet);
-    return mended ? std::move(mended).value() : unusable(mended.error() + ".");
+    return mended ? std::move(mended).value() : unusable(mended.error());
 }
 
 } // namespace tp

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/scene/extra_features.hpp"
 
+#include "core/base/words.hpp"
+
 #include <algorithm>
 #include <string>
 
@@ -30,8 +32,7 @@ Result<ExtraFeatures> extra_features_named(std::string_view words) {
         else if (word == "irises")
             chosen.irises = true;
         else
-            return Error{std::string("\"").append(word) +
-                         "\" cannot be added to a face; brows, nose and irises can."};
+            return Error{quoted(word) + " cannot be added to a face; brows, nose and irises can."};
         words.remove_prefix(std::min(comma + 1, words.size()));
     }
     return chosen;

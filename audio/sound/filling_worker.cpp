@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/sound/filling_worker.hpp"
 
+#include "audio/sentences/sentences.hpp"
+
 #include <utility>
 
 namespace tp {
@@ -17,7 +19,7 @@ FillingWorker::FillingWorker() : refill_(this) {
 void FillingWorker::begin(quint64 run, std::shared_ptr<PlaybackStream> stream) {
     leave();
     if (const std::string sentence = stream->open(); !sentence.empty()) {
-        emit unreadable(run, QString::fromStdString(sentence));
+        emit unreadable(run, in_persons_language(sentence));
         return;
     }
     stream_ = std::move(stream);

@@ -2,6 +2,7 @@
 #include "audio/sound/recorder_worker.hpp"
 
 #include "audio/recordings/recording_file.hpp"
+#include "audio/sentences/sentences.hpp"
 #include "audio/sound/sound_format.hpp"
 #include "audio/sound/sound_words.hpp"
 #include "core/files/durable_file.hpp"
@@ -18,12 +19,10 @@ using State = RecorderState;
 
 constexpr double little_left_s = 60.0;
 
-QString text(const std::string& reason) { return QString::fromStdString(reason); }
-
 QString words(SoundInput::Trouble trouble, bool begun) {
     const QString kept =
-        begun ? RecorderWorker::tr(" What was recorded is kept, and it goes on as soon as there is one.")
-              : RecorderWorker::tr(" The recording begins as soon as there is one.");
+        ' ' + (begun ? RecorderWorker::tr("What was recorded is kept, and it goes on as soon as there is one.")
+                     : RecorderWorker::tr("The recording begins as soon as there is one."));
     switch (trouble) {
     case SoundInput::Trouble::stalled:
         return RecorderWorker::tr("The microphone delivers no sound.") + kept;
@@ -60,7 +59,7 @@ void RecorderWorker::start(const RecordingPlan& plan) {
     }
     Result<WavPart> part = start_recording(plan.folder, plan.notes, {sound_rate, 1});
     if (!part) {
-        emit failed(tr("The recording cannot be made: ") + text(part.error()));
+        emit failed(tr("The recording cannot be made: %1").arg(in_persons_language(part.error())));
         return;
     }
     plan_ = plan;
@@ -137,7 +136,7 @@ void RecorderWorker::block(std::span<const std::int16_t> samples) {
     level_->add(kept);
     loudness_->add(kept);
     if (!reason.empty()) {
-        finish_because(tr("The recording has ended, because ") + text(reason));
+        finish_because(tr("The recording has ended, because %1").arg(in_persons_language(reason)));
         return;
     }
     emit level_changed(level_->level().rms_dbfs, level_->level().peak_dbfs);
@@ -171,7 +170,7 @@ void RecorderWorker::lost(SoundInput::Trouble trouble) {
         return;
     become(State::waiting);
     if (const std::string reason = part_->sync(); !reason.empty()) {
-        finish_because(tr("The recording has ended, because ") + text(reason));
+        finish_because(tr("The recording has ended, because %1").arg(in_persons_language(reason)));
         return;
     }
     if (!std::exchange(told_trouble_, true))
@@ -191,9 +190,8 @@ void RecorderWorker::finish_because(const QString& reason) {
     become(State::idle);
     const QString begin = reason.isEmpty() ? QString() : reason + ' ';
     if (!file) {
-        emit failed(begin +
-                    tr("What was recorded is kept as \"%1\" and will be stored later, because ").arg(name) +
-                    text(file.error()));
+        emit failed(begin + tr("What was recorded is kept as \"%1\" and will be stored later, because %2")
+                                .arg(name, in_persons_language(file.error())));
     } else if (!*file) {
         emit failed(begin + tr("Nothing was recorded."));
     } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/sound/sound_words.hpp"
 
+#include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -10,8 +11,21 @@ namespace tp {
 
 namespace {
 
-QString counted(long long count, const char* unit) {
-    return QString("%1 %2%3").arg(count).arg(unit, count == 1 ? "" : "s");
+QString in_language(const char* source) { return QCoreApplication::translate("Duration", source); }
+
+QString hour_words(long long count) {
+    return count == 1 ? in_language(QT_TRANSLATE_NOOP("Duration", "1 hour"))
+                      : in_language(QT_TRANSLATE_NOOP("Duration", "%1 hours")).arg(count);
+}
+
+QString minute_words(long long count) {
+    return count == 1 ? in_language(QT_TRANSLATE_NOOP("Duration", "1 minute"))
+                      : in_language(QT_TRANSLATE_NOOP("Duration", "%1 minutes")).arg(count);
+}
+
+QString second_words(long long count) {
+    return count == 1 ? in_language(QT_TRANSLATE_NOOP("Duration", "1 second"))
+                      : in_language(QT_TRANSLATE_NOOP("Duration", "%1 seconds")).arg(count);
 }
 
 } // namespace
@@ -19,14 +33,14 @@ QString counted(long long count, const char* unit) {
 QString duration_words(double seconds) {
     const long long exact = std::llround(std::max(seconds, 0.0));
     const long long whole = exact < 600 ? exact : (exact + 30) / 60 * 60;
-    QStringList words;
+    QStringList parts;
     if (whole >= 3600)
-        words << counted(whole / 3600, "hour");
+        parts << hour_words(whole / 3600);
     if (whole / 60 % 60 > 0)
-        words << counted(whole / 60 % 60, "minute");
-    if (whole % 60 > 0 || words.isEmpty())
-        words << counted(whole % 60, "second");
-    return words.join(' ');
+        parts << minute_words(whole / 60 % 60);
+    if (whole % 60 > 0 || parts.isEmpty())
+        parts << second_words(whole % 60);
+    return parts.join(' ');
 }
 
 } // namespace tp

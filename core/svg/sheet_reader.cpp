@@ -53,9 +53,9 @@ std::string quoted_short(std::string_view text) { return tp::quoted(shortened(te
 
 std::string spoken_name(pugi::xml_node element) {
     const std::string_view tag = element.name();
-    const std::string kind = "The " + (tag == "g" ? "group" : shortened(tag));
+    const std::string kind = tag == "g" ? "group" : shortened(tag);
     const std::string_view id = element.attribute("id").value();
-    return id.empty() ? kind + " without an id" : kind + " " + quoted_short(id);
+    return id.empty() ? "The " + kind + " without an id" : "The " + kind + " " + quoted_short(id);
 }
 
 /// The name without its prefix, where the prefix is the root's; empty for elements of another vocabulary.

@@ -324,6 +324,33 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>Duration</name>
+    <message>
+        <source>1 hour</source>
+        <translation>1 Stunde</translation>
+    </message>
+    <message>
+        <source>%1 hours</source>
+        <translation>%1 Stunden</translation>
+    </message>
+    <message>
+        <source>1 minute</source>
+        <translation>1 Minute</translation>
+    </message>
+    <message>
+        <source>%1 minutes</source>
+        <translation>%1 Minuten</translation>
+    </message>
+    <message>
+        <source>1 second</source>
+        <translation>1 Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 seconds</source>
+        <translation>%1 Sekunden</translation>
+    </message>
+</context>
+<context>
     <name>ExplorePage</name>
     <message>
         <source>The file dialog is not installed. Drop a photograph on this window instead.</source>
@@ -1389,6 +1416,1541 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Undo brings it back.</source>
         <translation>„Rückgängig“ bringt sie zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>Sentence</name>
+    <message>
+        <source>&quot;%1&quot; cannot be added to a face; brows, nose and irises can.</source>
+        <translation>„%1“ kann einem Gesicht nicht hinzugefügt werden; Brauen, Nase und Iris gehen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be changed: %2</source>
+        <translation>„%1“ kann nicht geändert werden: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be moved: %2</source>
+        <translation>„%1“ kann nicht verschoben werden: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read.</source>
+        <translation>„%1“ kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be renamed: %2</source>
+        <translation>„%1“ kann nicht umbenannt werden: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be restored and stays in the trash: %2</source>
+        <translation>„%1“ kann nicht zurückgebracht werden und bleibt im Papierkorb: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be restored, because another file has its place now. Move that one away first.</source>
+        <translation>„%1“ kann nicht zurückgebracht werden, weil jetzt eine andere Datei an der Stelle liegt. Verschieben Sie zuerst diese.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be taken in: %2</source>
+        <translation>„%1“ kann nicht aufgenommen werden: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be trimmed: %2</source>
+        <translation>„%1“ kann nicht gekürzt werden: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be trimmed: the part must begin before it ends.</source>
+        <translation>„%1“ kann nicht gekürzt werden: Der Teil muss beginnen, bevor er endet.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be used: %2</source>
+        <translation>„%1“ kann nicht verwendet werden: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; changed meanwhile.</source>
+        <translation>„%1“ hat sich inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a folder, not a file.</source>
+        <translation>„%1“ ist ein Ordner, keine Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a folder.</source>
+        <translation>„%1“ ist ein Ordner.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a file.</source>
+        <translation>„%1“ ist keine Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a folder in the album.</source>
+        <translation>„%1“ ist kein Ordner im Album.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not in the album &quot;%2&quot;.</source>
+        <translation>„%1“ ist nicht im Album „%2“.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already, so nothing was moved.</source>
+        <translation>„%1“ ist schon da, deshalb wurde nichts verschoben.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there, so it stays on the list.</source>
+        <translation>„%1“ ist da und bleibt deshalb auf der Liste.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not deleted, because it is not in the album &quot;%2&quot;.</source>
+        <translation>„%1“ wurde nicht gelöscht, weil es nicht im Album „%2“ ist.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not imported: %2</source>
+        <translation>„%1“ wurde nicht importiert: %2</translation>
+    </message>
+    <message>
+        <source>%1 Bring the photograph back first, then its recording.</source>
+        <translation>%1 Bringen Sie zuerst das Foto zurück, dann seine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>%1 It stays where it is.</source>
+        <translation>%1 Es bleibt, wo es ist.</translation>
+    </message>
+    <message>
+        <source>%1 It was left as it is.</source>
+        <translation>%1 Alles blieb, wie es ist.</translation>
+    </message>
+    <message>
+        <source>%1 Some photographs kept the new name: %2</source>
+        <translation>%1 Einige Fotos behielten den neuen Namen: %2</translation>
+    </message>
+    <message>
+        <source>%1 became %2</source>
+        <translation>%1 heißt jetzt %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2</source>
+        <translation>%1 kann nicht verwendet werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 has a transform that cannot be read: &quot;%2&quot;.</source>
+        <translation>%1 hat eine Transformation, die nicht gelesen werden kann: „%2“.</translation>
+    </message>
+    <message>
+        <source>%1 in &quot;%2&quot;</source>
+        <translation>%1 auf „%2“</translation>
+    </message>
+    <message>
+        <source>%1 is being made.</source>
+        <translation>%1 entsteht gerade.</translation>
+    </message>
+    <message>
+        <source>%1 is moved by its style, which is not understood; give it a transform attribute instead.</source>
+        <translation>%1 wird durch seinen Stil verschoben; das wird nicht verstanden. Geben Sie stattdessen ein transform-Attribut an.</translation>
+    </message>
+    <message>
+        <source>%1 is not from %2 to %3.</source>
+        <translation>%1 liegt nicht zwischen %2 und %3.</translation>
+    </message>
+    <message>
+        <source>%1 reaches beyond what can be computed with.</source>
+        <translation>%1 reicht weiter, als gerechnet werden kann.</translation>
+    </message>
+    <message>
+        <source>%1 was &quot;%2&quot; in another copy; it is &quot;%3&quot; now.</source>
+        <translation>%1 war in einer anderen Kopie „%2“; jetzt gilt „%3“.</translation>
+    </message>
+    <message>
+        <source>%1 was added</source>
+        <translation>%1 wurde hinzugefügt</translation>
+    </message>
+    <message>
+        <source>%1 was deleted</source>
+        <translation>%1 wurde gelöscht</translation>
+    </message>
+    <message>
+        <source>%1 was described</source>
+        <translation>%1 wurde beschrieben</translation>
+    </message>
+    <message>
+        <source>%1 was labelled</source>
+        <translation>%1 wurde beschriftet</translation>
+    </message>
+    <message>
+        <source>%1 was not finished and cannot be repaired: %2</source>
+        <translation>%1 wurde nicht beendet und lässt sich nicht reparieren: %2</translation>
+    </message>
+    <message>
+        <source>%1 was not finished and held no sound.</source>
+        <translation>%1 wurde nicht beendet und enthielt keinen Ton.</translation>
+    </message>
+    <message>
+        <source>%1 was not finished; what was recorded is in &quot;%2&quot;.</source>
+        <translation>%1 wurde nicht beendet; was aufgenommen wurde, ist in „%2“.</translation>
+    </message>
+    <message>
+        <source>%1 was trimmed</source>
+        <translation>%1 wurde gekürzt</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>A calibration sample is not a number; touch the marks again.</source>
+        <translation>Ein Messwert der Kalibrierung ist keine Zahl; berühren Sie die Marken noch einmal.</translation>
+    </message>
+    <message>
+        <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
+        <translation>Ein Motor des Kraftpads zog zu viel Strom. Sehen Sie nach, ob etwas den Knopf blockiert.</translation>
+    </message>
+    <message>
+        <source>A person needs a name before it can be recorded.</source>
+        <translation>Eine Person braucht einen Namen, bevor er aufgenommen werden kann.</translation>
+    </message>
+    <message>
+        <source>A person needs a name, and another one than before.</source>
+        <translation>Eine Person braucht einen Namen, und einen anderen als bisher.</translation>
+    </message>
+    <message>
+        <source>A picture and the touch surface both need a width and a height above zero.</source>
+        <translation>Bild und Tastfläche brauchen beide eine Breite und eine Höhe über null.</translation>
+    </message>
+    <message>
+        <source>A recording is listed as %1, which is no file name; it is left out.</source>
+        <translation>Eine Aufnahme ist als %1 aufgeführt, was kein Dateiname ist; sie wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>A tactile sheet is written as .pdf or .svg, not as &quot;%1&quot;.</source>
+        <translation>Ein Tastblatt wird als .pdf oder .svg geschrieben, nicht als „%1“.</translation>
+    </message>
+    <message>
+        <source>Another driver holds the %1. Remove the driver that its maker installed and start this computer again.</source>
+        <translation>Ein anderer Treiber belegt dieses Gerät: %1. Entfernen Sie den Treiber, den sein Hersteller installiert hat, und starten Sie diesen Computer neu.</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the %1 and does not let go of it. Unplug the device, unload that driver and plug the device in again.</source>
+        <translation>Ein anderer Treiber des Systems belegt dieses Gerät und gibt es nicht frei: %1. Ziehen Sie das Gerät ab, entladen Sie den Treiber und stecken Sie das Gerät wieder an.</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the %1. Unplug the device and plug it in again; if that does not help, its kernel must have the hidraw driver.</source>
+        <translation>Ein anderer Treiber des Systems belegt dieses Gerät: %1. Ziehen Sie das Gerät ab und stecken Sie es wieder an; hilft das nicht, braucht der Systemkern den Treiber hidraw.</translation>
+    </message>
+    <message>
+        <source>Another program is at work on &quot;%1&quot;; try again.</source>
+        <translation>Ein anderes Programm arbeitet an „%1“; versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Another program uses the %1. Close that program and try again.</source>
+        <translation>Ein anderes Programm benutzt dieses Gerät: %1. Schließen Sie das Programm und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Calibration needs at least three marks that do not lie on one line; touch more marks.</source>
+        <translation>Die Kalibrierung braucht mindestens drei Marken, die nicht auf einer Linie liegen; berühren Sie weitere Marken.</translation>
+    </message>
+    <message>
+        <source>Hysteresis and blending are two answers to the same jump; choose one of them.</source>
+        <translation>Hysterese und Überblenden sind zwei Antworten auf denselben Sprung; wählen Sie eine davon.</translation>
+    </message>
+    <message>
+        <source>Hysteresis, blending and corner cue belong to the exact law, not to the published one.</source>
+        <translation>Hysterese, Überblenden und Eckenhinweis gehören zum exakten Gesetz, nicht zum veröffentlichten.</translation>
+    </message>
+    <message>
+        <source>It is damaged; only the first %1 of %2 could be read.</source>
+        <translation>Die Datei ist beschädigt; nur die ersten %1 von %2 konnten gelesen werden.</translation>
+    </message>
+    <message>
+        <source>It names a file in a way that TouchPhoto does not write.</source>
+        <translation>Sie nennt eine Datei auf eine Weise, die TouchPhoto nicht schreibt.</translation>
+    </message>
+    <message>
+        <source>No face was found in this picture.</source>
+        <translation>In diesem Bild wurde kein Gesicht gefunden.</translation>
+    </message>
+    <message>
+        <source>Nothing was deleted, because the trash cannot be made: %1</source>
+        <translation>Es wurde nichts gelöscht, weil der Papierkorb nicht angelegt werden kann: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was deleted, because the trash cannot be written to: %1</source>
+        <translation>Es wurde nichts gelöscht, weil in den Papierkorb nicht geschrieben werden kann: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was deleted: %1</source>
+        <translation>Es wurde nichts gelöscht: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was named that could be deleted.</source>
+        <translation>Es wurde nichts genannt, was gelöscht werden könnte.</translation>
+    </message>
+    <message>
+        <source>Pictures other than JPEG need the library %1 (Debian: libopencv-imgcodecs406), which is not here: install it or save the picture as JPEG.</source>
+        <translation>Andere Bilder als JPEG brauchen die Bibliothek %1 (Debian: libopencv-imgcodecs406), die hier fehlt: Installieren Sie sie, oder speichern Sie das Bild als JPEG.</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s driver for SQLite is not installed; without it there is no album. On Debian it is the package libqt6sql6-sqlite.</source>
+        <translation>Der Qt-Treiber für SQLite ist nicht installiert; ohne ihn gibt es kein Album. Unter Debian ist es das Paket libqt6sql6-sqlite.</translation>
+    </message>
+    <message>
+        <source>Stiffness and range of the guidance must both be numbers above zero.</source>
+        <translation>Steifigkeit und Reichweite der Führung müssen beide Zahlen über null sein.</translation>
+    </message>
+    <message>
+        <source>The %1 &quot;%2&quot;</source>
+        <translation>Das Element %1 „%2“</translation>
+    </message>
+    <message>
+        <source>The %1 could not be opened. Unplug it, plug it in again and try once more.</source>
+        <translation>Dieses Gerät konnte nicht geöffnet werden: %1. Ziehen Sie es ab, stecken Sie es wieder an und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The %1 file is damaged.</source>
+        <translation>Die %1-Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then &quot;USB Input Device&quot;.</source>
+        <translation>Dieses Gerät hat den falschen Treiber: %1. Wählen Sie im Geräte-Manager „Treiber aktualisieren“, dann „USB-Eingabegerät“.</translation>
+    </message>
+    <message>
+        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then &quot;WinUsb Device&quot;.</source>
+        <translation>Dieses Gerät hat den falschen Treiber: %1. Wählen Sie im Geräte-Manager „Treiber aktualisieren“, dann „WinUsb-Gerät“.</translation>
+    </message>
+    <message>
+        <source>The %1 may be covered, so its contour may be wrong.</source>
+        <translation>Vielleicht ist ein Teil %1 verdeckt, die Kontur könnte deshalb falsch sein.</translation>
+    </message>
+    <message>
+        <source>The %1 was unplugged. Plug it in again.</source>
+        <translation>Dieses Gerät wurde abgezogen: %1. Stecken Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>The %1 without an id</source>
+        <translation>Das Element %1 ohne id</translation>
+    </message>
+    <message>
+        <source>The JPEG file is cut short: a part of the picture is missing.</source>
+        <translation>Die JPEG-Datei ist abgeschnitten: Ein Teil des Bildes fehlt.</translation>
+    </message>
+    <message>
+        <source>The JPEG file is damaged.</source>
+        <translation>Die JPEG-Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The PNG file is cut short: a part of the picture is missing.</source>
+        <translation>Die PNG-Datei ist abgeschnitten: Ein Teil des Bildes fehlt.</translation>
+    </message>
+    <message>
+        <source>The PNG file is damaged.</source>
+        <translation>Die PNG-Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The WebP file is cut short: a part of the picture is missing.</source>
+        <translation>Die WebP-Datei ist abgeschnitten: Ein Teil des Bildes fehlt.</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index %1; it was set aside as &quot;%2&quot; and is made anew. The photographs are not touched by this.</source>
+        <translation>Der Index des Albums %1; er wurde als „%2“ beiseitegelegt und wird neu angelegt. Die Fotos bleiben davon unberührt.</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index cannot be kept in &quot;%1&quot;; it is held in memory and made anew at every start: %2</source>
+        <translation>Der Index des Albums kann nicht in „%1“ gehalten werden; er liegt im Arbeitsspeicher und wird bei jedem Start neu angelegt: %2</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index cannot be made: %1.</source>
+        <translation>Der Index des Albums kann nicht angelegt werden: %1.</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index cannot be used: %1.</source>
+        <translation>Der Index des Albums kann nicht benutzt werden: %1.</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index cannot grow: the disk is full.</source>
+        <translation>Der Index des Albums kann nicht wachsen: Der Datenträger ist voll.</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index is damaged; it is made anew when the album is opened next. The photographs are not touched by this.</source>
+        <translation>Der Index des Albums ist beschädigt; er wird neu angelegt, wenn das Album das nächste Mal geöffnet wird. Die Fotos bleiben davon unberührt.</translation>
+    </message>
+    <message>
+        <source>The braille table %1 was not found; names cannot be written in braille. Install the package liblouis-data.</source>
+        <translation>Die Brailletabelle %1 wurde nicht gefunden; Namen können nicht in Braille geschrieben werden. Installieren Sie das Paket liblouis-data.</translation>
+    </message>
+    <message>
+        <source>The bundle &quot;%1&quot; cannot be used: %2</source>
+        <translation>Das Bündel „%1“ kann nicht verwendet werden: %2</translation>
+    </message>
+    <message>
+        <source>The bundle &quot;%1&quot; was not written: %2</source>
+        <translation>Das Bündel „%1“ wurde nicht geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>The bundle cannot be unpacked, because &quot;%1&quot; is not empty.</source>
+        <translation>Das Bündel kann nicht ausgepackt werden, weil „%1“ nicht leer ist.</translation>
+    </message>
+    <message>
+        <source>The bundle cannot be unpacked: %1</source>
+        <translation>Das Bündel kann nicht ausgepackt werden: %1</translation>
+    </message>
+    <message>
+        <source>The calibration misses its marks by %1 mm, more than the %2 mm allowed; touch them again.</source>
+        <translation>Die Kalibrierung verfehlt ihre Marken um %1 mm, mehr als die erlaubten %2 mm; berühren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The conflict copy &quot;%1&quot; cannot be read: %2</source>
+        <translation>Die Konfliktkopie „%1“ kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>The conflict copy &quot;%1&quot; could not be moved to the trash: %2</source>
+        <translation>Die Konfliktkopie „%1“ konnte nicht in den Papierkorb verschoben werden: %2</translation>
+    </message>
+    <message>
+        <source>The date &quot;%1&quot; is in no calendar and is left out.</source>
+        <translation>Das Datum „%1“ steht in keinem Kalender und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The description</source>
+        <translation>Die Beschreibung</translation>
+    </message>
+    <message>
+        <source>The device was switched off, because it no longer answers. Check its cable and start it again.</source>
+        <translation>Das Gerät wurde abgeschaltet, weil es nicht mehr antwortet. Prüfen Sie sein Kabel und starten Sie es wieder.</translation>
+    </message>
+    <message>
+        <source>The device was switched off, because this computer stood still. Start it again when you are ready.</source>
+        <translation>Das Gerät wurde abgeschaltet, weil dieser Computer stillstand. Starten Sie es wieder, wenn Sie bereit sind.</translation>
+    </message>
+    <message>
+        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
+        <translation>Das Gerät mit der Kennung eines Kraftpads antwortet nicht wie ein Kraftpad. Ziehen Sie es ab und stecken Sie es wieder an; ist es kein Kraftpad, wählen Sie ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>The drawing cannot be saved as &quot;%1&quot;: %2</source>
+        <translation>Die Zeichnung kann nicht als „%1“ gespeichert werden: %2</translation>
+    </message>
+    <message>
+        <source>The drawing cannot be saved: it needs a width and a height larger than zero.</source>
+        <translation>Die Zeichnung kann nicht gespeichert werden: Sie braucht eine Breite und eine Höhe über null.</translation>
+    </message>
+    <message>
+        <source>The drawing cannot be saved: there is not enough memory for it.</source>
+        <translation>Die Zeichnung kann nicht gespeichert werden: Der Arbeitsspeicher reicht nicht.</translation>
+    </message>
+    <message>
+        <source>The drawing could not be read: there is not enough memory for it.</source>
+        <translation>Die Zeichnung konnte nicht gelesen werden: Der Arbeitsspeicher reicht nicht.</translation>
+    </message>
+    <message>
+        <source>The drawing does not say how large it is; give it a width and a height, or a viewBox.</source>
+        <translation>Die Zeichnung sagt nicht, wie groß sie ist; geben Sie ihr Breite und Höhe oder eine viewBox.</translation>
+    </message>
+    <message>
+        <source>The drawing has more elements than a sheet of contours may have.</source>
+        <translation>Die Zeichnung hat mehr Elemente, als ein Blatt mit Konturen haben darf.</translation>
+    </message>
+    <message>
+        <source>The drawing has more lines than a sheet of contours may have.</source>
+        <translation>Die Zeichnung hat mehr Linien, als ein Blatt mit Konturen haben darf.</translation>
+    </message>
+    <message>
+        <source>The drawing is larger than 64 MB; that is more than a sheet of contours may be.</source>
+        <translation>Die Zeichnung ist größer als 64 MB; das ist mehr, als ein Blatt mit Konturen haben darf.</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s %1 &quot;%2&quot; is not a length in mm, cm, in, pt, pc or px.</source>
+        <translation>%1 der Zeichnung ist „%2“; das ist keine Länge in mm, cm, in, pt, pc oder px.</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s %1 is %2, but it must be larger than zero.</source>
+        <translation>%1 der Zeichnung ist %2, muss aber größer als null sein.</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s size is beyond what can be computed with.</source>
+        <translation>Die Größe der Zeichnung ist jenseits dessen, womit gerechnet werden kann.</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s viewBox &quot;%1&quot; is not four numbers with a width and a height larger than zero.</source>
+        <translation>Die viewBox „%1“ der Zeichnung besteht nicht aus vier Zahlen mit Breite und Höhe über null.</translation>
+    </message>
+    <message>
+        <source>The edge of the %1 is faint, so its contour may be wrong.</source>
+        <translation>Der Rand %1 ist undeutlich, die Kontur könnte deshalb falsch sein.</translation>
+    </message>
+    <message>
+        <source>The face is %1, so the contour of the %2 may be wrong.</source>
+        <translation>Das Gesicht ist %1, die Kontur %2 könnte deshalb falsch sein.</translation>
+    </message>
+    <message>
+        <source>The face is cut off at the %1 of the picture.</source>
+        <translation>Das Gesicht ist am %1 des Bildes abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The face is only %1 pixels wide, too small for its contours to be exact.</source>
+        <translation>Das Gesicht ist nur %1 Pixel breit, zu klein für genaue Konturen.</translation>
+    </message>
+    <message>
+        <source>The face of &quot;%1&quot; lies outside the photograph.</source>
+        <translation>Das Gesicht von „%1“ liegt außerhalb des Fotos.</translation>
+    </message>
+    <message>
+        <source>The faces were marked on a picture of another shape, so their places may be wrong.</source>
+        <translation>Die Gesichter wurden auf einem Bild mit anderen Seitenlängen markiert, ihre Stellen könnten deshalb falsch sein.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; cannot be opened; you may not be allowed to read it.</source>
+        <translation>Die Datei „%1“ kann nicht geöffnet werden; vielleicht dürfen Sie sie nicht lesen.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; cannot be read to its end.</source>
+        <translation>Die Datei „%1“ kann nicht bis zu ihrem Ende gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; cannot be read.</source>
+        <translation>Die Datei „%1“ kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; could not be read: there is not enough memory for it.</source>
+        <translation>Die Datei „%1“ konnte nicht gelesen werden: Der Arbeitsspeicher reicht nicht.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; is called a photograph, but is none.</source>
+        <translation>Die Datei „%1“ heißt wie ein Foto, ist aber keines.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; is in a folder that you are not allowed to open.</source>
+        <translation>Die Datei „%1“ ist in einem Ordner, den Sie nicht öffnen dürfen.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; is larger than %2 MB; that is more than such a file may be.</source>
+        <translation>Die Datei „%1“ ist größer als %2 MB; das ist mehr, als so eine Datei haben darf.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation>Die Datei kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>Die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>The file is not a picture of a kind that can be read.</source>
+        <translation>Die Datei ist kein Bild einer Art, die gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>The file is too large to be a photograph: more than 2 gigabytes.</source>
+        <translation>Die Datei ist zu groß für ein Foto: mehr als 2 Gigabyte.</translation>
+    </message>
+    <message>
+        <source>The fingerprint of the photograph</source>
+        <translation>Der Fingerabdruck des Fotos</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made: %2</source>
+        <translation>Der Ordner „%1“ kann nicht angelegt werden: %2</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be read: %2</source>
+        <translation>Der Ordner „%1“ kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; is not there.</source>
+        <translation>Der Ordner „%1“ ist nicht da.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; may not be opened by you.</source>
+        <translation>Den Ordner „%1“ dürfen Sie nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>The force is off for a moment, because this computer was too busy to guide the finger.</source>
+        <translation>Die Kraft ist kurz aus, weil dieser Computer zu beschäftigt war, um den Finger zu führen.</translation>
+    </message>
+    <message>
+        <source>The force is off, because the device does not say where the finger is.</source>
+        <translation>Die Kraft ist aus, weil das Gerät nicht sagt, wo der Finger ist.</translation>
+    </message>
+    <message>
+        <source>The force is off, because the device has switched its motors off to be safe. It comes back when the device is ready.</source>
+        <translation>Die Kraft ist aus, weil das Gerät seine Motoren zur Sicherheit abgeschaltet hat. Sie kommt zurück, wenn das Gerät bereit ist.</translation>
+    </message>
+    <message>
+        <source>The force is off, because the finger is outside the area that the device reaches. Move it back.</source>
+        <translation>Die Kraft ist aus, weil der Finger außerhalb des Bereichs ist, den das Gerät erreicht. Bewegen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>The force is off, because the finger moves too fast. Move slowly and it comes back.</source>
+        <translation>Die Kraft ist aus, weil der Finger sich zu schnell bewegt. Bewegen Sie ihn langsam, dann kommt sie zurück.</translation>
+    </message>
+    <message>
+        <source>The force pad %1 tells of itself what cannot be: %2. It needs another firmware.</source>
+        <translation>Das Kraftpad %1 sagt von sich, was nicht sein kann: %2. Es braucht eine andere Firmware.</translation>
+    </message>
+    <message>
+        <source>The force pad could not be homed. See that it is plugged in, and try again.</source>
+        <translation>Das Kraftpad konnte seinen Nullpunkt nicht finden. Sehen Sie nach, ob es angesteckt ist, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The force pad did not say which places it reaches. Unplug it and plug it in again.</source>
+        <translation>Das Kraftpad hat nicht gesagt, welche Stellen es erreicht. Ziehen Sie es ab und stecken Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>The force pad does not know where its knob is. Put the knob on its mark and home the pad.</source>
+        <translation>Das Kraftpad weiß nicht, wo sein Knopf ist. Setzen Sie den Knopf auf seine Marke und lassen Sie das Pad seinen Nullpunkt suchen.</translation>
+    </message>
+    <message>
+        <source>The force pad heard nothing from this computer for a moment and switched its motors off.</source>
+        <translation>Das Kraftpad hörte einen Moment lang nichts von diesem Computer und schaltete seine Motoren ab.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
+        <translation>Die Geber des Kraftpads widersprechen sich: Ein Seil ist schlaff, oder einer ist verrutscht. Setzen Sie den Knopf auf seine Marke und lassen Sie das Pad seinen Nullpunkt suchen.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s motors are off.</source>
+        <translation>Die Motoren des Kraftpads sind aus.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s motors are too hot. It goes on by itself when they have cooled.</source>
+        <translation>Die Motoren des Kraftpads sind zu heiß. Es geht von selbst weiter, wenn sie abgekühlt sind.</translation>
+    </message>
+    <message>
+        <source>The force was switched off for a moment, because a measurement was not a number.</source>
+        <translation>Die Kraft wurde kurz abgeschaltet, weil ein Messwert keine Zahl war.</translation>
+    </message>
+    <message>
+        <source>The import cannot begin: %1</source>
+        <translation>Der Import kann nicht beginnen: %1</translation>
+    </message>
+    <message>
+        <source>The import ended, because the computer reports: %1</source>
+        <translation>Der Import endete, weil der Computer meldet: %1</translation>
+    </message>
+    <message>
+        <source>The import&apos;s list cannot be removed: %1</source>
+        <translation>Die Liste des Imports kann nicht entfernt werden: %1</translation>
+    </message>
+    <message>
+        <source>The kind %1</source>
+        <translation>Die Art %1</translation>
+    </message>
+    <message>
+        <source>The language %1</source>
+        <translation>Die Sprache %1</translation>
+    </message>
+    <message>
+        <source>The list of the import &quot;%1&quot; cannot be read; import its folder again, nothing comes twice.</source>
+        <translation>Die Liste des Imports „%1“ kann nicht gelesen werden; importieren Sie den Ordner noch einmal, nichts kommt doppelt.</translation>
+    </message>
+    <message>
+        <source>The list of what was deleted in &quot;%1&quot; cannot be read; its files are still there.</source>
+        <translation>Die Liste des Gelöschten in „%1“ kann nicht gelesen werden; die Dateien sind noch da.</translation>
+    </message>
+    <message>
+        <source>The map between two frames cannot be turned round, because it flattens the plane to a line.</source>
+        <translation>Die Abbildung zwischen zwei Flächen kann nicht umgekehrt werden, weil sie die Ebene zu einer Linie plattdrückt.</translation>
+    </message>
+    <message>
+        <source>The mended contours &quot;%1&quot; cannot be taken away: %2</source>
+        <translation>Die korrigierten Konturen „%1“ können nicht entfernt werden: %2</translation>
+    </message>
+    <message>
+        <source>The mended contours cannot be saved as &quot;%1&quot;: %2</source>
+        <translation>Die korrigierten Konturen können nicht als „%1“ gespeichert werden: %2</translation>
+    </message>
+    <message>
+        <source>The mended contours in %1 cannot be used, and the program&apos;s own are taken: %2</source>
+        <translation>Die korrigierten Konturen in %1 können nicht verwendet werden, es gelten die des Programms: %2</translation>
+    </message>
+    <message>
+        <source>The mended contours in %1 cannot be used: %2</source>
+        <translation>Die korrigierten Konturen in %1 können nicht verwendet werden: %2</translation>
+    </message>
+    <message>
+        <source>The name cannot be kept: %1</source>
+        <translation>Der Name kann nicht aufbewahrt werden: %1</translation>
+    </message>
+    <message>
+        <source>The name of a face</source>
+        <translation>Der Name eines Gesichts</translation>
+    </message>
+    <message>
+        <source>The nets that find faces cannot be used: %1</source>
+        <translation>Die Netze, die Gesichter finden, können nicht benutzt werden: %1</translation>
+    </message>
+    <message>
+        <source>The person %1</source>
+        <translation>Die Person %1</translation>
+    </message>
+    <message>
+        <source>The photograph &quot;%1&quot; cannot be read: %2</source>
+        <translation>Das Foto „%1“ kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>The photograph &quot;%1&quot; cannot be read: you are not allowed to.</source>
+        <translation>Das Foto „%1“ kann nicht gelesen werden: Sie dürfen es nicht.</translation>
+    </message>
+    <message>
+        <source>The photograph &quot;%1&quot; is now &quot;%2&quot;, but what belongs to it stayed behind: %3</source>
+        <translation>Das Foto „%1“ heißt jetzt „%2“, aber was dazugehört, blieb zurück: %3</translation>
+    </message>
+    <message>
+        <source>The photograph &quot;%1&quot; says more of itself than any program writes; it was not read.</source>
+        <translation>Das Foto „%1“ sagt mehr von sich, als ein Programm schreibt; es wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s EXIF is damaged.</source>
+        <translation>Die EXIF-Daten des Fotos sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s IPTC is damaged.</source>
+        <translation>Die IPTC-Daten des Fotos sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s XMP cannot be read: %1</source>
+        <translation>Die XMP-Daten des Fotos können nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s XMP is damaged.</source>
+        <translation>Die XMP-Daten des Fotos sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s own metadata is damaged; what could be read of it counts.</source>
+        <translation>Die eigenen Angaben des Fotos sind beschädigt; es gilt, was davon gelesen werden konnte.</translation>
+    </message>
+    <message>
+        <source>The picture %1 could not be written: %2.</source>
+        <translation>Das Bild %1 konnte nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be decoded.</source>
+        <translation>Das Bild kann nicht entschlüsselt werden.</translation>
+    </message>
+    <message>
+        <source>The picture is empty.</source>
+        <translation>Das Bild ist leer.</translation>
+    </message>
+    <message>
+        <source>The picture is in the HEIC or AVIF format, which cannot be read: save it as JPEG.</source>
+        <translation>Das Bild hat das Format HEIC oder AVIF, das nicht gelesen werden kann: Speichern Sie es als JPEG.</translation>
+    </message>
+    <message>
+        <source>The picture is not in 8-bit colour.</source>
+        <translation>Das Bild hat keine 8-Bit-Farben.</translation>
+    </message>
+    <message>
+        <source>The picture is only %1 × %2 pixels, too small to show a face.</source>
+        <translation>Das Bild hat nur %1 × %2 Pixel, zu wenig, um ein Gesicht zu zeigen.</translation>
+    </message>
+    <message>
+        <source>The picture is too large: %1 × %2 pixels, where at most %3 million can be read.</source>
+        <translation>Das Bild ist zu groß: %1 × %2 Pixel, höchstens %3 Millionen können gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The picture or the touch surface is too large or too small to be computed with.</source>
+        <translation>Das Bild oder die Tastfläche ist zu groß oder zu klein, um damit zu rechnen.</translation>
+    </message>
+    <message>
+        <source>The place of %1 makes no sense and is left out.</source>
+        <translation>Die Stelle für %1 ergibt keinen Sinn und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The place of the face must lie in the picture, 0 to 1 from its left and upper edge.</source>
+        <translation>Die Stelle des Gesichts muss im Bild liegen, 0 bis 1 vom linken und oberen Rand.</translation>
+    </message>
+    <message>
+        <source>The position is no place on Earth and is left out.</source>
+        <translation>Die Position ist kein Ort auf der Erde und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot;</source>
+        <translation>Die Aufnahme „%1“</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; can only be played from its beginning.</source>
+        <translation>Die Aufnahme „%1“ kann nur von ihrem Anfang an abgespielt werden.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be listed twice.</source>
+        <translation>Die Aufnahme „%1“ kann nicht zweimal aufgeführt werden.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be listed: that is no name of a file that XML can hold.</source>
+        <translation>Die Aufnahme „%1“ kann nicht aufgeführt werden: Das ist kein Dateiname, den XML fassen kann.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be played: %2</source>
+        <translation>Die Aufnahme „%1“ kann nicht abgespielt werden: %2</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be used: %2</source>
+        <translation>Die Aufnahme „%1“ kann nicht verwendet werden: %2</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; is kept, but the photograph&apos;s list could not be written: %2</source>
+        <translation>Die Aufnahme „%1“ ist aufbewahrt, aber die Liste des Fotos konnte nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>The recording %1 could not be written. Choose a folder that you may write to.</source>
+        <translation>Die Aufzeichnung %1 konnte nicht geschrieben werden. Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>The recording %1 is listed twice; the first counts.</source>
+        <translation>Die Aufnahme %1 ist zweimal aufgeführt; die erste gilt.</translation>
+    </message>
+    <message>
+        <source>The replay was stopped.</source>
+        <translation>Die Wiedergabe wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>The scene has no line that can be felt.</source>
+        <translation>Die Szene hat keine Linie, die man fühlen kann.</translation>
+    </message>
+    <message>
+        <source>The search for faces failed (%1).</source>
+        <translation>Die Suche nach Gesichtern schlug fehl (%1).</translation>
+    </message>
+    <message>
+        <source>The search for faces was stopped.</source>
+        <translation>Die Suche nach Gesichtern wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The short description</source>
+        <translation>Die kurze Beschreibung</translation>
+    </message>
+    <message>
+        <source>The sidecar &quot;%1&quot; cannot be read: %2</source>
+        <translation>Die Begleitdatei „%1“ kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>The sidecar &quot;%1&quot; could not be written: %2</source>
+        <translation>Die Begleitdatei „%1“ konnte nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>The sidecar of &quot;%1&quot; could not be written: another program is busy there.</source>
+        <translation>Die Begleitdatei von „%1“ konnte nicht geschrieben werden: Ein anderes Programm arbeitet gerade daran.</translation>
+    </message>
+    <message>
+        <source>The sidecar of &quot;%1&quot; was changed in two places at once; it holds both now, and the copy &quot;%2&quot; is in the trash.</source>
+        <translation>Die Begleitdatei von „%1“ wurde an zwei Orten zugleich geändert; sie enthält jetzt beides, und die Kopie „%2“ ist im Papierkorb.</translation>
+    </message>
+    <message>
+        <source>The sound of &quot;%1&quot; is not whole. %2</source>
+        <translation>Der Ton von „%1“ ist nicht vollständig. %2</translation>
+    </message>
+    <message>
+        <source>The sound of the video &quot;%1&quot; does not come along: %2</source>
+        <translation>Der Ton des Videos „%1“ kommt nicht mit: %2</translation>
+    </message>
+    <message>
+        <source>The sound of the video in &quot;%1&quot; does not come along: %2</source>
+        <translation>Der Ton des Videos in „%1“ kommt nicht mit: %2</translation>
+    </message>
+    <message>
+        <source>The speaker %1</source>
+        <translation>Wer spricht, bei: %1</translation>
+    </message>
+    <message>
+        <source>The system gives this program no thread to work on; close other programs.</source>
+        <translation>Das System gibt diesem Programm keinen Arbeitsfaden; schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>The system watches only a part of the album&apos;s folders; changes by other programs in the others are noticed %1 seconds later.</source>
+        <translation>Das System beobachtet nur einen Teil der Ordner des Albums; was andere Programme in den übrigen ändern, wird %1 Sekunden später bemerkt.</translation>
+    </message>
+    <message>
+        <source>The tactile sheet cannot be saved as &quot;%1&quot;: %2</source>
+        <translation>Das Tastblatt kann nicht als „%1“ gespeichert werden: %2</translation>
+    </message>
+    <message>
+        <source>The time %1</source>
+        <translation>Die Zeit %1</translation>
+    </message>
+    <message>
+        <source>The transcript %1</source>
+        <translation>Die Abschrift %1</translation>
+    </message>
+    <message>
+        <source>The trash could not be emptied: %1</source>
+        <translation>Der Papierkorb konnte nicht geleert werden: %1</translation>
+    </message>
+    <message>
+        <source>The widths of hysteresis and blending are from 0 to 5 mm.</source>
+        <translation>Die Breiten von Hysterese und Überblenden liegen zwischen 0 und 5 mm.</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already. Choose another name for the recording.</source>
+        <translation>Es gibt schon eine Datei %1. Wählen Sie einen anderen Namen für die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>There is no braille for the language &quot;%1&quot;; en, de and ko there is.</source>
+        <translation>Für die Sprache „%1“ gibt es keine Braille; es gibt en, de und ko.</translation>
+    </message>
+    <message>
+        <source>There is no device &quot;%1&quot; now. See that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
+        <translation>Das Gerät „%1“ gibt es jetzt nicht. Sehen Sie nach, ob es angesteckt ist; „touchphoto-lab devices“ zählt auf, was da ist.</translation>
+    </message>
+    <message>
+        <source>There is no face %1 in this picture; it has %2.</source>
+        <translation>In diesem Bild gibt es kein Gesicht %1; so viele hat es: %2.</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;.</source>
+        <translation>Es gibt keine Datei „%1“.</translation>
+    </message>
+    <message>
+        <source>There is no file or folder &quot;%1&quot;.</source>
+        <translation>Es gibt weder Datei noch Ordner „%1“.</translation>
+    </message>
+    <message>
+        <source>There is no line to draw on these faces.</source>
+        <translation>Auf diesen Gesichtern gibt es keine Linie zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>There is no photograph &quot;%1&quot;.</source>
+        <translation>Es gibt kein Foto „%1“.</translation>
+    </message>
+    <message>
+        <source>There is no photograph to export.</source>
+        <translation>Es gibt kein Foto zum Exportieren.</translation>
+    </message>
+    <message>
+        <source>There is no recording &quot;%1&quot; on &quot;%2&quot;.</source>
+        <translation>Es gibt keine Aufnahme „%1“ bei „%2“.</translation>
+    </message>
+    <message>
+        <source>There is no such file.</source>
+        <translation>Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is no unfinished import &quot;%1&quot;.</source>
+        <translation>Es gibt keinen unfertigen Import „%1“.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>Für dieses Bild reicht der Arbeitsspeicher nicht.</translation>
+    </message>
+    <message>
+        <source>There is nothing of the name &quot;%1&quot; in the trash.</source>
+        <translation>Im Papierkorb gibt es nichts mit dem Namen „%1“.</translation>
+    </message>
+    <message>
+        <source>There is nothing to do again.</source>
+        <translation>Es gibt nichts zu wiederholen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>This could not be done, because the computer reports: %1</source>
+        <translation>Das ging nicht, weil der Computer meldet: %1</translation>
+    </message>
+    <message>
+        <source>This is a compressed drawing (svgz); save it as plain SVG.</source>
+        <translation>Das ist eine komprimierte Zeichnung (svgz); speichern Sie sie als einfaches SVG.</translation>
+    </message>
+    <message>
+        <source>This is a folder, not a picture.</source>
+        <translation>Das ist ein Ordner, kein Bild.</translation>
+    </message>
+    <message>
+        <source>This is no recording of a force device, or one of a later version of TouchPhoto.</source>
+        <translation>Das ist keine Aufzeichnung eines Kraftgeräts, oder eine von einer späteren Version von TouchPhoto.</translation>
+    </message>
+    <message>
+        <source>This is not an SVG drawing: it begins with &lt;%1&gt; where &lt;svg&gt; is expected.</source>
+        <translation>Das ist keine SVG-Zeichnung: Sie beginnt mit &lt;%1&gt;, wo &lt;svg&gt; erwartet wird.</translation>
+    </message>
+    <message>
+        <source>This is not an SVG drawing: its text is broken near line %1.</source>
+        <translation>Das ist keine SVG-Zeichnung: Ihr Text ist nahe Zeile %1 fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>This is not an SVG drawing: there is nothing in it.</source>
+        <translation>Das ist keine SVG-Zeichnung: Es ist nichts darin.</translation>
+    </message>
+    <message>
+        <source>This part of the face was not found in the picture.</source>
+        <translation>Dieser Teil des Gesichts wurde im Bild nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>This picture could not be read. It may be too large for this computer.</source>
+        <translation>Dieses Bild konnte nicht gelesen werden. Vielleicht ist es für diesen Computer zu groß.</translation>
+    </message>
+    <message>
+        <source>This picture could not be worked on. It may be too large for this computer.</source>
+        <translation>Dieses Bild konnte nicht bearbeitet werden. Vielleicht ist es für diesen Computer zu groß.</translation>
+    </message>
+    <message>
+        <source>What another program wrote cannot be kept: %1</source>
+        <translation>Was ein anderes Programm geschrieben hat, kann nicht aufbewahrt werden: %1</translation>
+    </message>
+    <message>
+        <source>What other programs wrote differs in: %1. The other version is in the copy.</source>
+        <translation>Was andere Programme geschrieben haben, unterscheidet sich in: %1. Die andere Fassung ist in der Kopie.</translation>
+    </message>
+    <message>
+        <source>What the photograph &quot;%1&quot; says of itself cannot be read.</source>
+        <translation>Was das Foto „%1“ von sich sagt, kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Windows does not let this program use the %1. Unplug it and plug it in again; if that does not help, close other programs that use it.</source>
+        <translation>Windows lässt dieses Programm das Gerät nicht benutzen: %1. Ziehen Sie es ab und stecken Sie es wieder an; hilft das nicht, schließen Sie andere Programme, die es benutzen.</translation>
+    </message>
+    <message>
+        <source>You are not allowed to read the photograph &quot;%1&quot;.</source>
+        <translation>Sie dürfen das Foto „%1“ nicht lesen.</translation>
+    </message>
+    <message>
+        <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
+        <translation>Sie dürfen dieses Gerät noch nicht benutzen: %1. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie dann das Gerät ab und stecken Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>a face</source>
+        <translation>ein Gesicht</translation>
+    </message>
+    <message>
+        <source>a face lost its name</source>
+        <translation>ein Gesicht verlor seinen Namen</translation>
+    </message>
+    <message>
+        <source>a face was named %1</source>
+        <translation>ein Gesicht bekam den Namen %1</translation>
+    </message>
+    <message>
+        <source>a place of its scene is not two numbers in millimetres.</source>
+        <translation>Eine Stelle der Szene besteht nicht aus zwei Zahlen in Millimetern.</translation>
+    </message>
+    <message>
+        <source>a recording is at most %1 hours long.</source>
+        <translation>Eine Aufnahme ist höchstens %1 Stunden lang.</translation>
+    </message>
+    <message>
+        <source>a recording is mono or stereo, with 8000 to 192000 samples a second.</source>
+        <translation>Eine Aufnahme ist mono oder stereo, mit 8000 bis 192000 Abtastwerten in der Sekunde.</translation>
+    </message>
+    <message>
+        <source>another program holds it.</source>
+        <translation>Ein anderes Programm hält sie fest.</translation>
+    </message>
+    <message>
+        <source>another program is writing to it.</source>
+        <translation>Ein anderes Programm schreibt gerade daran.</translation>
+    </message>
+    <message>
+        <source>another program is writing to it. %1</source>
+        <translation>Ein anderes Programm schreibt gerade daran. %1</translation>
+    </message>
+    <message>
+        <source>another program keeps writing to it.</source>
+        <translation>Ein anderes Programm schreibt immer wieder daran.</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>unscharf</translation>
+    </message>
+    <message>
+        <source>bottom edge</source>
+        <translation>unteren Rand</translation>
+    </message>
+    <message>
+        <source>files that an earlier program left behind are in the way.</source>
+        <translation>Dateien, die ein früheres Programm hinterließ, sind im Weg.</translation>
+    </message>
+    <message>
+        <source>force pad</source>
+        <translation>Kraftpad</translation>
+    </message>
+    <message>
+        <source>force pad with a pantograph</source>
+        <translation>Kraftpad mit Pantograf</translation>
+    </message>
+    <message>
+        <source>force pad with cables</source>
+        <translation>Kraftpad mit Seilen</translation>
+    </message>
+    <message>
+        <source>how somebody says %1</source>
+        <translation>wie jemand %1 ausspricht</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it acts more than 50 milliseconds late</source>
+        <translation>Es wirkt mehr als 50 Millisekunden zu spät</translation>
+    </message>
+    <message>
+        <source>it cannot be read to its end.</source>
+        <translation>Die Datei kann nicht bis zu ihrem Ende gelesen werden.</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>Die Datei kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>it cannot be set aside.</source>
+        <translation>Die Datei kann nicht beiseitegelegt werden.</translation>
+    </message>
+    <message>
+        <source>it cannot be written.</source>
+        <translation>Es kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>it does not begin like a WAV file.</source>
+        <translation>Die Datei beginnt nicht wie eine WAV-Datei.</translation>
+    </message>
+    <message>
+        <source>it has %1 channels; at most %2 can be read.</source>
+        <translation>Die Datei hat %1 Kanäle; höchstens %2 können gelesen werden.</translation>
+    </message>
+    <message>
+        <source>it has more entries than any program writes.</source>
+        <translation>Die Datei hat mehr Einträge, als ein Programm schreibt.</translation>
+    </message>
+    <message>
+        <source>it has no samples.</source>
+        <translation>Die Datei hat keine Abtastwerte.</translation>
+    </message>
+    <message>
+        <source>it has no sound.</source>
+        <translation>Es ist kein Ton darin.</translation>
+    </message>
+    <message>
+        <source>it holds &quot;%1&quot;, which is not a plain file.</source>
+        <translation>Es enthält „%1“, das keine gewöhnliche Datei ist.</translation>
+    </message>
+    <message>
+        <source>it holds &quot;%1&quot;, which would lie outside the album.</source>
+        <translation>Es enthält „%1“, das außerhalb des Albums liegen würde.</translation>
+    </message>
+    <message>
+        <source>it holds a file in more folders than any album has.</source>
+        <translation>Es enthält eine Datei in mehr Ordnern, als ein Album hat.</translation>
+    </message>
+    <message>
+        <source>it holds a file without a name.</source>
+        <translation>Es enthält eine Datei ohne Namen.</translation>
+    </message>
+    <message>
+        <source>it holds more files than any album.</source>
+        <translation>Es enthält mehr Dateien als ein Album.</translation>
+    </message>
+    <message>
+        <source>it holds no sound.</source>
+        <translation>Es ist kein Ton darin.</translation>
+    </message>
+    <message>
+        <source>it is damaged there.</source>
+        <translation>Dort ist es beschädigt.</translation>
+    </message>
+    <message>
+        <source>it is damaged, and cannot be read to its end.</source>
+        <translation>Die Datei ist beschädigt und kann nicht bis zu ihrem Ende gelesen werden.</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no sound file that can be read here.</source>
+        <translation>Die Datei ist beschädigt, oder keine Tondatei, die hier gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no video that can be read here.</source>
+        <translation>Die Datei ist beschädigt, oder kein Video, das hier gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>it is damaged.</source>
+        <translation>Die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>it is empty.</source>
+        <translation>Die Datei ist leer.</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB.</source>
+        <translation>Die Datei ist größer als %1 MB.</translation>
+    </message>
+    <message>
+        <source>it is locked with a password.</source>
+        <translation>Es ist mit einem Passwort verschlossen.</translation>
+    </message>
+    <message>
+        <source>it is longer than %1 hours, or claims to be.</source>
+        <translation>Es ist länger als %1 Stunden, oder behauptet es.</translation>
+    </message>
+    <message>
+        <source>it is longer than %1 hours.</source>
+        <translation>Es ist länger als %1 Stunden.</translation>
+    </message>
+    <message>
+        <source>it is longer than a minute, so it is a film and not the photograph&apos;s.</source>
+        <translation>Es ist länger als eine Minute, also ein Film und nicht der Ton des Fotos.</translation>
+    </message>
+    <message>
+        <source>it is neither mono nor stereo.</source>
+        <translation>Die Datei ist weder mono noch stereo.</translation>
+    </message>
+    <message>
+        <source>it is nested more deeply than any program writes.</source>
+        <translation>Die Datei ist tiefer verschachtelt, als ein Programm schreibt.</translation>
+    </message>
+    <message>
+        <source>it is no setup of the lab of version 1.</source>
+        <translation>Das ist keine Einstellung des Labors der Version 1.</translation>
+    </message>
+    <message>
+        <source>it is no sound file that can be read here.</source>
+        <translation>Das ist keine Tondatei, die hier gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>it is not XMP.</source>
+        <translation>Das ist kein XMP.</translation>
+    </message>
+    <message>
+        <source>it is not a FLAC file.</source>
+        <translation>Das ist keine FLAC-Datei.</translation>
+    </message>
+    <message>
+        <source>it is not a bundle, or it is damaged.</source>
+        <translation>Das ist kein Bündel, oder es ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>it is not a file.</source>
+        <translation>Das ist keine Datei.</translation>
+    </message>
+    <message>
+        <source>it is not there.</source>
+        <translation>Die Datei ist nicht da.</translation>
+    </message>
+    <message>
+        <source>it is not whole XML.</source>
+        <translation>Das ist kein vollständiges XML.</translation>
+    </message>
+    <message>
+        <source>it names a law that is unknown.</source>
+        <translation>Ein unbekanntes Gesetz ist genannt.</translation>
+    </message>
+    <message>
+        <source>it reaches farther than two metres</source>
+        <translation>Es reicht weiter als zwei Meter</translation>
+    </message>
+    <message>
+        <source>it reaches less than a square centimetre</source>
+        <translation>Es erreicht weniger als einen Quadratzentimeter</translation>
+    </message>
+    <message>
+        <source>it was stopped.</source>
+        <translation>Der Vorgang wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>it would become larger than any program reads.</source>
+        <translation>Die Datei würde größer, als ein Programm liest.</translation>
+    </message>
+    <message>
+        <source>it would become too large (&quot;%1&quot;).</source>
+        <translation>Es würde zu groß („%1“).</translation>
+    </message>
+    <message>
+        <source>its comments are damaged.</source>
+        <translation>Die Kommentare der Datei sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>its edge is faint</source>
+        <translation>der Rand ist undeutlich</translation>
+    </message>
+    <message>
+        <source>its folder is gone.</source>
+        <translation>Der Ordner ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>its head is damaged.</source>
+        <translation>Der Kopf der Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>its header is damaged.</source>
+        <translation>Der Kopf der Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>its largest force is none or above 20 newtons</source>
+        <translation>Seine größte Kraft ist null oder über 20 Newton</translation>
+    </message>
+    <message>
+        <source>its letters are in an encoding that XMP does not allow.</source>
+        <translation>Die Buchstaben haben eine Kodierung, die XMP nicht erlaubt.</translation>
+    </message>
+    <message>
+        <source>its name is too long.</source>
+        <translation>Der Name ist zu lang.</translation>
+    </message>
+    <message>
+        <source>its rate is below 50 or above 8000 hertz</source>
+        <translation>Sein Takt liegt unter 50 oder über 8000 Hertz</translation>
+    </message>
+    <message>
+        <source>its sample rate is none of a recording.</source>
+        <translation>Das ist keine Abtastrate einer Aufnahme.</translation>
+    </message>
+    <message>
+        <source>its samples are not of 16 bit.</source>
+        <translation>Die Abtastwerte haben nicht 16 Bit.</translation>
+    </message>
+    <message>
+        <source>its sound cannot be decoded.</source>
+        <translation>Der Ton kann nicht entschlüsselt werden.</translation>
+    </message>
+    <message>
+        <source>its sound has %1 channels; at most %2 can be read.</source>
+        <translation>Der Ton hat %1 Kanäle; höchstens %2 können gelesen werden.</translation>
+    </message>
+    <message>
+        <source>its sound is of a kind that cannot be decoded here (%1).</source>
+        <translation>Der Ton ist von einer Art, die hier nicht entschlüsselt werden kann (%1).</translation>
+    </message>
+    <message>
+        <source>its texts are too long.</source>
+        <translation>Die Texte sind zu lang.</translation>
+    </message>
+    <message>
+        <source>its watchdog does not wait 20 to 50 milliseconds</source>
+        <translation>Sein Wächter wartet nicht 20 bis 50 Millisekunden</translation>
+    </message>
+    <message>
+        <source>left and bottom edges</source>
+        <translation>linken und unteren Rand</translation>
+    </message>
+    <message>
+        <source>left and right and bottom edges</source>
+        <translation>linken, rechten und unteren Rand</translation>
+    </message>
+    <message>
+        <source>left and right and top and bottom edges</source>
+        <translation>linken, rechten, oberen und unteren Rand</translation>
+    </message>
+    <message>
+        <source>left and right and top edges</source>
+        <translation>linken, rechten und oberen Rand</translation>
+    </message>
+    <message>
+        <source>left and right edges</source>
+        <translation>linken und rechten Rand</translation>
+    </message>
+    <message>
+        <source>left and top and bottom edges</source>
+        <translation>linken, oberen und unteren Rand</translation>
+    </message>
+    <message>
+        <source>left and top edges</source>
+        <translation>linken und oberen Rand</translation>
+    </message>
+    <message>
+        <source>left edge</source>
+        <translation>linken Rand</translation>
+    </message>
+    <message>
+        <source>left eye</source>
+        <translation>des linken Auges</translation>
+    </message>
+    <message>
+        <source>macOS does not let this program use the %1. Allow it under System Settings, Privacy &amp; Security, Input Monitoring, and start it again.</source>
+        <translation>macOS lässt dieses Programm das Gerät nicht benutzen: %1. Erlauben Sie es unter Systemeinstellungen, Datenschutz &amp; Sicherheit, Eingabeüberwachung, und starten Sie das Programm neu.</translation>
+    </message>
+    <message>
+        <source>may be covered</source>
+        <translation>vielleicht verdeckt</translation>
+    </message>
+    <message>
+        <source>mouth</source>
+        <translation>des Mundes</translation>
+    </message>
+    <message>
+        <source>nothing of it can be read.</source>
+        <translation>Nichts davon kann gelesen werden.</translation>
+    </message>
+    <message>
+        <source>nothing of its sound can be decoded.</source>
+        <translation>Nichts von dem Ton kann entschlüsselt werden.</translation>
+    </message>
+    <message>
+        <source>of the recording &quot;%1&quot;</source>
+        <translation>der Aufnahme „%1“</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>des Gesichtsumrisses</translation>
+    </message>
+    <message>
+        <source>reading it needs the library %1 of FFmpeg (Debian: libavformat59), which is not here.</source>
+        <translation>Zum Lesen fehlt hier die Bibliothek %1 von FFmpeg (Debian: libavformat59).</translation>
+    </message>
+    <message>
+        <source>right and bottom edges</source>
+        <translation>rechten und unteren Rand</translation>
+    </message>
+    <message>
+        <source>right and top and bottom edges</source>
+        <translation>rechten, oberen und unteren Rand</translation>
+    </message>
+    <message>
+        <source>right and top edges</source>
+        <translation>rechten und oberen Rand</translation>
+    </message>
+    <message>
+        <source>right edge</source>
+        <translation>rechten Rand</translation>
+    </message>
+    <message>
+        <source>right eye</source>
+        <translation>des rechten Auges</translation>
+    </message>
+    <message>
+        <source>simulated device</source>
+        <translation>simuliertes Gerät</translation>
+    </message>
+    <message>
+        <source>the FLAC encoder reports a fault.</source>
+        <translation>Der FLAC-Kodierer meldet einen Fehler.</translation>
+    </message>
+    <message>
+        <source>the ambient</source>
+        <translation>die Geräuschaufnahme</translation>
+    </message>
+    <message>
+        <source>the ambient about %1</source>
+        <translation>die Geräuschaufnahme über %1</translation>
+    </message>
+    <message>
+        <source>the disk is full.</source>
+        <translation>Der Datenträger ist voll.</translation>
+    </message>
+    <message>
+        <source>the disk reports a fault.</source>
+        <translation>Der Datenträger meldet einen Fehler.</translation>
+    </message>
+    <message>
+        <source>the face of &quot;%1&quot;</source>
+        <translation>das Gesicht von „%1“</translation>
+    </message>
+    <message>
+        <source>the memo</source>
+        <translation>das Memo</translation>
+    </message>
+    <message>
+        <source>the memo about %1</source>
+        <translation>das Memo über %1</translation>
+    </message>
+    <message>
+        <source>the mouse or a finger on the screen</source>
+        <translation>die Maus oder ein Finger auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>the name of %1 was recorded</source>
+        <translation>der Name von %1 wurde aufgenommen</translation>
+    </message>
+    <message>
+        <source>the person</source>
+        <translation>die Aufnahme, wer es ist</translation>
+    </message>
+    <message>
+        <source>the person about %1</source>
+        <translation>die Aufnahme, wer %1 ist</translation>
+    </message>
+    <message>
+        <source>the picture is empty, or its ending is neither png nor jpg</source>
+        <translation>Das Bild ist leer, oder seine Endung ist weder png noch jpg</translation>
+    </message>
+    <message>
+        <source>the place</source>
+        <translation>die Ortsaufnahme</translation>
+    </message>
+    <message>
+        <source>the place about %1</source>
+        <translation>die Ortsaufnahme über %1</translation>
+    </message>
+    <message>
+        <source>the recorded name of %1 became that of %2</source>
+        <translation>der aufgenommene Name von %1 wurde zu dem von %2</translation>
+    </message>
+    <message>
+        <source>the recordings of %1 were put in order</source>
+        <translation>die Aufnahmen von %1 wurden geordnet</translation>
+    </message>
+    <message>
+        <source>the story</source>
+        <translation>die Geschichte</translation>
+    </message>
+    <message>
+        <source>the story about %1</source>
+        <translation>die Geschichte über %1</translation>
+    </message>
+    <message>
+        <source>the trash is full of files of that name.</source>
+        <translation>Der Papierkorb ist voller Dateien dieses Namens.</translation>
+    </message>
+    <message>
+        <source>there are too many files of that name already.</source>
+        <translation>Es gibt schon zu viele Dateien dieses Namens.</translation>
+    </message>
+    <message>
+        <source>there are too many photographs of that name in the album.</source>
+        <translation>Im Album gibt es zu viele Fotos dieses Namens.</translation>
+    </message>
+    <message>
+        <source>there is a file of that name already.</source>
+        <translation>Es gibt schon eine Datei dieses Namens.</translation>
+    </message>
+    <message>
+        <source>there is no folder &quot;%1&quot;.</source>
+        <translation>Es gibt keinen Ordner „%1“.</translation>
+    </message>
+    <message>
+        <source>there is no such file.</source>
+        <translation>Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>there is no such piece in it.</source>
+        <translation>Ein solches Stück ist nicht darin.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for it.</source>
+        <translation>Der Arbeitsspeicher reicht nicht.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory.</source>
+        <translation>Der Arbeitsspeicher reicht nicht.</translation>
+    </message>
+    <message>
+        <source>they belong to a picture of another shape, %1 × %2 pixels.</source>
+        <translation>Sie gehören zu einem Bild anderer Form, %1 × %2 Pixel.</translation>
+    </message>
+    <message>
+        <source>they lie on different disks.</source>
+        <translation>Sie liegen auf verschiedenen Datenträgern.</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>zu klein</translation>
+    </message>
+    <message>
+        <source>top and bottom edges</source>
+        <translation>oberen und unteren Rand</translation>
+    </message>
+    <message>
+        <source>top edge</source>
+        <translation>oberen Rand</translation>
+    </message>
+    <message>
+        <source>turned to the side</source>
+        <translation>zur Seite gedreht</translation>
+    </message>
+    <message>
+        <source>was written by a newer version of this program</source>
+        <translation>wurde von einer neueren Version dieses Programms geschrieben</translation>
+    </message>
+    <message>
+        <source>what was written is not what was to be written; the disk or the memory may be faulty.</source>
+        <translation>Was geschrieben wurde, ist nicht, was geschrieben werden sollte; Datenträger oder Arbeitsspeicher sind vielleicht fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>you are not allowed to read it.</source>
+        <translation>Sie dürfen die Datei nicht lesen.</translation>
+    </message>
+    <message>
+        <source>you are not allowed to write there.</source>
+        <translation>Sie dürfen dort nicht schreiben.</translation>
     </message>
 </context>
 <context>
@@ -3275,6 +4837,17 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>tp::Player</name>
+    <message>
+        <source>The loudspeaker is gone. The recording goes on as soon as there is one again.</source>
+        <translation>Der Lautsprecher ist weg. Die Aufnahme geht weiter, sobald wieder einer da ist.</translation>
+    </message>
+    <message>
+        <source>There is no loudspeaker. The recording plays as soon as there is one.</source>
+        <translation>Es ist kein Lautsprecher da. Die Aufnahme wird abgespielt, sobald einer da ist.</translation>
+    </message>
+</context>
+<context>
     <name>tp::Preferences</name>
     <message>
         <source>Your settings could not be read. The usual ones are used until that is mended.</source>
@@ -3354,189 +4927,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
         <translation>Das Tastblatt ist als %1 gespeichert. Drucken Sie es mit 100 Prozent, nicht skaliert.</translation>
-    </message>
-</context>
-<context>
-    <name>tp::Problems</name>
-    <message>
-        <source>The force was switched off for a moment, because a measurement was not a number.</source>
-        <translation>Die Kraft wurde kurz abgeschaltet, weil ein Messwert keine Zahl war.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the finger is outside the area that the device reaches. Move it back.</source>
-        <translation>Die Kraft ist aus, weil der Finger außerhalb des Bereichs ist, den das Gerät erreicht. Bewegen Sie ihn zurück.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the finger moves too fast. Move slowly and it comes back.</source>
-        <translation>Die Kraft ist aus, weil der Finger sich zu schnell bewegt. Bewegen Sie ihn langsam, dann kommt sie zurück.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the device has switched its motors off to be safe. It comes back when the device is ready.</source>
-        <translation>Die Kraft ist aus, weil das Gerät seine Motoren zur Sicherheit abgeschaltet hat. Sie kommt zurück, wenn das Gerät bereit ist.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the device does not say where the finger is.</source>
-        <translation>Die Kraft ist aus, weil das Gerät nicht sagt, wo der Finger ist.</translation>
-    </message>
-    <message>
-        <source>The force is off for a moment, because this computer was too busy to guide the finger.</source>
-        <translation>Die Kraft ist kurz aus, weil dieser Computer zu beschäftigt war, um den Finger zu führen.</translation>
-    </message>
-    <message>
-        <source>The device was switched off, because this computer stood still. Start it again when you are ready.</source>
-        <translation>Das Gerät wurde abgeschaltet, weil dieser Computer stillstand. Starten Sie es wieder, wenn Sie bereit sind.</translation>
-    </message>
-    <message>
-        <source>The device was switched off, because it no longer answers. Check its cable and start it again.</source>
-        <translation>Das Gerät wurde abgeschaltet, weil es nicht mehr antwortet. Prüfen Sie sein Kabel und starten Sie es wieder.</translation>
-    </message>
-    <message>
-        <source>No face was found in this picture.</source>
-        <translation>In diesem Bild wurde kein Gesicht gefunden.</translation>
-    </message>
-    <message>
-        <source>The picture is empty.</source>
-        <translation>Das Bild ist leer.</translation>
-    </message>
-    <message>
-        <source>The picture is not in 8-bit colour.</source>
-        <translation>Das Bild hat keine 8-Bit-Farben.</translation>
-    </message>
-    <message>
-        <source>The search for faces was stopped.</source>
-        <translation>Die Suche nach Gesichtern wurde abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the left edge of the picture.</source>
-        <translation>Das Gesicht ist am linken Bildrand abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the right edge of the picture.</source>
-        <translation>Das Gesicht ist am rechten Bildrand abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the top edge of the picture.</source>
-        <translation>Das Gesicht ist am oberen Bildrand abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the bottom edge of the picture.</source>
-        <translation>Das Gesicht ist am unteren Bildrand abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>The right eye may be covered, so its contour may be wrong.</source>
-        <translation>Das rechte Auge ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The left eye may be covered, so its contour may be wrong.</source>
-        <translation>Das linke Auge ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The mouth may be covered, so its contour may be wrong.</source>
-        <translation>Der Mund ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The outline may be covered, so its contour may be wrong.</source>
-        <translation>Der Gesichtsumriss ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The edge of the right eye is faint, so its contour may be wrong.</source>
-        <translation>Der Rand des rechten Auges ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The edge of the left eye is faint, so its contour may be wrong.</source>
-        <translation>Der Rand des linken Auges ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The edge of the mouth is faint, so its contour may be wrong.</source>
-        <translation>Der Rand des Mundes ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The edge of the outline is faint, so its contour may be wrong.</source>
-        <translation>Der Gesichtsumriss ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>This picture could not be worked on. It may be too large for this computer.</source>
-        <translation>Dieses Bild konnte nicht bearbeitet werden. Vielleicht ist es für diesen Computer zu groß.</translation>
-    </message>
-    <message>
-        <source>You may not use the force pad yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
-        <translation>Sie dürfen das Kraftpad noch nicht benutzen. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie dann das Gerät ab und stecken Sie es wieder ein.</translation>
-    </message>
-    <message>
-        <source>Windows does not let this program use the force pad. Unplug it and plug it in again; if that does not help, close other programs that use it.</source>
-        <translation>Windows lässt dieses Programm das Kraftpad nicht benutzen. Ziehen Sie es ab und stecken Sie es wieder ein; hilft das nicht, schließen Sie andere Programme, die es benutzen.</translation>
-    </message>
-    <message>
-        <source>macOS does not let this program use the force pad. Allow it under System Settings, Privacy &amp; Security, Input Monitoring, and start it again.</source>
-        <translation>macOS lässt dieses Programm das Kraftpad nicht benutzen. Erlauben Sie es unter Systemeinstellungen, Datenschutz &amp; Sicherheit, Eingabeüberwachung, und starten Sie das Programm neu.</translation>
-    </message>
-    <message>
-        <source>Another driver of the system holds the force pad. Unplug the device and plug it in again; if that does not help, its kernel must have the hidraw driver.</source>
-        <translation>Ein anderer Treiber des Systems hält das Kraftpad fest. Ziehen Sie das Gerät ab und stecken Sie es wieder ein; hilft das nicht, braucht der Kernel den Treiber hidraw.</translation>
-    </message>
-    <message>
-        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then &quot;USB Input Device&quot;.</source>
-        <translation>Das Kraftpad hat den falschen Treiber. Wählen Sie im Geräte-Manager „Treiber aktualisieren“, dann „USB-Eingabegerät“.</translation>
-    </message>
-    <message>
-        <source>Another driver holds the force pad. Remove the driver that its maker installed and start this computer again.</source>
-        <translation>Ein anderer Treiber hält das Kraftpad fest. Entfernen Sie den Treiber seines Herstellers und starten Sie diesen Computer neu.</translation>
-    </message>
-    <message>
-        <source>Another driver of the system holds the force pad and does not let go of it. Unplug the device, unload that driver and plug the device in again.</source>
-        <translation>Ein anderer Treiber des Systems hält das Kraftpad fest und gibt es nicht frei. Ziehen Sie das Gerät ab, entladen Sie diesen Treiber und stecken Sie das Gerät wieder ein.</translation>
-    </message>
-    <message>
-        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then &quot;WinUsb Device&quot;.</source>
-        <translation>Das Kraftpad hat den falschen Treiber. Wählen Sie im Geräte-Manager „Treiber aktualisieren“, dann „WinUsb-Gerät“.</translation>
-    </message>
-    <message>
-        <source>Another program uses the force pad. Close that program and try again.</source>
-        <translation>Ein anderes Programm benutzt das Kraftpad. Schließen Sie dieses Programm und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>The force pad was unplugged. Plug it in again.</source>
-        <translation>Das Kraftpad wurde abgezogen. Stecken Sie es wieder ein.</translation>
-    </message>
-    <message>
-        <source>The force pad could not be opened. Unplug it, plug it in again and try once more.</source>
-        <translation>Das Kraftpad ließ sich nicht öffnen. Ziehen Sie es ab, stecken Sie es wieder ein und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>The force pad does not know where its knob is. Put the knob on its mark and home the pad.</source>
-        <translation>Das Kraftpad weiß nicht, wo sein Knopf steht. Stellen Sie den Knopf auf seine Marke und lassen Sie das Pad sich dort ausrichten.</translation>
-    </message>
-    <message>
-        <source>The force pad&apos;s encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
-        <translation>Die Messwerte des Kraftpads widersprechen sich: Ein Seil hängt durch oder ist gerutscht. Stellen Sie den Knopf auf seine Marke und lassen Sie das Pad sich dort ausrichten.</translation>
-    </message>
-    <message>
-        <source>The force pad&apos;s motors are too hot. It goes on by itself when they have cooled.</source>
-        <translation>Die Motoren des Kraftpads sind zu heiß. Es geht von selbst weiter, wenn sie abgekühlt sind.</translation>
-    </message>
-    <message>
-        <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
-        <translation>Ein Motor des Kraftpads hat zu viel Strom gezogen. Sehen Sie nach, ob etwas den Knopf blockiert.</translation>
-    </message>
-    <message>
-        <source>The force pad heard nothing from this computer for a moment and switched its motors off.</source>
-        <translation>Das Kraftpad hat einen Augenblick nichts von diesem Computer gehört und seine Motoren abgeschaltet.</translation>
-    </message>
-    <message>
-        <source>The force pad&apos;s motors are off.</source>
-        <translation>Die Motoren des Kraftpads sind aus.</translation>
-    </message>
-    <message>
-        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
-        <translation>Das Gerät mit den Kennzahlen eines Kraftpads antwortet nicht wie eines. Ziehen Sie es ab und stecken Sie es wieder ein; ist es kein Kraftpad, wählen Sie ein anderes Gerät.</translation>
-    </message>
-    <message>
-        <source>The force pad did not say which places it reaches. Unplug it and plug it in again.</source>
-        <translation>Das Kraftpad hat nicht gesagt, welche Stellen es erreicht. Ziehen Sie es ab und stecken Sie es wieder ein.</translation>
-    </message>
-    <message>
-        <source>force pad</source>
-        <translation>Kraftpad</translation>
     </message>
 </context>
 <context>
@@ -3675,6 +5065,85 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::RecorderWorker</name>
+    <message>
+        <source>What was recorded is kept, and it goes on as soon as there is one.</source>
+        <translation>Was aufgenommen wurde, bleibt erhalten, und es geht weiter, sobald wieder eines da ist.</translation>
+    </message>
+    <message>
+        <source>The recording begins as soon as there is one.</source>
+        <translation>Die Aufnahme beginnt, sobald eines da ist.</translation>
+    </message>
+    <message>
+        <source>The microphone delivers no sound.</source>
+        <translation>Das Mikrofon liefert keinen Ton.</translation>
+    </message>
+    <message>
+        <source>This microphone cannot record 48000 samples a second; another one is needed.</source>
+        <translation>Dieses Mikrofon kann keine 48000 Abtastwerte in der Sekunde aufnehmen; es wird ein anderes gebraucht.</translation>
+    </message>
+    <message>
+        <source>The microphone is gone.</source>
+        <translation>Das Mikrofon ist weg.</translation>
+    </message>
+    <message>
+        <source>There is no microphone.</source>
+        <translation>Es ist kein Mikrofon da.</translation>
+    </message>
+    <message>
+        <source>There is not enough room on the disk for a recording.</source>
+        <translation>Auf dem Datenträger ist nicht genug Platz für eine Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be made: %1</source>
+        <translation>Die Aufnahme ist nicht möglich: %1</translation>
+    </message>
+    <message>
+        <source>The microphone is there again. The recording goes on.</source>
+        <translation>Das Mikrofon ist wieder da. Die Aufnahme geht weiter.</translation>
+    </message>
+    <message>
+        <source>The recording begins.</source>
+        <translation>Die Aufnahme beginnt.</translation>
+    </message>
+    <message>
+        <source>The recording has ended, because %1</source>
+        <translation>Die Aufnahme wurde beendet: %1</translation>
+    </message>
+    <message>
+        <source>The microphone hears nothing. It may be switched off or covered.</source>
+        <translation>Das Mikrofon hört nichts. Vielleicht ist es ausgeschaltet oder verdeckt.</translation>
+    </message>
+    <message>
+        <source>The disk is almost full, so the recording has ended.</source>
+        <translation>Der Datenträger ist fast voll, deshalb wurde die Aufnahme beendet.</translation>
+    </message>
+    <message>
+        <source>A recording lasts %1 at most, so it has ended.</source>
+        <translation>Eine Aufnahme dauert höchstens %1, deshalb wurde sie beendet.</translation>
+    </message>
+    <message>
+        <source>The disk is almost full: %1 can still be recorded.</source>
+        <translation>Der Datenträger ist fast voll: %1 können noch aufgenommen werden.</translation>
+    </message>
+    <message>
+        <source>%1 can still be recorded.</source>
+        <translation>%1 können noch aufgenommen werden.</translation>
+    </message>
+    <message>
+        <source>What was recorded is kept as &quot;%1&quot; and will be stored later, because %2</source>
+        <translation>Was aufgenommen wurde, ist als „%1“ aufbewahrt und wird später gespeichert: %2</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded.</source>
+        <translation>Es wurde nichts aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Recorded: %1.</source>
+        <translation>Aufgenommen: %1.</translation>
     </message>
 </context>
 <context>

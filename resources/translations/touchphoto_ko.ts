@@ -320,6 +320,33 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>Duration</name>
+    <message>
+        <source>1 hour</source>
+        <translation>1시간</translation>
+    </message>
+    <message>
+        <source>%1 hours</source>
+        <translation>%1시간</translation>
+    </message>
+    <message>
+        <source>1 minute</source>
+        <translation>1분</translation>
+    </message>
+    <message>
+        <source>%1 minutes</source>
+        <translation>%1분</translation>
+    </message>
+    <message>
+        <source>1 second</source>
+        <translation>1초</translation>
+    </message>
+    <message>
+        <source>%1 seconds</source>
+        <translation>%1초</translation>
+    </message>
+</context>
+<context>
     <name>ExplorePage</name>
     <message>
         <source>The file dialog is not installed. Drop a photograph on this window instead.</source>
@@ -1377,6 +1404,1541 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Undo brings it back.</source>
         <translation>되돌리기로 되살릴 수 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>Sentence</name>
+    <message>
+        <source>&quot;%1&quot; cannot be added to a face; brows, nose and irises can.</source>
+        <translation>“%1”: 얼굴에 더할 수 없습니다. 눈썹, 코, 홍채는 더할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be changed: %2</source>
+        <translation>“%1”: 바꿀 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be moved: %2</source>
+        <translation>“%1”: 옮길 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read.</source>
+        <translation>“%1”: 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be renamed: %2</source>
+        <translation>“%1”: 이름을 바꿀 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be restored and stays in the trash: %2</source>
+        <translation>“%1”: 되살릴 수 없어 휴지통에 그대로 둡니다. %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be restored, because another file has its place now. Move that one away first.</source>
+        <translation>“%1”: 그 자리에 다른 파일이 있어 되살릴 수 없습니다. 먼저 그 파일을 옮기세요.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be taken in: %2</source>
+        <translation>“%1”: 가져올 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be trimmed: %2</source>
+        <translation>“%1”: 자를 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be trimmed: the part must begin before it ends.</source>
+        <translation>“%1”: 자를 수 없습니다. 시작이 끝보다 앞에 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be used: %2</source>
+        <translation>“%1”: 쓸 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; changed meanwhile.</source>
+        <translation>“%1”: 그사이 내용이 바뀌었습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a folder, not a file.</source>
+        <translation>“%1”: 파일이 아니라 폴더입니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a folder.</source>
+        <translation>“%1”: 폴더입니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a file.</source>
+        <translation>“%1”: 파일이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a folder in the album.</source>
+        <translation>“%1”: 앨범 안의 폴더가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not in the album &quot;%2&quot;.</source>
+        <translation>“%1”: 앨범 “%2”에 없습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already, so nothing was moved.</source>
+        <translation>“%1”: 이미 있어서 아무것도 옮기지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there, so it stays on the list.</source>
+        <translation>“%1”: 파일이 있으므로 목록에 남겨 둡니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not deleted, because it is not in the album &quot;%2&quot;.</source>
+        <translation>“%1”: 앨범 “%2”에 없어서 지우지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not imported: %2</source>
+        <translation>“%1”: 가져오지 못했습니다. %2</translation>
+    </message>
+    <message>
+        <source>%1 Bring the photograph back first, then its recording.</source>
+        <translation>%1 먼저 사진을 되살린 다음 녹음을 되살리세요.</translation>
+    </message>
+    <message>
+        <source>%1 It stays where it is.</source>
+        <translation>%1 있던 곳에 그대로 둡니다.</translation>
+    </message>
+    <message>
+        <source>%1 It was left as it is.</source>
+        <translation>%1 그대로 두었습니다.</translation>
+    </message>
+    <message>
+        <source>%1 Some photographs kept the new name: %2</source>
+        <translation>%1 일부 사진에는 새 이름이 남았습니다. %2</translation>
+    </message>
+    <message>
+        <source>%1 became %2</source>
+        <translation>이름이 %1에서 %2(으)로 바뀜</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used: %2</source>
+        <translation>%1: 쓸 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>%1 has a transform that cannot be read: &quot;%2&quot;.</source>
+        <translation>%1: 변환을 읽을 수 없습니다. “%2”.</translation>
+    </message>
+    <message>
+        <source>%1 in &quot;%2&quot;</source>
+        <translation>%1(“%2”)</translation>
+    </message>
+    <message>
+        <source>%1 is being made.</source>
+        <translation>%1: 만드는 중입니다.</translation>
+    </message>
+    <message>
+        <source>%1 is moved by its style, which is not understood; give it a transform attribute instead.</source>
+        <translation>%1: 스타일로 옮긴 것은 이해하지 못합니다. 대신 transform 속성을 쓰세요.</translation>
+    </message>
+    <message>
+        <source>%1 is not from %2 to %3.</source>
+        <translation>%1: %2에서 %3까지가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>%1 reaches beyond what can be computed with.</source>
+        <translation>%1: 계산할 수 있는 범위를 벗어납니다.</translation>
+    </message>
+    <message>
+        <source>%1 was &quot;%2&quot; in another copy; it is &quot;%3&quot; now.</source>
+        <translation>%1: 다른 사본에는 “%2”였습니다. 지금은 “%3”입니다.</translation>
+    </message>
+    <message>
+        <source>%1 was added</source>
+        <translation>%1 추가</translation>
+    </message>
+    <message>
+        <source>%1 was deleted</source>
+        <translation>%1 삭제</translation>
+    </message>
+    <message>
+        <source>%1 was described</source>
+        <translation>%1 설명 변경</translation>
+    </message>
+    <message>
+        <source>%1 was labelled</source>
+        <translation>%1 정보 변경</translation>
+    </message>
+    <message>
+        <source>%1 was not finished and cannot be repaired: %2</source>
+        <translation>%1: 끝나지 않았고 고칠 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>%1 was not finished and held no sound.</source>
+        <translation>%1: 끝나지 않았고 소리가 들어 있지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>%1 was not finished; what was recorded is in &quot;%2&quot;.</source>
+        <translation>%1: 끝나지 않았습니다. 녹음된 것은 “%2”에 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1 was trimmed</source>
+        <translation>%1 자르기</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>A calibration sample is not a number; touch the marks again.</source>
+        <translation>보정 값이 숫자가 아닙니다. 표시를 다시 만지세요.</translation>
+    </message>
+    <message>
+        <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
+        <translation>힘 패드의 모터에 전류가 너무 많이 흘렀습니다. 손잡이를 막는 것이 없는지 살펴보세요.</translation>
+    </message>
+    <message>
+        <source>A person needs a name before it can be recorded.</source>
+        <translation>이름을 녹음하려면 먼저 사람의 이름이 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>A person needs a name, and another one than before.</source>
+        <translation>이름이 있어야 하며, 전과 다른 이름이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>A picture and the touch surface both need a width and a height above zero.</source>
+        <translation>사진과 터치면 모두 너비와 높이가 0보다 커야 합니다.</translation>
+    </message>
+    <message>
+        <source>A recording is listed as %1, which is no file name; it is left out.</source>
+        <translation>녹음 목록의 %1: 파일 이름이 아니어서 뺐습니다.</translation>
+    </message>
+    <message>
+        <source>A tactile sheet is written as .pdf or .svg, not as &quot;%1&quot;.</source>
+        <translation>촉각 인쇄물은 .pdf나 .svg로 저장합니다. “%1”(으)로는 저장할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Another driver holds the %1. Remove the driver that its maker installed and start this computer again.</source>
+        <translation>다른 드라이버가 장치를 쓰고 있습니다: %1. 제조사가 설치한 드라이버를 지우고 컴퓨터를 다시 시작하세요.</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the %1 and does not let go of it. Unplug the device, unload that driver and plug the device in again.</source>
+        <translation>시스템의 다른 드라이버가 장치를 놓아주지 않습니다: %1. 장치를 뽑고 그 드라이버를 내린 다음 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>Another driver of the system holds the %1. Unplug the device and plug it in again; if that does not help, its kernel must have the hidraw driver.</source>
+        <translation>시스템의 다른 드라이버가 장치를 쓰고 있습니다: %1. 장치를 뽑았다가 다시 꽂으세요. 그래도 안 되면 커널에 hidraw 드라이버가 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>Another program is at work on &quot;%1&quot;; try again.</source>
+        <translation>다른 프로그램이 “%1”에서 작업하고 있습니다. 다시 해 보세요.</translation>
+    </message>
+    <message>
+        <source>Another program uses the %1. Close that program and try again.</source>
+        <translation>다른 프로그램이 장치를 쓰고 있습니다: %1. 그 프로그램을 닫고 다시 해 보세요.</translation>
+    </message>
+    <message>
+        <source>Calibration needs at least three marks that do not lie on one line; touch more marks.</source>
+        <translation>보정하려면 한 줄에 있지 않은 표시가 적어도 세 개 있어야 합니다. 표시를 더 만지세요.</translation>
+    </message>
+    <message>
+        <source>Hysteresis and blending are two answers to the same jump; choose one of them.</source>
+        <translation>히스테리시스와 블렌딩은 같은 튐을 다루는 두 방법입니다. 하나만 고르세요.</translation>
+    </message>
+    <message>
+        <source>Hysteresis, blending and corner cue belong to the exact law, not to the published one.</source>
+        <translation>히스테리시스, 블렌딩, 모서리 신호는 정확한 법칙에만 있고 발표된 법칙에는 없습니다.</translation>
+    </message>
+    <message>
+        <source>It is damaged; only the first %1 of %2 could be read.</source>
+        <translation>파일이 손상되어 처음 %1만 읽을 수 있었습니다. 전체는 %2입니다.</translation>
+    </message>
+    <message>
+        <source>It names a file in a way that TouchPhoto does not write.</source>
+        <translation>TouchPhoto가 쓰지 않는 방식으로 파일 이름이 적혀 있습니다.</translation>
+    </message>
+    <message>
+        <source>No face was found in this picture.</source>
+        <translation>이 사진에서 얼굴을 찾지 못했습니다.</translation>
+    </message>
+    <message>
+        <source>Nothing was deleted, because the trash cannot be made: %1</source>
+        <translation>휴지통을 만들 수 없어 아무것도 지우지 않았습니다. %1</translation>
+    </message>
+    <message>
+        <source>Nothing was deleted, because the trash cannot be written to: %1</source>
+        <translation>휴지통에 쓸 수 없어 아무것도 지우지 않았습니다. %1</translation>
+    </message>
+    <message>
+        <source>Nothing was deleted: %1</source>
+        <translation>아무것도 지우지 않았습니다. %1</translation>
+    </message>
+    <message>
+        <source>Nothing was named that could be deleted.</source>
+        <translation>지울 것을 고르지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Pictures other than JPEG need the library %1 (Debian: libopencv-imgcodecs406), which is not here: install it or save the picture as JPEG.</source>
+        <translation>JPEG가 아닌 사진에는 라이브러리 %1(데비안: libopencv-imgcodecs406)이 필요한데 여기에 없습니다. 설치하거나 사진을 JPEG로 저장하세요.</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s driver for SQLite is not installed; without it there is no album. On Debian it is the package libqt6sql6-sqlite.</source>
+        <translation>SQLite용 Qt 드라이버가 없어 앨범을 쓸 수 없습니다. 데비안에서는 libqt6sql6-sqlite 패키지입니다.</translation>
+    </message>
+    <message>
+        <source>Stiffness and range of the guidance must both be numbers above zero.</source>
+        <translation>안내의 강성과 범위는 모두 0보다 큰 숫자여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The %1 &quot;%2&quot;</source>
+        <translation>%1 요소 “%2”</translation>
+    </message>
+    <message>
+        <source>The %1 could not be opened. Unplug it, plug it in again and try once more.</source>
+        <translation>장치를 열 수 없습니다: %1. 뽑았다가 다시 꽂고 한 번 더 해 보세요.</translation>
+    </message>
+    <message>
+        <source>The %1 file is damaged.</source>
+        <translation>%1 파일이 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then &quot;USB Input Device&quot;.</source>
+        <translation>장치의 드라이버가 맞지 않습니다: %1. 장치 관리자에서 ‘드라이버 업데이트’를 고른 다음 ‘USB 입력 장치’를 고르세요.</translation>
+    </message>
+    <message>
+        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then &quot;WinUsb Device&quot;.</source>
+        <translation>장치의 드라이버가 맞지 않습니다: %1. 장치 관리자에서 ‘드라이버 업데이트’를 고른 다음 ‘WinUsb 장치’를 고르세요.</translation>
+    </message>
+    <message>
+        <source>The %1 may be covered, so its contour may be wrong.</source>
+        <translation>%1이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The %1 was unplugged. Plug it in again.</source>
+        <translation>장치가 뽑혔습니다: %1. 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>The %1 without an id</source>
+        <translation>id가 없는 %1 요소</translation>
+    </message>
+    <message>
+        <source>The JPEG file is cut short: a part of the picture is missing.</source>
+        <translation>JPEG 파일이 중간에 끊겨 사진의 일부가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The JPEG file is damaged.</source>
+        <translation>JPEG 파일이 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>The PNG file is cut short: a part of the picture is missing.</source>
+        <translation>PNG 파일이 중간에 끊겨 사진의 일부가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The PNG file is damaged.</source>
+        <translation>PNG 파일이 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>The WebP file is cut short: a part of the picture is missing.</source>
+        <translation>WebP 파일이 중간에 끊겨 사진의 일부가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index %1; it was set aside as &quot;%2&quot; and is made anew. The photographs are not touched by this.</source>
+        <translation>앨범 색인이 %1. 그 색인은 “%2”(으)로 치워 두고 새로 만듭니다. 사진은 그대로입니다.</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index cannot be kept in &quot;%1&quot;; it is held in memory and made anew at every start: %2</source>
+        <translation>앨범 색인을 “%1”에 둘 수 없어 메모리에 두고 시작할 때마다 새로 만듭니다. %2</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index cannot be made: %1.</source>
+        <translation>앨범 색인을 만들 수 없습니다: %1.</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index cannot be used: %1.</source>
+        <translation>앨범 색인을 쓸 수 없습니다: %1.</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index cannot grow: the disk is full.</source>
+        <translation>디스크가 가득 차서 앨범 색인이 커질 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The album&apos;s index is damaged; it is made anew when the album is opened next. The photographs are not touched by this.</source>
+        <translation>앨범 색인이 손상되었습니다. 앨범을 다음에 열 때 새로 만듭니다. 사진은 그대로입니다.</translation>
+    </message>
+    <message>
+        <source>The braille table %1 was not found; names cannot be written in braille. Install the package liblouis-data.</source>
+        <translation>점자표 %1을(를) 찾지 못해 이름을 점자로 쓸 수 없습니다. liblouis-data 패키지를 설치하세요.</translation>
+    </message>
+    <message>
+        <source>The bundle &quot;%1&quot; cannot be used: %2</source>
+        <translation>묶음 “%1”: 쓸 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The bundle &quot;%1&quot; was not written: %2</source>
+        <translation>묶음 “%1”: 쓰지 못했습니다. %2</translation>
+    </message>
+    <message>
+        <source>The bundle cannot be unpacked, because &quot;%1&quot; is not empty.</source>
+        <translation>“%1” 폴더가 비어 있지 않아 묶음을 풀 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The bundle cannot be unpacked: %1</source>
+        <translation>묶음을 풀 수 없습니다. %1</translation>
+    </message>
+    <message>
+        <source>The calibration misses its marks by %1 mm, more than the %2 mm allowed; touch them again.</source>
+        <translation>보정이 표시에서 %1 mm 벗어났습니다. 허용은 %2 mm입니다. 다시 만지세요.</translation>
+    </message>
+    <message>
+        <source>The conflict copy &quot;%1&quot; cannot be read: %2</source>
+        <translation>충돌 사본 “%1”: 읽을 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The conflict copy &quot;%1&quot; could not be moved to the trash: %2</source>
+        <translation>충돌 사본 “%1”: 휴지통으로 옮길 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The date &quot;%1&quot; is in no calendar and is left out.</source>
+        <translation>날짜 “%1”: 달력에 없는 날짜라서 뺐습니다.</translation>
+    </message>
+    <message>
+        <source>The description</source>
+        <translation>설명</translation>
+    </message>
+    <message>
+        <source>The device was switched off, because it no longer answers. Check its cable and start it again.</source>
+        <translation>장치가 더는 응답하지 않아 껐습니다. 케이블을 확인하고 다시 켜세요.</translation>
+    </message>
+    <message>
+        <source>The device was switched off, because this computer stood still. Start it again when you are ready.</source>
+        <translation>컴퓨터가 멈추어 장치를 껐습니다. 준비가 되면 다시 켜세요.</translation>
+    </message>
+    <message>
+        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
+        <translation>힘 패드의 식별 번호를 가진 장치가 힘 패드처럼 응답하지 않습니다. 뽑았다가 다시 꽂으세요. 힘 패드가 아니면 다른 장치를 고르세요.</translation>
+    </message>
+    <message>
+        <source>The drawing cannot be saved as &quot;%1&quot;: %2</source>
+        <translation>그림을 “%1”(으)로 저장할 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The drawing cannot be saved: it needs a width and a height larger than zero.</source>
+        <translation>그림의 너비와 높이가 0보다 커야 저장할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The drawing cannot be saved: there is not enough memory for it.</source>
+        <translation>메모리가 모자라 그림을 저장할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The drawing could not be read: there is not enough memory for it.</source>
+        <translation>메모리가 모자라 그림을 읽지 못했습니다.</translation>
+    </message>
+    <message>
+        <source>The drawing does not say how large it is; give it a width and a height, or a viewBox.</source>
+        <translation>그림의 크기를 알 수 없습니다. 너비와 높이 또는 viewBox를 넣으세요.</translation>
+    </message>
+    <message>
+        <source>The drawing has more elements than a sheet of contours may have.</source>
+        <translation>그림에 윤곽선 그림이 가질 수 있는 것보다 많은 요소가 있습니다.</translation>
+    </message>
+    <message>
+        <source>The drawing has more lines than a sheet of contours may have.</source>
+        <translation>그림에 윤곽선 그림이 가질 수 있는 것보다 많은 선이 있습니다.</translation>
+    </message>
+    <message>
+        <source>The drawing is larger than 64 MB; that is more than a sheet of contours may be.</source>
+        <translation>그림이 64 MB보다 커서 윤곽선 그림으로 쓸 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s %1 &quot;%2&quot; is not a length in mm, cm, in, pt, pc or px.</source>
+        <translation>그림의 %1 값 “%2”: mm, cm, in, pt, pc, px로 된 길이가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s %1 is %2, but it must be larger than zero.</source>
+        <translation>그림의 %1 값이 %2입니다. 0보다 커야 합니다.</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s size is beyond what can be computed with.</source>
+        <translation>그림이 계산할 수 없을 만큼 큽니다.</translation>
+    </message>
+    <message>
+        <source>The drawing&apos;s viewBox &quot;%1&quot; is not four numbers with a width and a height larger than zero.</source>
+        <translation>그림의 viewBox “%1”: 너비와 높이가 0보다 큰 숫자 네 개가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The edge of the %1 is faint, so its contour may be wrong.</source>
+        <translation>%1의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The face is %1, so the contour of the %2 may be wrong.</source>
+        <translation>얼굴이 %1 %2의 윤곽선이 틀릴 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The face is cut off at the %1 of the picture.</source>
+        <translation>얼굴이 사진의 %1에서 잘려 있습니다.</translation>
+    </message>
+    <message>
+        <source>The face is only %1 pixels wide, too small for its contours to be exact.</source>
+        <translation>얼굴의 너비가 %1픽셀뿐이라 윤곽선이 정확하기에는 너무 작습니다.</translation>
+    </message>
+    <message>
+        <source>The face of &quot;%1&quot; lies outside the photograph.</source>
+        <translation>“%1”의 얼굴이 사진 밖에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The faces were marked on a picture of another shape, so their places may be wrong.</source>
+        <translation>얼굴이 모양이 다른 사진에 표시되어 있어 자리가 틀릴 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; cannot be opened; you may not be allowed to read it.</source>
+        <translation>파일 “%1”: 열 수 없습니다. 읽을 권한이 없을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; cannot be read to its end.</source>
+        <translation>파일 “%1”: 끝까지 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; cannot be read.</source>
+        <translation>파일 “%1”: 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; could not be read: there is not enough memory for it.</source>
+        <translation>파일 “%1”: 메모리가 모자라 읽지 못했습니다.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; is called a photograph, but is none.</source>
+        <translation>파일 “%1”: 사진 이름이지만 사진이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; is in a folder that you are not allowed to open.</source>
+        <translation>파일 “%1”: 열 권한이 없는 폴더에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; is larger than %2 MB; that is more than such a file may be.</source>
+        <translation>파일 “%1”: %2 MB보다 큽니다. 이런 파일로는 너무 큽니다.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation>파일을 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>파일이 비어 있습니다.</translation>
+    </message>
+    <message>
+        <source>The file is not a picture of a kind that can be read.</source>
+        <translation>읽을 수 있는 종류의 사진이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The file is too large to be a photograph: more than 2 gigabytes.</source>
+        <translation>사진이라기에는 파일이 너무 큽니다. 2기가바이트가 넘습니다.</translation>
+    </message>
+    <message>
+        <source>The fingerprint of the photograph</source>
+        <translation>사진의 지문값</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made: %2</source>
+        <translation>폴더 “%1”: 만들 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be read: %2</source>
+        <translation>폴더 “%1”: 읽을 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; is not there.</source>
+        <translation>폴더 “%1”: 없습니다.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; may not be opened by you.</source>
+        <translation>폴더 “%1”: 열 권한이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The force is off for a moment, because this computer was too busy to guide the finger.</source>
+        <translation>컴퓨터가 너무 바빠 손가락을 이끌 수 없어서 힘이 잠시 꺼졌습니다.</translation>
+    </message>
+    <message>
+        <source>The force is off, because the device does not say where the finger is.</source>
+        <translation>장치가 손가락의 위치를 알려 주지 않아 힘이 꺼졌습니다.</translation>
+    </message>
+    <message>
+        <source>The force is off, because the device has switched its motors off to be safe. It comes back when the device is ready.</source>
+        <translation>장치가 안전을 위해 모터를 꺼서 힘이 꺼졌습니다. 장치가 준비되면 다시 켜집니다.</translation>
+    </message>
+    <message>
+        <source>The force is off, because the finger is outside the area that the device reaches. Move it back.</source>
+        <translation>손가락이 장치가 닿는 범위 밖에 있어 힘이 꺼졌습니다. 다시 안으로 옮기세요.</translation>
+    </message>
+    <message>
+        <source>The force is off, because the finger moves too fast. Move slowly and it comes back.</source>
+        <translation>손가락이 너무 빨리 움직여 힘이 꺼졌습니다. 천천히 움직이면 다시 켜집니다.</translation>
+    </message>
+    <message>
+        <source>The force pad %1 tells of itself what cannot be: %2. It needs another firmware.</source>
+        <translation>힘 패드 %1에 있을 수 없는 값이 있습니다: %2. 다른 펌웨어가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The force pad could not be homed. See that it is plugged in, and try again.</source>
+        <translation>힘 패드의 기준점을 잡지 못했습니다. 꽂혀 있는지 보고 다시 해 보세요.</translation>
+    </message>
+    <message>
+        <source>The force pad did not say which places it reaches. Unplug it and plug it in again.</source>
+        <translation>힘 패드가 닿는 범위를 알려 주지 않았습니다. 뽑았다가 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>The force pad does not know where its knob is. Put the knob on its mark and home the pad.</source>
+        <translation>힘 패드가 손잡이의 위치를 모릅니다. 손잡이를 표시에 놓고 기준점을 잡으세요.</translation>
+    </message>
+    <message>
+        <source>The force pad heard nothing from this computer for a moment and switched its motors off.</source>
+        <translation>힘 패드가 잠시 컴퓨터에서 아무것도 받지 못해 모터를 껐습니다.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
+        <translation>힘 패드의 센서가 서로 맞지 않습니다. 줄이 느슨하거나 센서가 밀렸습니다. 손잡이를 표시에 놓고 기준점을 잡으세요.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s motors are off.</source>
+        <translation>힘 패드의 모터가 꺼져 있습니다.</translation>
+    </message>
+    <message>
+        <source>The force pad&apos;s motors are too hot. It goes on by itself when they have cooled.</source>
+        <translation>힘 패드의 모터가 너무 뜨겁습니다. 식으면 저절로 다시 움직입니다.</translation>
+    </message>
+    <message>
+        <source>The force was switched off for a moment, because a measurement was not a number.</source>
+        <translation>측정값이 숫자가 아니어서 힘을 잠시 껐습니다.</translation>
+    </message>
+    <message>
+        <source>The import cannot begin: %1</source>
+        <translation>가져오기를 시작할 수 없습니다. %1</translation>
+    </message>
+    <message>
+        <source>The import ended, because the computer reports: %1</source>
+        <translation>컴퓨터의 알림으로 가져오기가 끝났습니다: %1</translation>
+    </message>
+    <message>
+        <source>The import&apos;s list cannot be removed: %1</source>
+        <translation>가져오기 목록을 지울 수 없습니다. %1</translation>
+    </message>
+    <message>
+        <source>The kind %1</source>
+        <translation>%1의 종류</translation>
+    </message>
+    <message>
+        <source>The language %1</source>
+        <translation>%1의 언어</translation>
+    </message>
+    <message>
+        <source>The list of the import &quot;%1&quot; cannot be read; import its folder again, nothing comes twice.</source>
+        <translation>가져오기 “%1”의 목록을 읽을 수 없습니다. 폴더를 다시 가져오세요. 두 번 들어오는 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>The list of what was deleted in &quot;%1&quot; cannot be read; its files are still there.</source>
+        <translation>“%1”의 삭제 목록을 읽을 수 없습니다. 파일은 그대로 있습니다.</translation>
+    </message>
+    <message>
+        <source>The map between two frames cannot be turned round, because it flattens the plane to a line.</source>
+        <translation>두 좌표계의 변환이 평면을 선으로 눌러 거꾸로 할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The mended contours &quot;%1&quot; cannot be taken away: %2</source>
+        <translation>고친 윤곽선 “%1”: 치울 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The mended contours cannot be saved as &quot;%1&quot;: %2</source>
+        <translation>고친 윤곽선을 “%1”(으)로 저장할 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The mended contours in %1 cannot be used, and the program&apos;s own are taken: %2</source>
+        <translation>%1: 고친 윤곽선을 쓸 수 없어 프로그램의 윤곽선을 씁니다. %2</translation>
+    </message>
+    <message>
+        <source>The mended contours in %1 cannot be used: %2</source>
+        <translation>%1: 고친 윤곽선을 쓸 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The name cannot be kept: %1</source>
+        <translation>이름을 보관할 수 없습니다. %1</translation>
+    </message>
+    <message>
+        <source>The name of a face</source>
+        <translation>얼굴의 이름</translation>
+    </message>
+    <message>
+        <source>The nets that find faces cannot be used: %1</source>
+        <translation>얼굴을 찾는 신경망을 쓸 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>The person %1</source>
+        <translation>%1의 사람</translation>
+    </message>
+    <message>
+        <source>The photograph &quot;%1&quot; cannot be read: %2</source>
+        <translation>사진 “%1”: 읽을 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The photograph &quot;%1&quot; cannot be read: you are not allowed to.</source>
+        <translation>사진 “%1”: 읽을 권한이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The photograph &quot;%1&quot; is now &quot;%2&quot;, but what belongs to it stayed behind: %3</source>
+        <translation>사진 “%1”: 이제 “%2”에 있지만 딸린 것은 남아 있습니다. %3</translation>
+    </message>
+    <message>
+        <source>The photograph &quot;%1&quot; says more of itself than any program writes; it was not read.</source>
+        <translation>사진 “%1”: 어떤 프로그램이 쓰는 것보다 정보가 많아 읽지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s EXIF is damaged.</source>
+        <translation>사진의 EXIF가 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s IPTC is damaged.</source>
+        <translation>사진의 IPTC가 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s XMP cannot be read: %1</source>
+        <translation>사진의 XMP를 읽을 수 없습니다. %1</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s XMP is damaged.</source>
+        <translation>사진의 XMP가 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>The photograph&apos;s own metadata is damaged; what could be read of it counts.</source>
+        <translation>사진에 든 정보가 손상되었습니다. 읽을 수 있는 것만 씁니다.</translation>
+    </message>
+    <message>
+        <source>The picture %1 could not be written: %2.</source>
+        <translation>사진 %1: 쓰지 못했습니다. %2.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be decoded.</source>
+        <translation>사진을 해독할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The picture is empty.</source>
+        <translation>사진이 비어 있습니다.</translation>
+    </message>
+    <message>
+        <source>The picture is in the HEIC or AVIF format, which cannot be read: save it as JPEG.</source>
+        <translation>사진이 읽을 수 없는 HEIC나 AVIF 형식입니다. JPEG로 저장하세요.</translation>
+    </message>
+    <message>
+        <source>The picture is not in 8-bit colour.</source>
+        <translation>사진이 8비트 색상이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The picture is only %1 × %2 pixels, too small to show a face.</source>
+        <translation>사진이 %1 × %2픽셀뿐이라 얼굴을 보여 주기에는 너무 작습니다.</translation>
+    </message>
+    <message>
+        <source>The picture is too large: %1 × %2 pixels, where at most %3 million can be read.</source>
+        <translation>사진이 너무 큽니다: %1 × %2픽셀. 최대 %3메가픽셀까지 읽을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The picture or the touch surface is too large or too small to be computed with.</source>
+        <translation>사진이나 터치면이 계산하기에 너무 크거나 작습니다.</translation>
+    </message>
+    <message>
+        <source>The place of %1 makes no sense and is left out.</source>
+        <translation>%1: 자리가 맞지 않아 뺐습니다.</translation>
+    </message>
+    <message>
+        <source>The place of the face must lie in the picture, 0 to 1 from its left and upper edge.</source>
+        <translation>얼굴의 자리는 사진 안, 왼쪽과 위쪽 가장자리에서 0부터 1 사이여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The position is no place on Earth and is left out.</source>
+        <translation>지구에 없는 위치라서 뺐습니다.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot;</source>
+        <translation>녹음 “%1”</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; can only be played from its beginning.</source>
+        <translation>녹음 “%1”: 처음부터만 재생할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be listed twice.</source>
+        <translation>녹음 “%1”: 목록에 두 번 넣을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be listed: that is no name of a file that XML can hold.</source>
+        <translation>녹음 “%1”: XML에 담을 수 없는 파일 이름이라 목록에 넣을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be played: %2</source>
+        <translation>녹음 “%1”: 재생할 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be used: %2</source>
+        <translation>녹음 “%1”: 쓸 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; is kept, but the photograph&apos;s list could not be written: %2</source>
+        <translation>녹음 “%1”: 보관했지만 사진의 목록에 쓰지 못했습니다. %2</translation>
+    </message>
+    <message>
+        <source>The recording %1 could not be written. Choose a folder that you may write to.</source>
+        <translation>기록 %1: 쓰지 못했습니다. 쓸 수 있는 폴더를 고르세요.</translation>
+    </message>
+    <message>
+        <source>The recording %1 is listed twice; the first counts.</source>
+        <translation>녹음 %1: 목록에 두 번 있어 첫 번째만 씁니다.</translation>
+    </message>
+    <message>
+        <source>The replay was stopped.</source>
+        <translation>재현을 멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>The scene has no line that can be felt.</source>
+        <translation>만져 볼 수 있는 선이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The search for faces failed (%1).</source>
+        <translation>얼굴 찾기에 실패했습니다(%1).</translation>
+    </message>
+    <message>
+        <source>The search for faces was stopped.</source>
+        <translation>얼굴 찾기를 멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>The short description</source>
+        <translation>짧은 설명</translation>
+    </message>
+    <message>
+        <source>The sidecar &quot;%1&quot; cannot be read: %2</source>
+        <translation>사이드카 “%1”: 읽을 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The sidecar &quot;%1&quot; could not be written: %2</source>
+        <translation>사이드카 “%1”: 쓰지 못했습니다. %2</translation>
+    </message>
+    <message>
+        <source>The sidecar of &quot;%1&quot; could not be written: another program is busy there.</source>
+        <translation>“%1”의 사이드카: 다른 프로그램이 쓰고 있어 쓰지 못했습니다.</translation>
+    </message>
+    <message>
+        <source>The sidecar of &quot;%1&quot; was changed in two places at once; it holds both now, and the copy &quot;%2&quot; is in the trash.</source>
+        <translation>“%1”의 사이드카: 두 곳에서 동시에 바뀌었습니다. 이제 둘 다 들어 있고, 사본 “%2”은(는) 휴지통에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The sound of &quot;%1&quot; is not whole. %2</source>
+        <translation>“%1”의 소리가 온전하지 않습니다. %2</translation>
+    </message>
+    <message>
+        <source>The sound of the video &quot;%1&quot; does not come along: %2</source>
+        <translation>동영상 “%1”의 소리는 함께 오지 않습니다. %2</translation>
+    </message>
+    <message>
+        <source>The sound of the video in &quot;%1&quot; does not come along: %2</source>
+        <translation>“%1” 안 동영상의 소리는 함께 오지 않습니다. %2</translation>
+    </message>
+    <message>
+        <source>The speaker %1</source>
+        <translation>%1의 말하는 사람</translation>
+    </message>
+    <message>
+        <source>The system gives this program no thread to work on; close other programs.</source>
+        <translation>시스템이 이 프로그램에 작업을 나눌 자리를 주지 않습니다. 다른 프로그램을 닫으세요.</translation>
+    </message>
+    <message>
+        <source>The system watches only a part of the album&apos;s folders; changes by other programs in the others are noticed %1 seconds later.</source>
+        <translation>시스템이 앨범 폴더의 일부만 지켜봅니다. 나머지에서 다른 프로그램이 바꾼 것은 %1초 늦게 알게 됩니다.</translation>
+    </message>
+    <message>
+        <source>The tactile sheet cannot be saved as &quot;%1&quot;: %2</source>
+        <translation>촉각 인쇄물을 “%1”(으)로 저장할 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The time %1</source>
+        <translation>%1의 시간</translation>
+    </message>
+    <message>
+        <source>The transcript %1</source>
+        <translation>%1의 받아쓴 글</translation>
+    </message>
+    <message>
+        <source>The trash could not be emptied: %1</source>
+        <translation>휴지통을 비우지 못했습니다. %1</translation>
+    </message>
+    <message>
+        <source>The widths of hysteresis and blending are from 0 to 5 mm.</source>
+        <translation>히스테리시스와 블렌딩의 너비는 0에서 5 mm까지입니다.</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already. Choose another name for the recording.</source>
+        <translation>파일 %1: 이미 있습니다. 기록에 다른 이름을 고르세요.</translation>
+    </message>
+    <message>
+        <source>There is no braille for the language &quot;%1&quot;; en, de and ko there is.</source>
+        <translation>언어 “%1”의 점자는 없습니다. en, de, ko가 있습니다.</translation>
+    </message>
+    <message>
+        <source>There is no device &quot;%1&quot; now. See that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
+        <translation>지금 장치 “%1”이(가) 없습니다. 꽂혀 있는지 보세요. “touchphoto-lab devices”가 있는 장치를 알려 줍니다.</translation>
+    </message>
+    <message>
+        <source>There is no face %1 in this picture; it has %2.</source>
+        <translation>이 사진에 %1번 얼굴이 없습니다. 얼굴 수는 %2입니다.</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;.</source>
+        <translation>파일 “%1”: 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is no file or folder &quot;%1&quot;.</source>
+        <translation>“%1”: 그런 파일이나 폴더가 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is no line to draw on these faces.</source>
+        <translation>이 얼굴에는 그릴 선이 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is no photograph &quot;%1&quot;.</source>
+        <translation>사진 “%1”: 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is no photograph to export.</source>
+        <translation>내보낼 사진이 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is no recording &quot;%1&quot; on &quot;%2&quot;.</source>
+        <translation>“%2”에 녹음 “%1”이(가) 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is no such file.</source>
+        <translation>그런 파일이 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is no unfinished import &quot;%1&quot;.</source>
+        <translation>끝나지 않은 가져오기 “%1”이(가) 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>이 사진을 열 메모리가 모자랍니다.</translation>
+    </message>
+    <message>
+        <source>There is nothing of the name &quot;%1&quot; in the trash.</source>
+        <translation>휴지통에 “%1”(이)라는 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is nothing to do again.</source>
+        <translation>다시 할 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>되돌릴 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>This could not be done, because the computer reports: %1</source>
+        <translation>컴퓨터의 알림으로 할 수 없었습니다: %1</translation>
+    </message>
+    <message>
+        <source>This is a compressed drawing (svgz); save it as plain SVG.</source>
+        <translation>압축된 그림(svgz)입니다. 일반 SVG로 저장하세요.</translation>
+    </message>
+    <message>
+        <source>This is a folder, not a picture.</source>
+        <translation>사진이 아니라 폴더입니다.</translation>
+    </message>
+    <message>
+        <source>This is no recording of a force device, or one of a later version of TouchPhoto.</source>
+        <translation>힘 장치의 기록이 아니거나 TouchPhoto의 더 새로운 버전에서 만든 기록입니다.</translation>
+    </message>
+    <message>
+        <source>This is not an SVG drawing: it begins with &lt;%1&gt; where &lt;svg&gt; is expected.</source>
+        <translation>SVG 그림이 아닙니다. &lt;svg&gt;가 있어야 할 곳이 &lt;%1&gt;(으)로 시작합니다.</translation>
+    </message>
+    <message>
+        <source>This is not an SVG drawing: its text is broken near line %1.</source>
+        <translation>SVG 그림이 아닙니다. %1번째 줄 근처에서 글이 깨졌습니다.</translation>
+    </message>
+    <message>
+        <source>This is not an SVG drawing: there is nothing in it.</source>
+        <translation>SVG 그림이 아닙니다. 아무것도 들어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>This part of the face was not found in the picture.</source>
+        <translation>얼굴의 이 부분을 사진에서 찾지 못했습니다.</translation>
+    </message>
+    <message>
+        <source>This picture could not be read. It may be too large for this computer.</source>
+        <translation>이 사진을 읽을 수 없습니다. 이 컴퓨터에 너무 큰 사진일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>This picture could not be worked on. It may be too large for this computer.</source>
+        <translation>이 사진을 처리할 수 없습니다. 이 컴퓨터에 너무 큰 사진일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>What another program wrote cannot be kept: %1</source>
+        <translation>다른 프로그램이 쓴 것을 보관할 수 없습니다. %1</translation>
+    </message>
+    <message>
+        <source>What other programs wrote differs in: %1. The other version is in the copy.</source>
+        <translation>다른 프로그램이 쓴 것이 서로 다릅니다: %1. 다른 것은 사본에 있습니다.</translation>
+    </message>
+    <message>
+        <source>What the photograph &quot;%1&quot; says of itself cannot be read.</source>
+        <translation>사진 “%1”: 사진에 든 정보를 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Windows does not let this program use the %1. Unplug it and plug it in again; if that does not help, close other programs that use it.</source>
+        <translation>Windows가 이 프로그램이 장치를 쓰지 못하게 합니다: %1. 뽑았다가 다시 꽂으세요. 그래도 안 되면 그 장치를 쓰는 다른 프로그램을 닫으세요.</translation>
+    </message>
+    <message>
+        <source>You are not allowed to read the photograph &quot;%1&quot;.</source>
+        <translation>사진 “%1”: 읽을 권한이 없습니다.</translation>
+    </message>
+    <message>
+        <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
+        <translation>아직 이 장치를 쓸 권한이 없습니다: %1. resources/udev/70-touchphoto.rules를 /etc/udev/rules.d로 복사한 다음 장치를 뽑았다가 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>a face</source>
+        <translation>얼굴</translation>
+    </message>
+    <message>
+        <source>a face lost its name</source>
+        <translation>얼굴의 이름 지우기</translation>
+    </message>
+    <message>
+        <source>a face was named %1</source>
+        <translation>얼굴에 이름 %1 붙이기</translation>
+    </message>
+    <message>
+        <source>a place of its scene is not two numbers in millimetres.</source>
+        <translation>장면의 한 자리가 밀리미터로 된 두 숫자가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>a recording is at most %1 hours long.</source>
+        <translation>녹음은 %1시간까지입니다.</translation>
+    </message>
+    <message>
+        <source>a recording is mono or stereo, with 8000 to 192000 samples a second.</source>
+        <translation>녹음은 모노나 스테레오이고 초당 샘플이 8000에서 192000까지여야 합니다.</translation>
+    </message>
+    <message>
+        <source>another program holds it.</source>
+        <translation>다른 프로그램이 잡고 있습니다.</translation>
+    </message>
+    <message>
+        <source>another program is writing to it.</source>
+        <translation>다른 프로그램이 쓰고 있습니다.</translation>
+    </message>
+    <message>
+        <source>another program is writing to it. %1</source>
+        <translation>다른 프로그램이 쓰고 있습니다. %1</translation>
+    </message>
+    <message>
+        <source>another program keeps writing to it.</source>
+        <translation>다른 프로그램이 계속 쓰고 있습니다.</translation>
+    </message>
+    <message>
+        <source>blurred</source>
+        <translation>흐려서</translation>
+    </message>
+    <message>
+        <source>bottom edge</source>
+        <translation>아래쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>files that an earlier program left behind are in the way.</source>
+        <translation>이전 프로그램이 남긴 파일이 자리를 막고 있습니다.</translation>
+    </message>
+    <message>
+        <source>force pad</source>
+        <translation>힘 패드</translation>
+    </message>
+    <message>
+        <source>force pad with a pantograph</source>
+        <translation>팬터그래프식 힘 패드</translation>
+    </message>
+    <message>
+        <source>force pad with cables</source>
+        <translation>줄로 움직이는 힘 패드</translation>
+    </message>
+    <message>
+        <source>how somebody says %1</source>
+        <translation>%1의 이름 소리</translation>
+    </message>
+    <message>
+        <source>is damaged</source>
+        <translation>손상되었습니다</translation>
+    </message>
+    <message>
+        <source>it acts more than 50 milliseconds late</source>
+        <translation>50밀리초 넘게 늦게 움직입니다</translation>
+    </message>
+    <message>
+        <source>it cannot be read to its end.</source>
+        <translation>끝까지 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>읽을 수 없습니다. %1</translation>
+    </message>
+    <message>
+        <source>it cannot be set aside.</source>
+        <translation>치워 둘 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>it cannot be written.</source>
+        <translation>쓸 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>it does not begin like a WAV file.</source>
+        <translation>WAV 파일처럼 시작하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>it has %1 channels; at most %2 can be read.</source>
+        <translation>채널이 %1개입니다. %2개까지 읽을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>it has more entries than any program writes.</source>
+        <translation>어떤 프로그램이 쓰는 것보다 항목이 많습니다.</translation>
+    </message>
+    <message>
+        <source>it has no samples.</source>
+        <translation>샘플이 없습니다.</translation>
+    </message>
+    <message>
+        <source>it has no sound.</source>
+        <translation>소리가 없습니다.</translation>
+    </message>
+    <message>
+        <source>it holds &quot;%1&quot;, which is not a plain file.</source>
+        <translation>일반 파일이 아닌 “%1”이(가) 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>it holds &quot;%1&quot;, which would lie outside the album.</source>
+        <translation>앨범 밖에 놓일 “%1”이(가) 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>it holds a file in more folders than any album has.</source>
+        <translation>어떤 앨범보다도 깊은 폴더에 든 파일이 있습니다.</translation>
+    </message>
+    <message>
+        <source>it holds a file without a name.</source>
+        <translation>이름 없는 파일이 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>it holds more files than any album.</source>
+        <translation>어떤 앨범보다도 파일이 많습니다.</translation>
+    </message>
+    <message>
+        <source>it holds no sound.</source>
+        <translation>소리가 들어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>it is damaged there.</source>
+        <translation>그 자리가 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>it is damaged, and cannot be read to its end.</source>
+        <translation>손상되어 끝까지 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no sound file that can be read here.</source>
+        <translation>손상되었거나 여기서 읽을 수 없는 소리 파일입니다.</translation>
+    </message>
+    <message>
+        <source>it is damaged, or no video that can be read here.</source>
+        <translation>손상되었거나 여기서 읽을 수 없는 동영상입니다.</translation>
+    </message>
+    <message>
+        <source>it is damaged.</source>
+        <translation>손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>it is empty.</source>
+        <translation>비어 있습니다.</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB.</source>
+        <translation>%1 MB보다 큽니다.</translation>
+    </message>
+    <message>
+        <source>it is locked with a password.</source>
+        <translation>암호로 잠겨 있습니다.</translation>
+    </message>
+    <message>
+        <source>it is longer than %1 hours, or claims to be.</source>
+        <translation>%1시간보다 길거나 그렇다고 적혀 있습니다.</translation>
+    </message>
+    <message>
+        <source>it is longer than %1 hours.</source>
+        <translation>%1시간보다 깁니다.</translation>
+    </message>
+    <message>
+        <source>it is longer than a minute, so it is a film and not the photograph&apos;s.</source>
+        <translation>1분보다 길어서 사진의 소리가 아니라 영화입니다.</translation>
+    </message>
+    <message>
+        <source>it is neither mono nor stereo.</source>
+        <translation>모노도 스테레오도 아닙니다.</translation>
+    </message>
+    <message>
+        <source>it is nested more deeply than any program writes.</source>
+        <translation>어떤 프로그램이 쓰는 것보다 깊이 겹쳐 있습니다.</translation>
+    </message>
+    <message>
+        <source>it is no setup of the lab of version 1.</source>
+        <translation>실험실 설정 버전 1이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>it is no sound file that can be read here.</source>
+        <translation>여기서 읽을 수 있는 소리 파일이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>it is not XMP.</source>
+        <translation>XMP가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>it is not a FLAC file.</source>
+        <translation>FLAC 파일이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>it is not a bundle, or it is damaged.</source>
+        <translation>묶음이 아니거나 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>it is not a file.</source>
+        <translation>파일이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>it is not there.</source>
+        <translation>파일이 없습니다.</translation>
+    </message>
+    <message>
+        <source>it is not whole XML.</source>
+        <translation>온전한 XML이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>it names a law that is unknown.</source>
+        <translation>알 수 없는 법칙이 적혀 있습니다.</translation>
+    </message>
+    <message>
+        <source>it reaches farther than two metres</source>
+        <translation>2미터 넘게 닿습니다</translation>
+    </message>
+    <message>
+        <source>it reaches less than a square centimetre</source>
+        <translation>1제곱센티미터도 닿지 않습니다</translation>
+    </message>
+    <message>
+        <source>it was stopped.</source>
+        <translation>멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>it would become larger than any program reads.</source>
+        <translation>어떤 프로그램도 읽지 못할 만큼 커집니다.</translation>
+    </message>
+    <message>
+        <source>it would become too large (&quot;%1&quot;).</source>
+        <translation>너무 커집니다(“%1”).</translation>
+    </message>
+    <message>
+        <source>its comments are damaged.</source>
+        <translation>주석이 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>its edge is faint</source>
+        <translation>경계가 흐려서</translation>
+    </message>
+    <message>
+        <source>its folder is gone.</source>
+        <translation>폴더가 없어졌습니다.</translation>
+    </message>
+    <message>
+        <source>its head is damaged.</source>
+        <translation>파일의 머리 부분이 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>its header is damaged.</source>
+        <translation>헤더가 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>its largest force is none or above 20 newtons</source>
+        <translation>가장 큰 힘이 0이거나 20뉴턴을 넘습니다</translation>
+    </message>
+    <message>
+        <source>its letters are in an encoding that XMP does not allow.</source>
+        <translation>XMP가 허용하지 않는 문자 인코딩입니다.</translation>
+    </message>
+    <message>
+        <source>its name is too long.</source>
+        <translation>이름이 너무 깁니다.</translation>
+    </message>
+    <message>
+        <source>its rate is below 50 or above 8000 hertz</source>
+        <translation>속도가 50헤르츠보다 낮거나 8000헤르츠보다 높습니다</translation>
+    </message>
+    <message>
+        <source>its sample rate is none of a recording.</source>
+        <translation>녹음의 샘플 속도가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>its samples are not of 16 bit.</source>
+        <translation>샘플이 16비트가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>its sound cannot be decoded.</source>
+        <translation>소리를 해독할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>its sound has %1 channels; at most %2 can be read.</source>
+        <translation>소리의 채널이 %1개입니다. %2개까지 읽을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>its sound is of a kind that cannot be decoded here (%1).</source>
+        <translation>여기서 해독할 수 없는 종류의 소리입니다(%1).</translation>
+    </message>
+    <message>
+        <source>its texts are too long.</source>
+        <translation>글이 너무 깁니다.</translation>
+    </message>
+    <message>
+        <source>its watchdog does not wait 20 to 50 milliseconds</source>
+        <translation>감시 시간이 20에서 50밀리초까지가 아닙니다</translation>
+    </message>
+    <message>
+        <source>left and bottom edges</source>
+        <translation>왼쪽과 아래쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>left and right and bottom edges</source>
+        <translation>왼쪽, 오른쪽, 아래쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>left and right and top and bottom edges</source>
+        <translation>왼쪽, 오른쪽, 위쪽, 아래쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>left and right and top edges</source>
+        <translation>왼쪽, 오른쪽, 위쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>left and right edges</source>
+        <translation>왼쪽과 오른쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>left and top and bottom edges</source>
+        <translation>왼쪽, 위쪽, 아래쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>left and top edges</source>
+        <translation>왼쪽과 위쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>left edge</source>
+        <translation>왼쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>left eye</source>
+        <translation>왼쪽 눈</translation>
+    </message>
+    <message>
+        <source>macOS does not let this program use the %1. Allow it under System Settings, Privacy &amp; Security, Input Monitoring, and start it again.</source>
+        <translation>macOS가 이 프로그램이 장치를 쓰지 못하게 합니다: %1. 시스템 설정의 개인정보 보호 및 보안, 입력 모니터링에서 허용하고 프로그램을 다시 시작하세요.</translation>
+    </message>
+    <message>
+        <source>may be covered</source>
+        <translation>가려진 듯하여</translation>
+    </message>
+    <message>
+        <source>mouth</source>
+        <translation>입</translation>
+    </message>
+    <message>
+        <source>nothing of it can be read.</source>
+        <translation>아무것도 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>nothing of its sound can be decoded.</source>
+        <translation>소리를 전혀 해독할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>of the recording &quot;%1&quot;</source>
+        <translation>녹음 “%1”</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>얼굴 윤곽</translation>
+    </message>
+    <message>
+        <source>reading it needs the library %1 of FFmpeg (Debian: libavformat59), which is not here.</source>
+        <translation>읽으려면 FFmpeg의 라이브러리 %1(데비안: libavformat59)이 필요한데 여기에 없습니다.</translation>
+    </message>
+    <message>
+        <source>right and bottom edges</source>
+        <translation>오른쪽과 아래쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>right and top and bottom edges</source>
+        <translation>오른쪽, 위쪽, 아래쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>right and top edges</source>
+        <translation>오른쪽과 위쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>right edge</source>
+        <translation>오른쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>right eye</source>
+        <translation>오른쪽 눈</translation>
+    </message>
+    <message>
+        <source>simulated device</source>
+        <translation>가상 장치</translation>
+    </message>
+    <message>
+        <source>the FLAC encoder reports a fault.</source>
+        <translation>FLAC 인코더에 문제가 있습니다.</translation>
+    </message>
+    <message>
+        <source>the ambient</source>
+        <translation>주변 소리</translation>
+    </message>
+    <message>
+        <source>the ambient about %1</source>
+        <translation>%1에 대한 주변 소리</translation>
+    </message>
+    <message>
+        <source>the disk is full.</source>
+        <translation>디스크가 가득 찼습니다.</translation>
+    </message>
+    <message>
+        <source>the disk reports a fault.</source>
+        <translation>디스크에 문제가 있습니다.</translation>
+    </message>
+    <message>
+        <source>the face of &quot;%1&quot;</source>
+        <translation>“%1”의 얼굴</translation>
+    </message>
+    <message>
+        <source>the memo</source>
+        <translation>메모</translation>
+    </message>
+    <message>
+        <source>the memo about %1</source>
+        <translation>%1에 대한 메모</translation>
+    </message>
+    <message>
+        <source>the mouse or a finger on the screen</source>
+        <translation>마우스나 화면 위의 손가락</translation>
+    </message>
+    <message>
+        <source>the name of %1 was recorded</source>
+        <translation>%1의 이름 녹음</translation>
+    </message>
+    <message>
+        <source>the person</source>
+        <translation>누구인지 알려 주는 녹음</translation>
+    </message>
+    <message>
+        <source>the person about %1</source>
+        <translation>%1이(가) 누구인지 알려 주는 녹음</translation>
+    </message>
+    <message>
+        <source>the picture is empty, or its ending is neither png nor jpg</source>
+        <translation>사진이 비어 있거나 파일 이름이 png나 jpg로 끝나지 않습니다</translation>
+    </message>
+    <message>
+        <source>the place</source>
+        <translation>장소 녹음</translation>
+    </message>
+    <message>
+        <source>the place about %1</source>
+        <translation>%1에 대한 장소 녹음</translation>
+    </message>
+    <message>
+        <source>the recorded name of %1 became that of %2</source>
+        <translation>%1의 이름 녹음을 %2의 것으로 바꾸기</translation>
+    </message>
+    <message>
+        <source>the recordings of %1 were put in order</source>
+        <translation>%1의 녹음 순서 바꾸기</translation>
+    </message>
+    <message>
+        <source>the story</source>
+        <translation>이야기</translation>
+    </message>
+    <message>
+        <source>the story about %1</source>
+        <translation>%1에 대한 이야기</translation>
+    </message>
+    <message>
+        <source>the trash is full of files of that name.</source>
+        <translation>휴지통에 같은 이름의 파일이 너무 많습니다.</translation>
+    </message>
+    <message>
+        <source>there are too many files of that name already.</source>
+        <translation>같은 이름의 파일이 이미 너무 많습니다.</translation>
+    </message>
+    <message>
+        <source>there are too many photographs of that name in the album.</source>
+        <translation>앨범에 같은 이름의 사진이 너무 많습니다.</translation>
+    </message>
+    <message>
+        <source>there is a file of that name already.</source>
+        <translation>같은 이름의 파일이 이미 있습니다.</translation>
+    </message>
+    <message>
+        <source>there is no folder &quot;%1&quot;.</source>
+        <translation>폴더 “%1”이(가) 없습니다.</translation>
+    </message>
+    <message>
+        <source>there is no such file.</source>
+        <translation>그런 파일이 없습니다.</translation>
+    </message>
+    <message>
+        <source>there is no such piece in it.</source>
+        <translation>그런 부분이 없습니다.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for it.</source>
+        <translation>메모리가 모자랍니다.</translation>
+    </message>
+    <message>
+        <source>there is not enough memory.</source>
+        <translation>메모리가 모자랍니다.</translation>
+    </message>
+    <message>
+        <source>they belong to a picture of another shape, %1 × %2 pixels.</source>
+        <translation>모양이 다른 사진(%1 × %2픽셀)의 것입니다.</translation>
+    </message>
+    <message>
+        <source>they lie on different disks.</source>
+        <translation>서로 다른 디스크에 있습니다.</translation>
+    </message>
+    <message>
+        <source>too small</source>
+        <translation>너무 작아서</translation>
+    </message>
+    <message>
+        <source>top and bottom edges</source>
+        <translation>위쪽과 아래쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>top edge</source>
+        <translation>위쪽 가장자리</translation>
+    </message>
+    <message>
+        <source>turned to the side</source>
+        <translation>옆으로 돌아가서</translation>
+    </message>
+    <message>
+        <source>was written by a newer version of this program</source>
+        <translation>이 프로그램의 더 새로운 버전에서 만들어졌습니다</translation>
+    </message>
+    <message>
+        <source>what was written is not what was to be written; the disk or the memory may be faulty.</source>
+        <translation>쓰인 것이 쓰려던 것과 다릅니다. 디스크나 메모리에 문제가 있을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>you are not allowed to read it.</source>
+        <translation>읽을 권한이 없습니다.</translation>
+    </message>
+    <message>
+        <source>you are not allowed to write there.</source>
+        <translation>거기에 쓸 권한이 없습니다.</translation>
     </message>
 </context>
 <context>
@@ -3235,6 +4797,17 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>tp::Player</name>
+    <message>
+        <source>The loudspeaker is gone. The recording goes on as soon as there is one again.</source>
+        <translation>스피커가 없어졌습니다. 다시 생기면 바로 녹음을 이어서 재생합니다.</translation>
+    </message>
+    <message>
+        <source>There is no loudspeaker. The recording plays as soon as there is one.</source>
+        <translation>스피커가 없습니다. 스피커가 생기면 바로 녹음을 재생합니다.</translation>
+    </message>
+</context>
+<context>
     <name>tp::Preferences</name>
     <message>
         <source>Your settings could not be read. The usual ones are used until that is mended.</source>
@@ -3314,189 +4887,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
         <translation>인쇄물을 저장했습니다: %1. 크기를 바꾸지 말고 100퍼센트로 인쇄하세요.</translation>
-    </message>
-</context>
-<context>
-    <name>tp::Problems</name>
-    <message>
-        <source>The force was switched off for a moment, because a measurement was not a number.</source>
-        <translation>측정값이 숫자가 아니어서 힘을 잠시 껐습니다.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the finger is outside the area that the device reaches. Move it back.</source>
-        <translation>손가락이 장치가 닿는 범위 밖에 있어 힘이 꺼졌습니다. 다시 안으로 옮기세요.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the finger moves too fast. Move slowly and it comes back.</source>
-        <translation>손가락이 너무 빨리 움직여 힘이 꺼졌습니다. 천천히 움직이면 다시 켜집니다.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the device has switched its motors off to be safe. It comes back when the device is ready.</source>
-        <translation>장치가 안전을 위해 모터를 꺼서 힘이 꺼졌습니다. 장치가 준비되면 다시 켜집니다.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the device does not say where the finger is.</source>
-        <translation>장치가 손가락의 위치를 알려 주지 않아 힘이 꺼졌습니다.</translation>
-    </message>
-    <message>
-        <source>The force is off for a moment, because this computer was too busy to guide the finger.</source>
-        <translation>컴퓨터가 너무 바빠 손가락을 이끌 수 없어서 힘이 잠시 꺼졌습니다.</translation>
-    </message>
-    <message>
-        <source>The device was switched off, because this computer stood still. Start it again when you are ready.</source>
-        <translation>컴퓨터가 멈추어 장치를 껐습니다. 준비가 되면 다시 켜세요.</translation>
-    </message>
-    <message>
-        <source>The device was switched off, because it no longer answers. Check its cable and start it again.</source>
-        <translation>장치가 더는 응답하지 않아 껐습니다. 케이블을 확인하고 다시 켜세요.</translation>
-    </message>
-    <message>
-        <source>No face was found in this picture.</source>
-        <translation>이 사진에서 얼굴을 찾지 못했습니다.</translation>
-    </message>
-    <message>
-        <source>The picture is empty.</source>
-        <translation>사진이 비어 있습니다.</translation>
-    </message>
-    <message>
-        <source>The picture is not in 8-bit colour.</source>
-        <translation>사진이 8비트 색상이 아닙니다.</translation>
-    </message>
-    <message>
-        <source>The search for faces was stopped.</source>
-        <translation>얼굴 찾기를 멈췄습니다.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the left edge of the picture.</source>
-        <translation>얼굴이 사진의 왼쪽 가장자리에서 잘려 있습니다.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the right edge of the picture.</source>
-        <translation>얼굴이 사진의 오른쪽 가장자리에서 잘려 있습니다.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the top edge of the picture.</source>
-        <translation>얼굴이 사진의 위쪽 가장자리에서 잘려 있습니다.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the bottom edge of the picture.</source>
-        <translation>얼굴이 사진의 아래쪽 가장자리에서 잘려 있습니다.</translation>
-    </message>
-    <message>
-        <source>The right eye may be covered, so its contour may be wrong.</source>
-        <translation>오른쪽 눈이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The left eye may be covered, so its contour may be wrong.</source>
-        <translation>왼쪽 눈이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The mouth may be covered, so its contour may be wrong.</source>
-        <translation>입이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The outline may be covered, so its contour may be wrong.</source>
-        <translation>얼굴 윤곽이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The edge of the right eye is faint, so its contour may be wrong.</source>
-        <translation>오른쪽 눈의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The edge of the left eye is faint, so its contour may be wrong.</source>
-        <translation>왼쪽 눈의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The edge of the mouth is faint, so its contour may be wrong.</source>
-        <translation>입의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The edge of the outline is faint, so its contour may be wrong.</source>
-        <translation>얼굴 윤곽의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>This picture could not be worked on. It may be too large for this computer.</source>
-        <translation>이 사진을 처리할 수 없습니다. 이 컴퓨터에 너무 큰 사진일 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>You may not use the force pad yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
-        <translation>아직 힘 패드를 쓸 권한이 없습니다. resources/udev/70-touchphoto.rules 파일을 /etc/udev/rules.d에 복사한 다음 장치를 뽑았다가 다시 꽂으세요.</translation>
-    </message>
-    <message>
-        <source>Windows does not let this program use the force pad. Unplug it and plug it in again; if that does not help, close other programs that use it.</source>
-        <translation>Windows가 이 프로그램의 힘 패드 사용을 허용하지 않습니다. 뽑았다가 다시 꽂으세요. 그래도 안 되면 힘 패드를 쓰는 다른 프로그램을 닫으세요.</translation>
-    </message>
-    <message>
-        <source>macOS does not let this program use the force pad. Allow it under System Settings, Privacy &amp; Security, Input Monitoring, and start it again.</source>
-        <translation>macOS가 이 프로그램의 힘 패드 사용을 허용하지 않습니다. 시스템 설정, 개인정보 보호 및 보안, 입력 모니터링에서 허용한 다음 프로그램을 다시 시작하세요.</translation>
-    </message>
-    <message>
-        <source>Another driver of the system holds the force pad. Unplug the device and plug it in again; if that does not help, its kernel must have the hidraw driver.</source>
-        <translation>시스템의 다른 드라이버가 힘 패드를 잡고 있습니다. 장치를 뽑았다가 다시 꽂으세요. 그래도 안 되면 커널에 hidraw 드라이버가 있어야 합니다.</translation>
-    </message>
-    <message>
-        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then &quot;USB Input Device&quot;.</source>
-        <translation>힘 패드의 드라이버가 맞지 않습니다. 장치 관리자에서 드라이버 업데이트를 고른 다음 &quot;USB 입력 장치&quot;를 고르세요.</translation>
-    </message>
-    <message>
-        <source>Another driver holds the force pad. Remove the driver that its maker installed and start this computer again.</source>
-        <translation>다른 드라이버가 힘 패드를 잡고 있습니다. 제조사가 설치한 드라이버를 지우고 컴퓨터를 다시 시작하세요.</translation>
-    </message>
-    <message>
-        <source>Another driver of the system holds the force pad and does not let go of it. Unplug the device, unload that driver and plug the device in again.</source>
-        <translation>시스템의 다른 드라이버가 힘 패드를 잡고 놓지 않습니다. 장치를 뽑고 그 드라이버를 내린 다음 장치를 다시 꽂으세요.</translation>
-    </message>
-    <message>
-        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then &quot;WinUsb Device&quot;.</source>
-        <translation>힘 패드의 드라이버가 맞지 않습니다. 장치 관리자에서 드라이버 업데이트를 고른 다음 &quot;WinUsb 장치&quot;를 고르세요.</translation>
-    </message>
-    <message>
-        <source>Another program uses the force pad. Close that program and try again.</source>
-        <translation>다른 프로그램이 힘 패드를 쓰고 있습니다. 그 프로그램을 닫고 다시 해 보세요.</translation>
-    </message>
-    <message>
-        <source>The force pad was unplugged. Plug it in again.</source>
-        <translation>힘 패드가 뽑혔습니다. 다시 꽂으세요.</translation>
-    </message>
-    <message>
-        <source>The force pad could not be opened. Unplug it, plug it in again and try once more.</source>
-        <translation>힘 패드를 열 수 없습니다. 뽑았다가 다시 꽂고 한 번 더 해 보세요.</translation>
-    </message>
-    <message>
-        <source>The force pad does not know where its knob is. Put the knob on its mark and home the pad.</source>
-        <translation>힘 패드가 손잡이의 위치를 모릅니다. 손잡이를 표시에 맞추고 패드의 기준점을 잡으세요.</translation>
-    </message>
-    <message>
-        <source>The force pad&apos;s encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
-        <translation>힘 패드의 측정값이 서로 어긋납니다. 줄이 느슨하거나 미끄러졌습니다. 손잡이를 표시에 맞추고 패드의 기준점을 잡으세요.</translation>
-    </message>
-    <message>
-        <source>The force pad&apos;s motors are too hot. It goes on by itself when they have cooled.</source>
-        <translation>힘 패드의 모터가 너무 뜨겁습니다. 식으면 저절로 다시 움직입니다.</translation>
-    </message>
-    <message>
-        <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
-        <translation>힘 패드의 모터에 전류가 너무 많이 흘렀습니다. 손잡이를 막는 것이 없는지 살펴보세요.</translation>
-    </message>
-    <message>
-        <source>The force pad heard nothing from this computer for a moment and switched its motors off.</source>
-        <translation>힘 패드가 잠시 컴퓨터의 신호를 받지 못해 모터를 껐습니다.</translation>
-    </message>
-    <message>
-        <source>The force pad&apos;s motors are off.</source>
-        <translation>힘 패드의 모터가 꺼져 있습니다.</translation>
-    </message>
-    <message>
-        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
-        <translation>힘 패드의 식별 번호를 가진 장치가 힘 패드처럼 답하지 않습니다. 뽑았다가 다시 꽂으세요. 힘 패드가 아니라면 다른 장치를 고르세요.</translation>
-    </message>
-    <message>
-        <source>The force pad did not say which places it reaches. Unplug it and plug it in again.</source>
-        <translation>힘 패드가 닿을 수 있는 범위를 알려 주지 않았습니다. 뽑았다가 다시 꽂으세요.</translation>
-    </message>
-    <message>
-        <source>force pad</source>
-        <translation>힘 패드</translation>
     </message>
 </context>
 <context>
@@ -3635,6 +5025,85 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>%1: %2.</source>
         <translation>%1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::RecorderWorker</name>
+    <message>
+        <source>What was recorded is kept, and it goes on as soon as there is one.</source>
+        <translation>지금까지 녹음한 것은 남아 있고, 마이크가 생기면 바로 이어집니다.</translation>
+    </message>
+    <message>
+        <source>The recording begins as soon as there is one.</source>
+        <translation>마이크가 생기면 바로 녹음을 시작합니다.</translation>
+    </message>
+    <message>
+        <source>The microphone delivers no sound.</source>
+        <translation>마이크에서 소리가 들어오지 않습니다.</translation>
+    </message>
+    <message>
+        <source>This microphone cannot record 48000 samples a second; another one is needed.</source>
+        <translation>이 마이크는 초당 48000개의 샘플을 녹음할 수 없습니다. 다른 마이크가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The microphone is gone.</source>
+        <translation>마이크가 없어졌습니다.</translation>
+    </message>
+    <message>
+        <source>There is no microphone.</source>
+        <translation>마이크가 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is not enough room on the disk for a recording.</source>
+        <translation>디스크에 녹음할 자리가 모자랍니다.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be made: %1</source>
+        <translation>녹음할 수 없습니다. %1</translation>
+    </message>
+    <message>
+        <source>The microphone is there again. The recording goes on.</source>
+        <translation>마이크가 다시 생겼습니다. 녹음을 이어 갑니다.</translation>
+    </message>
+    <message>
+        <source>The recording begins.</source>
+        <translation>녹음을 시작합니다.</translation>
+    </message>
+    <message>
+        <source>The recording has ended, because %1</source>
+        <translation>녹음이 끝났습니다. %1</translation>
+    </message>
+    <message>
+        <source>The microphone hears nothing. It may be switched off or covered.</source>
+        <translation>마이크에 아무것도 들리지 않습니다. 꺼져 있거나 가려져 있을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The disk is almost full, so the recording has ended.</source>
+        <translation>디스크가 거의 차서 녹음이 끝났습니다.</translation>
+    </message>
+    <message>
+        <source>A recording lasts %1 at most, so it has ended.</source>
+        <translation>녹음은 최대 %1까지라서 끝났습니다.</translation>
+    </message>
+    <message>
+        <source>The disk is almost full: %1 can still be recorded.</source>
+        <translation>디스크가 거의 찼습니다. %1 더 녹음할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1 can still be recorded.</source>
+        <translation>%1 더 녹음할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>What was recorded is kept as &quot;%1&quot; and will be stored later, because %2</source>
+        <translation>녹음한 것은 “%1”(으)로 남겨 두었고 나중에 저장합니다. %2</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded.</source>
+        <translation>녹음된 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Recorded: %1.</source>
+        <translation>녹음됨: %1.</translation>
     </message>
 </context>
 <context>

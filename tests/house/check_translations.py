@@ -50,7 +50,7 @@ def in_sources(root, folder, plurals_only):
     if os.path.exists(file):
         os.remove(file)
     subprocess.run([LUPDATE, "-silent", "-locations", "none", "-no-ui-lines", "-extensions", "cpp,hpp,qml", "-I", root,
-                    os.path.join(root, "app"), "-ts", file] + (["-pluralonly"] if plurals_only else []), check=True,
+                    os.path.join(root, "app"), os.path.join(root, "audio"), "-ts", file] + (["-pluralonly"] if plurals_only else []), check=True,
                    capture_output=True)
     return {key for key, _ in messages(file)}
 

@@ -176,10 +176,9 @@ private:
         unreadable_.push_back(folder);
         const bool gone = error == ENOENT || error == ENOTDIR;
         report_.problems.push_back("The folder " + quoted(folder) +
-                                   (gone              ? " is not there"
-                                    : error == EACCES ? " may not be opened by you"
-                                                      : " cannot be read: " + reason_of(error)) +
-                                   (gone || error == EACCES ? "." : ""));
+                                   (gone              ? " is not there."
+                                    : error == EACCES ? " may not be opened by you."
+                                                      : " cannot be read: " + reason_of(error)));
     }
 
     // ---- folders

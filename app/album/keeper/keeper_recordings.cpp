@@ -36,8 +36,20 @@ auto find_tag(std::vector<Tag>& tags, const std::string& file) {
 }
 
 std::string words_for(const Tag& tag) {
-    const std::string kind(name_of(tag.label.kind));
-    return "the " + (tag.label.person.empty() ? kind : kind + " about " + readable(tag.label.person));
+    const std::string person = readable(tag.label.person);
+    switch (tag.label.kind) {
+    case RecordingKind::memo:
+        return person.empty() ? "the memo" : "the memo about " + person;
+    case RecordingKind::person:
+        return person.empty() ? "the person" : "the person about " + person;
+    case RecordingKind::place:
+        return person.empty() ? "the place" : "the place about " + person;
+    case RecordingKind::story:
+        return person.empty() ? "the story" : "the story about " + person;
+    case RecordingKind::ambient:
+        return person.empty() ? "the ambient" : "the ambient about " + person;
+    }
+    return {};
 }
 
 /// When a file was last changed, which for a sound is when it ended: ISO 8601 with offset.

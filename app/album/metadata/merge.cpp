@@ -16,10 +16,6 @@ namespace {
 /// As far apart as two people may mark one face.
 constexpr double same_face = 0.05;
 
-std::string named(std::string_view what, std::string_view name) {
-    return std::string(what).append(" ").append(quoted_readable(name));
-}
-
 /// Of two versions of something both are told: what it is now, and what the other said.
 std::string told(const std::string& what, std::string_view now, std::string_view other) {
     return what + " was " + quoted_readable(other) + " in another copy; it is " + quoted_readable(now) + " now.";
@@ -121,7 +117,7 @@ private:
     }
 
     void tag(Tag& current, const Tag& other) {
-        const std::string whose = named("of the recording", current.file);
+        const std::string whose = "of the recording " + quoted_readable(current.file);
         if (other.label.kind != current.label.kind) {
             const auto now = other_is_newer_ ? other.label.kind : current.label.kind;
             const auto before = other_is_newer_ ? current.label.kind : other.label.kind;

@@ -5,6 +5,7 @@
 #include "app/album/keeper/recording_facts.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "app/album/open/lies_in.hpp"
+#include "audio/sentences/sentences.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -42,14 +43,14 @@ bool AlbumWorker::open() {
         return true;
     Result<AlbumIndex> index = shared_.another();
     if (!index) {
-        emit said(QString::fromStdString(index.error()));
+        emit said(in_persons_language(index.error()));
         return false;
     }
     index_ = std::make_unique<AlbumIndex>(std::move(*index));
     watcher_ = std::make_unique<AlbumWatcher>(times_);
     connect(watcher_.get(), &AlbumWatcher::changed, this, &AlbumWorker::heed);
     connect(watcher_.get(), &AlbumWatcher::limited, this,
-            [this](const std::string& sentence) { emit said(QString::fromStdString(sentence)); });
+            [this](const std::string& sentence) { emit said(in_persons_language(sentence)); });
     return true;
 }
 

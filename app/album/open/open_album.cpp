@@ -2,6 +2,7 @@
 #include "app/album/open/open_album.hpp"
 
 #include "app/album/open/lies_in.hpp"
+#include "audio/sentences/sentences.hpp"
 
 #include <QMetaObject>
 #include <QStandardPaths>
@@ -168,7 +169,7 @@ void OpenAlbum::say_new(const std::vector<std::string>& problems) {
     std::size_t fresh = 0;
     for (const std::string& problem : problems)
         if (told_.insert(problem).second && ++fresh <= most_said)
-            emit said(QString::fromStdString(problem));
+            emit said(in_persons_language(problem));
     if (fresh > most_said)
         emit said(
             tr("%n more thing(s) in the album need a look.", nullptr, static_cast<int>(fresh - most_said)));

@@ -59,12 +59,12 @@ Column {
         width: parent.width
         visible: words.session.heard !== ""
         label: words.session.heard
-        value: words.session.heardValue
+        fraction: words.session.heardValue
     }
     TpProgress {
         width: parent.width
         visible: words.session.scanning
         label: words.session.scanText
-        value: words.session.scanValue
+        fraction: words.session.scanValue
     }
 }

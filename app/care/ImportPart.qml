@@ -43,7 +43,7 @@ Column {
         visible: part.importing.running
         label: qsTr("Import")
         valueText: part.importing.progressText
-        value: part.importing.fraction
+        fraction: part.importing.fraction
     }
     TpStatus {
         width: parent.width

@@ -110,7 +110,7 @@ FocusScope {
                     width: parent.width
                     label: qsTr("Loudness")
                     valueText: part.take.levelText
-                    value: part.take.level
+                    fraction: part.take.level
                 }
             }
         }

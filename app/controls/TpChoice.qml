@@ -11,8 +11,7 @@ Column {
     signal picked(int index)
 
     spacing: 6
-    Accessible.role: Accessible.Grouping
-    Accessible.name: label
+    Accessible.role: Accessible.Grouping // without a name: each option has the label in its own, and Orca would say it twice
 
     Text {
         width: parent.width

@@ -8,7 +8,7 @@ Item {
 
     property string label: ""
     property string valueText: ""
-    property real value: 0
+    property real fraction: 0 // a "value" would be announced as one, which it is not
 
     implicitWidth: 200
     implicitHeight: words.implicitHeight + 22
@@ -33,11 +33,11 @@ Item {
         border.width: 1
         border.color: Theme.edge
         Rectangle {
-            width: Math.max(parent.height, Math.min(1, progress.value) * parent.width)
+            width: Math.max(parent.height, Math.min(1, progress.fraction) * parent.width)
             height: parent.height
             radius: parent.radius
             color: Theme.accent
-            visible: progress.value >= 0
+            visible: progress.fraction >= 0
         }
     }
 }

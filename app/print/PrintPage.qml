@@ -48,7 +48,7 @@ FocusScope {
                 width: parent.width
                 visible: page.session.looking
                 label: qsTr("Looking for faces")
-                value: -1
+                fraction: -1
             }
             TpChoice {
                 width: parent.width

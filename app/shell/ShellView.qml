@@ -76,6 +76,7 @@ FocusScope {
             RowLayout {
                 id: bar
                 anchors { fill: parent; margins: Theme.gap; leftMargin: 2 * Theme.gap; rightMargin: 2 * Theme.gap }
+                Keys.forwardTo: view.pageItem === null ? [] : [view.pageItem] // the page's keys hold here too
                 spacing: Theme.gap
                 TpButton {
                     objectName: "home"

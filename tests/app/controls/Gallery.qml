@@ -84,7 +84,7 @@ Column {
         width: parent.width
         label: "Import"
         valueText: "3 of 12"
-        value: 0.25
+        fraction: 0.25
     }
     TpScroll {
         objectName: "scroll"

@@ -29,6 +29,8 @@ Shrunk shrunk_around(const cv::Mat& picture, const Detection& face, double large
         return result;
     const Vec2 centre = face.box.centre();
     const double away = reach * face.size();
+    if (!std::isfinite(centre.x + centre.y + away))
+        return result;
     const auto [left, right] = span(centre.x - away, centre.x + away, picture.cols, by);
     const auto [top, bottom] = span(centre.y - away, centre.y + away, picture.rows, by);
     if (right <= left || bottom <= top)

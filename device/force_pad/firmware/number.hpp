@@ -82,9 +82,14 @@ struct SineCosine {
     Real cosine = 1;
 };
 
-/// Of an angle in rad, |angle| < 1000: reduced by quarter turns to ±π/4, then the power series.
+/// Of an angle in rad, |angle| < 1000: reduced by quarter turns to ±π/4, then the power series. Not a number of any
+/// other angle.
 template <typename Real>
 SineCosine<Real> sine_cosine(Real angle) {
+    if (!(angle > Real(-1000) && angle < Real(1000))) {
+        const Real nothing = angle - angle; // 0, or not a number
+        return {nothing / nothing, nothing / nothing};
+    }
     constexpr double quarter = 1.57079632679489661923;
     constexpr Real high = Real(quarter);
     constexpr Real low = Real(quarter - double(high)); // what the first part lacks

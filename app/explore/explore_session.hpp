@@ -124,7 +124,7 @@ public:
     QString featureName() const { return label_of(tracker_.current()); }
     bool engaged() const { return servo_.engaged(); }
     bool touring() const { return servo_.leads() || !tour_left_.empty(); }
-    QString faultSentence() const { return in_persons_language(std::string(sentence(faults_.shown()))); }
+    QString faultSentence() const { return in_persons_language(std::string(tp::sentence(faults_.shown()))); }
     double maxForce() const;
     void setMaxForce(double newtons);
     int guide() const { return static_cast<int>(preferences_.choices().guide); }

@@ -3,8 +3,10 @@
 #include "whole_program.hpp"
 
 #include <QColor>
+#include <QFile>
 #include <QRegularExpression>
 #include <QTranslator>
+#include <QUrl>
 
 using namespace tp;
 
@@ -169,6 +171,59 @@ private slots:
         }
         untranslated.removeDuplicates();
         QCOMPARE(untranslated.join('\n'), QString());
+    }
+
+    void what_goes_wrong_below_the_pages_is_translated_too() {
+        const Warnings warnings;
+        PseudoLocale pseudo;
+        WholeProgram whole;
+        settle(whole);
+        QCoreApplication::installTranslator(&pseudo);
+        const auto back = qScopeGuard([&] { QCoreApplication::removeTranslator(&pseudo); });
+        emit whole.program->language_changed();
+        whole.window->show();
+        const auto heard = [&](const QString& sentence) { return !whole.voice.said().filter(sentence).isEmpty(); };
+
+        whole.shell().open("browse");
+        Choices choices = whole.program->preferences().choices();
+        choices.folders << whole.folder.filePath("Gone");
+        whole.program->preferences().set(choices);
+        QTRY_VERIFY2(heard("⟦The folder \"" + whole.folder.filePath("Gone") + "\" is not there."),
+                     qPrintable(whole.voice.said().join('\n')));
+
+        const QString broken = whole.folder.filePath("broken.jpg");
+        {
+            QFile whole_photo(whole.folder.filePath("Family/anna_smiling.jpg")), half(broken);
+            QVERIFY(whole_photo.open(QIODevice::ReadOnly) && half.open(QIODevice::WriteOnly));
+            half.write(whole_photo.read(whole_photo.size() / 2));
+        }
+        for (const QString& page : QStringList{"explore", "mend"}) {
+            whole.shell().open(page);
+            settle(whole);
+            whole.voice.clear();
+            if (page == "explore")
+                whole.program->explore().open(QUrl::fromLocalFile(broken));
+            else
+                whole.program->mend().open(QUrl::fromLocalFile(broken));
+            QTRY_VERIFY2_WITH_TIMEOUT(heard("⟦The JPEG file is cut short: a part of the picture is missing."),
+                                      qPrintable(page + ": " + whole.voice.said().join('\n')), 60000);
+        }
+
+        whole.shell().open("care");
+        settle(whole);
+        CareSession& care = whole.program->care();
+        care.openRow(0);
+        QTRY_VERIFY(care.photoOpen());
+        whole.microphone_there = false;
+        whole.voice.clear();
+        care.take()->start();
+        QTRY_VERIFY2(heard("⟦There is no microphone."), qPrintable(whole.voice.said().join('\n')));
+        care.take()->askDiscard();
+        care.take()->discard();
+        QTRY_VERIFY(!care.take()->running());
+        const QString name = care.photoName();
+        care.deletePhoto();
+        QTRY_VERIFY2(care.undoText().contains("⟦" + name + " was deleted"), qPrintable(care.undoText()));
     }
 
     void the_language_changes_while_the_program_runs() {

@@ -32,7 +32,11 @@ public:
         }
         tp::ProgramParts parts{voice,
                                [] { return std::make_unique<tp::testing::FakeLoudspeaker>(); },
-                               [] { return std::make_unique<tp::testing::FakeMicrophone>(); },
+                               [this] {
+                                   auto made = std::make_unique<tp::testing::FakeMicrophone>();
+                                   made->there = microphone_there;
+                                   return made;
+                               },
                                file("preferences.json"),
                                file("cache"),
                                file("Documents"),
@@ -57,6 +61,7 @@ public:
     tp::Shell& shell() { return program->shell(); }
 
     QTemporaryDir folder;
+    bool microphone_there = true; ///< for what is recorded first
     tp::RecordingVoice voice;
     std::unique_ptr<tp::Program> program;
     std::unique_ptr<tp::ProgramWindow> window;

@@ -10,7 +10,8 @@ namespace tp {
 
 namespace {
 
-/// The sentences of core/servo/fault.cpp, device/open_problem.cpp and device/force_pad, word for word: a test compares them.
+/// The sentences of core/servo/fault.cpp, device/open_problem.cpp, device/force_pad and
+/// core/geometry/calibration.cpp, word for word: a test compares them.
 constexpr std::array device_sources{
     QT_TRANSLATE_NOOP("tp::Problems",
                       "The force was switched off for a moment, because a measurement was not a number."),
@@ -77,6 +78,11 @@ constexpr std::array device_sources{
                       "The force pad did not say which places it reaches. Unplug it and plug it in again."),
     QT_TRANSLATE_NOOP("tp::Problems",
                       "force pad"),
+    QT_TRANSLATE_NOOP("tp::Problems", "A calibration sample is no place; touch the marks again."),
+    QT_TRANSLATE_NOOP("tp::Problems", "Calibration needs at least three marks that do not lie on one line; touch more "
+                                      "marks."),
+    QT_TRANSLATE_NOOP("tp::Problems", "Too many touches do not fit together. Touch the marks again with the finger in the "
+                                      "device, and with no other."),
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -32,8 +33,10 @@ std::uintmax_t bytes_in(const std::filesystem::path& folder) {
 
 } // namespace
 
-SettingsSession::SettingsSession(Narrator& narrator, Preferences& preferences, Stored stored)
-    : narrator_(narrator), preferences_(preferences), stored_(std::move(stored)), chooser_(narrator) {
+SettingsSession::SettingsSession(Narrator& narrator, Preferences& preferences, Stored stored,
+                                 DeviceSettings::Setup devices)
+    : narrator_(narrator), preferences_(preferences), stored_(std::move(stored)), chooser_(narrator),
+      devices_(narrator, preferences, std::move(devices)) {
     connect(&preferences_, &Preferences::changed, this, &SettingsSession::changed);
     connect(&chooser_, &FolderChooser::cancelled, this, [this] {
         set_choosing(false);
@@ -67,9 +70,11 @@ void SettingsSession::enter() {
     narrator_.tell(tr("Settings. Go through them by Tab; each change is kept at once. Control Z takes the last one back."),
                    Priority::touch);
     emit storedChanged();
+    devices_.enter();
 }
 
 void SettingsSession::leave() {
+    devices_.leave();
     narrator_.stop();
     set_choosing(false);
 }
@@ -165,6 +170,12 @@ void SettingsSession::setMaxForce(double newtons) {
          [&](Choices& choices) { choices.max_force_n = std::clamp(newtons, 0.1, 1.5); });
 }
 
+void SettingsSession::chooseDevice(int index) {
+    if (const std::optional<QString> key = devices_.key_at(index))
+        make(tr("the force device"), tr("Force device: %1.").arg(devices_.names()[index]),
+             [&](Choices& choices) { choices.device = *key; });
+}
+
 void SettingsSession::setBrows(bool on) {
     make(tr("brows"), on ? tr("Brows are felt.") : tr("Brows are not felt."), [&](Choices& choices) { choices.brows = on; });
 }
@@ -192,6 +203,8 @@ void SettingsSession::addFolder() {
 }
 
 bool SettingsSession::back() {
+    if (devices_.stop())
+        return true;
     if (!choosing_)
         return false;
     chooser_.cancel();

@@ -176,6 +176,21 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>CalibrationView</name>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>End the calibration</source>
+        <translation>Kalibrierung beenden</translation>
+    </message>
+    <message>
+        <source>Nothing is changed. Key: Escape</source>
+        <translation>Nichts wird geändert. Taste: Escape</translation>
+    </message>
+</context>
+<context>
     <name>CarePage</name>
     <message>
         <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
@@ -1537,6 +1552,30 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The album&apos;s folders stay; it can be taken back</source>
         <translation>Die Ordner des Albums bleiben; es kann zurückgenommen werden</translation>
     </message>
+    <message>
+        <source>Force device</source>
+        <translation>Kraftgerät</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Calibrate the device on this screen</source>
+        <translation>Das Gerät auf diesem Bildschirm kalibrieren</translation>
+    </message>
+    <message>
+        <source>The four corners of the screen are touched with the device</source>
+        <translation>Die vier Ecken des Bildschirms werden mit dem Gerät berührt</translation>
+    </message>
+    <message>
+        <source>Try the strongest force</source>
+        <translation>Die größte Kraft ausprobieren</translation>
+    </message>
+    <message>
+        <source>The device pulls to the right and to the left for less than three seconds. Escape ends it</source>
+        <translation>Das Gerät zieht weniger als drei Sekunden lang nach rechts und nach links. Escape beendet es</translation>
+    </message>
 </context>
 <context>
     <name>ShellView</name>
@@ -2183,6 +2222,93 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>tp::DeviceSettings</name>
+    <message>
+        <source>%1, over USB (HID)</source>
+        <translation>%1, über USB (HID)</translation>
+    </message>
+    <message>
+        <source>%1, over USB (bulk)</source>
+        <translation>%1, über USB (Bulk)</translation>
+    </message>
+    <message>
+        <source>None: sound, and a drawn finger</source>
+        <translation>Keines: Ton und ein gezeichneter Finger</translation>
+    </message>
+    <message>
+        <source>%1, not plugged in</source>
+        <translation>%1, nicht eingesteckt</translation>
+    </message>
+    <message>
+        <source>Calibrated: misses by %1 millimetres on average.</source>
+        <translation>Kalibriert: liegt im Mittel %1 Millimeter daneben.</translation>
+    </message>
+    <message>
+        <source>Not calibrated. It may stand beside the screen; to lie on it, it must be calibrated.</source>
+        <translation>Nicht kalibriert. Es darf neben dem Bildschirm stehen; um darauf zu liegen, muss es kalibriert werden.</translation>
+    </message>
+    <message>
+        <source>No force device is plugged in. Plug one in; it is found by itself.</source>
+        <translation>Kein Kraftgerät ist eingesteckt. Stecken Sie eines ein; es wird von selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>No force device is chosen. Choose one above.</source>
+        <translation>Kein Kraftgerät ist gewählt. Wählen Sie oben eines.</translation>
+    </message>
+    <message>
+        <source>The strongest force, %1 newtons: to the right, then to the left. Escape ends it.</source>
+        <translation>Die größte Kraft, %1 Newton: nach rechts, dann nach links. Escape beendet es.</translation>
+    </message>
+    <message>
+        <source>Calibration. The device lies on the screen; put a finger into it, so that it touches the screen. Escape ends it. %1</source>
+        <translation>Kalibrierung. Das Gerät liegt auf dem Bildschirm; stecken Sie einen Finger hinein, so dass er den Bildschirm berührt. Escape beendet sie. %1</translation>
+    </message>
+    <message>
+        <source>That was the strongest force.</source>
+        <translation>Das war die größte Kraft.</translation>
+    </message>
+    <message>
+        <source>Touch the top left corner and keep still until I speak.</source>
+        <translation>Berühren Sie die Ecke oben links und halten Sie still, bis ich spreche.</translation>
+    </message>
+    <message>
+        <source>Now the top right corner.</source>
+        <translation>Nun die Ecke oben rechts.</translation>
+    </message>
+    <message>
+        <source>Now the bottom right corner.</source>
+        <translation>Nun die Ecke unten rechts.</translation>
+    </message>
+    <message>
+        <source>Now the bottom left corner.</source>
+        <translation>Nun die Ecke unten links.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that the device does not slip on the screen, keep still at each corner, and calibrate again.</source>
+        <translation>Die Kalibrierung liegt im Mittel %1 Millimeter neben Ihren Berührungen, erlaubt sind höchstens %2. Achten Sie darauf, dass das Gerät nicht auf dem Bildschirm rutscht, halten Sie an jeder Ecke still und kalibrieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The device and the screen do not move alike. Calibrate again with the finger in the device, and no other on the screen.</source>
+        <translation>Gerät und Bildschirm bewegen sich nicht gleich. Kalibrieren Sie noch einmal mit dem Finger im Gerät und keinem anderen auf dem Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Calibrated. It misses by %1 millimetres on average, and is kept for this device.</source>
+        <translation>Kalibriert. Im Mittel liegt es %1 Millimeter daneben; das ist für dieses Gerät gespeichert.</translation>
+    </message>
+    <message>
+        <source>Calibration ended. Nothing was changed.</source>
+        <translation>Kalibrierung beendet. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Stopped. The force is off.</source>
+        <translation>Angehalten. Die Kraft ist aus.</translation>
+    </message>
+</context>
+<context>
     <name>tp::ExploreSession</name>
     <message>
         <source>Tour ended.</source>
@@ -2379,6 +2505,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
             <numerusform>%1: %2 Uhr, %n Millimeter.</numerusform>
             <numerusform>%1: %2 Uhr, %n Millimeter.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its true size.</source>
+        <translation>Das Bild ist auf dem Bildschirm zu klein oder zu groß, um dort gefühlt zu werden, wo es zu sehen ist. Das Gerät fühlt es in seiner wahren Größe.</translation>
     </message>
 </context>
 <context>
@@ -3538,6 +3668,18 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>force pad</source>
         <translation>Kraftpad</translation>
     </message>
+    <message>
+        <source>A calibration sample is no place; touch the marks again.</source>
+        <translation>Ein Messwert der Kalibrierung ist keine Stelle; berühren Sie die Marken noch einmal.</translation>
+    </message>
+    <message>
+        <source>Calibration needs at least three marks that do not lie on one line; touch more marks.</source>
+        <translation>Die Kalibrierung braucht mindestens drei Marken, die nicht auf einer Linie liegen; berühren Sie mehr Marken.</translation>
+    </message>
+    <message>
+        <source>Too many touches do not fit together. Touch the marks again with the finger in the device, and with no other.</source>
+        <translation>Zu viele Berührungen passen nicht zusammen. Berühren Sie die Marken noch einmal mit dem Finger im Gerät und mit keinem anderen.</translation>
+    </message>
 </context>
 <context>
     <name>tp::Program</name>
@@ -3969,6 +4111,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
         <translation>Der Index wird verworfen, wenn TouchPhoto endet, und beim nächsten Start aus den Fotos neu angelegt.</translation>
+    </message>
+    <message>
+        <source>the force device</source>
+        <translation>das Kraftgerät</translation>
+    </message>
+    <message>
+        <source>Force device: %1.</source>
+        <translation>Kraftgerät: %1.</translation>
     </message>
 </context>
 <context>

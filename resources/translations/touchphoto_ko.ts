@@ -176,6 +176,21 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>CalibrationView</name>
+    <message>
+        <source>Calibration</source>
+        <translation>보정</translation>
+    </message>
+    <message>
+        <source>End the calibration</source>
+        <translation>보정 끝내기</translation>
+    </message>
+    <message>
+        <source>Nothing is changed. Key: Escape</source>
+        <translation>아무것도 바뀌지 않습니다. 키: Escape</translation>
+    </message>
+</context>
+<context>
     <name>CarePage</name>
     <message>
         <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
@@ -1525,6 +1540,30 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The album&apos;s folders stay; it can be taken back</source>
         <translation>앨범의 폴더는 그대로 남으며, 되돌릴 수 있습니다</translation>
     </message>
+    <message>
+        <source>Force device</source>
+        <translation>힘 장치</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>보정</translation>
+    </message>
+    <message>
+        <source>Calibrate the device on this screen</source>
+        <translation>이 화면에서 장치 보정하기</translation>
+    </message>
+    <message>
+        <source>The four corners of the screen are touched with the device</source>
+        <translation>장치로 화면의 네 모서리를 건드립니다</translation>
+    </message>
+    <message>
+        <source>Try the strongest force</source>
+        <translation>가장 강한 힘 느껴 보기</translation>
+    </message>
+    <message>
+        <source>The device pulls to the right and to the left for less than three seconds. Escape ends it</source>
+        <translation>장치가 3초가 안 되는 동안 오른쪽과 왼쪽으로 당깁니다. Escape 키로 끝냅니다</translation>
+    </message>
 </context>
 <context>
     <name>ShellView</name>
@@ -2161,6 +2200,93 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>tp::DeviceSettings</name>
+    <message>
+        <source>%1, over USB (HID)</source>
+        <translation>%1, USB (HID) 연결</translation>
+    </message>
+    <message>
+        <source>%1, over USB (bulk)</source>
+        <translation>%1, USB (벌크) 연결</translation>
+    </message>
+    <message>
+        <source>None: sound, and a drawn finger</source>
+        <translation>없음: 소리와 화면의 손가락</translation>
+    </message>
+    <message>
+        <source>%1, not plugged in</source>
+        <translation>%1, 연결되지 않음</translation>
+    </message>
+    <message>
+        <source>Calibrated: misses by %1 millimetres on average.</source>
+        <translation>보정됨: 평균 %1밀리미터 어긋납니다.</translation>
+    </message>
+    <message>
+        <source>Not calibrated. It may stand beside the screen; to lie on it, it must be calibrated.</source>
+        <translation>보정되지 않았습니다. 화면 옆에 두고 쓸 수 있습니다. 화면 위에 올려놓으려면 보정해야 합니다.</translation>
+    </message>
+    <message>
+        <source>No force device is plugged in. Plug one in; it is found by itself.</source>
+        <translation>연결된 힘 장치가 없습니다. 장치를 꽂으면 저절로 찾습니다.</translation>
+    </message>
+    <message>
+        <source>No force device is chosen. Choose one above.</source>
+        <translation>힘 장치를 고르지 않았습니다. 위에서 고르세요.</translation>
+    </message>
+    <message>
+        <source>The strongest force, %1 newtons: to the right, then to the left. Escape ends it.</source>
+        <translation>가장 강한 힘, %1뉴턴입니다. 오른쪽으로, 그다음 왼쪽으로 당깁니다. Escape 키로 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>Calibration. The device lies on the screen; put a finger into it, so that it touches the screen. Escape ends it. %1</source>
+        <translation>보정을 시작합니다. 장치를 화면 위에 놓고, 손가락을 장치에 넣어 화면에 닿게 하세요. Escape 키로 끝냅니다. %1</translation>
+    </message>
+    <message>
+        <source>That was the strongest force.</source>
+        <translation>가장 강한 힘이었습니다.</translation>
+    </message>
+    <message>
+        <source>Touch the top left corner and keep still until I speak.</source>
+        <translation>왼쪽 위 모서리를 누르고 제가 말할 때까지 가만히 계세요.</translation>
+    </message>
+    <message>
+        <source>Now the top right corner.</source>
+        <translation>이제 오른쪽 위 모서리입니다.</translation>
+    </message>
+    <message>
+        <source>Now the bottom right corner.</source>
+        <translation>이제 오른쪽 아래 모서리입니다.</translation>
+    </message>
+    <message>
+        <source>Now the bottom left corner.</source>
+        <translation>이제 왼쪽 아래 모서리입니다.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>바뀐 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that the device does not slip on the screen, keep still at each corner, and calibrate again.</source>
+        <translation>보정 결과가 누른 자리와 평균 %1밀리미터 어긋납니다. 최대 %2까지 허용됩니다. 장치가 화면에서 미끄러지지 않게 하고, 모서리마다 가만히 있으면서 다시 보정하세요.</translation>
+    </message>
+    <message>
+        <source>The device and the screen do not move alike. Calibrate again with the finger in the device, and no other on the screen.</source>
+        <translation>장치와 화면의 움직임이 서로 맞지 않습니다. 손가락을 장치에 넣고, 다른 손가락은 화면에서 떼고 다시 보정하세요.</translation>
+    </message>
+    <message>
+        <source>Calibrated. It misses by %1 millimetres on average, and is kept for this device.</source>
+        <translation>보정했습니다. 평균 %1밀리미터 어긋나며, 이 장치의 보정값으로 저장했습니다.</translation>
+    </message>
+    <message>
+        <source>Calibration ended. Nothing was changed.</source>
+        <translation>보정을 끝냈습니다. 바뀐 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>Stopped. The force is off.</source>
+        <translation>멈췄습니다. 힘이 꺼졌습니다.</translation>
+    </message>
+</context>
+<context>
     <name>tp::ExploreSession</name>
     <message>
         <source>Tour ended.</source>
@@ -2353,6 +2479,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>
             <numerusform>%1: %2시 방향, %n밀리미터.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its true size.</source>
+        <translation>사진이 화면에서 너무 작거나 커서 보이는 자리에서 느낄 수 없습니다. 장치는 원래 크기로 느끼게 합니다.</translation>
     </message>
 </context>
 <context>
@@ -3498,6 +3628,18 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>force pad</source>
         <translation>힘 패드</translation>
     </message>
+    <message>
+        <source>A calibration sample is no place; touch the marks again.</source>
+        <translation>보정에 쓸 수 없는 측정값이 있습니다. 표시를 다시 누르세요.</translation>
+    </message>
+    <message>
+        <source>Calibration needs at least three marks that do not lie on one line; touch more marks.</source>
+        <translation>보정하려면 한 줄에 놓이지 않은 표시가 세 개 이상 필요합니다. 표시를 더 누르세요.</translation>
+    </message>
+    <message>
+        <source>Too many touches do not fit together. Touch the marks again with the finger in the device, and with no other.</source>
+        <translation>서로 맞지 않는 누름이 너무 많습니다. 손가락을 장치에 넣고, 그 손가락만으로 표시를 다시 누르세요.</translation>
+    </message>
 </context>
 <context>
     <name>tp::Program</name>
@@ -3929,6 +4071,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
         <translation>색인은 TouchPhoto가 끝날 때 버려지고, 다음에 시작할 때 사진에서 새로 만들어집니다.</translation>
+    </message>
+    <message>
+        <source>the force device</source>
+        <translation>힘 장치</translation>
+    </message>
+    <message>
+        <source>Force device: %1.</source>
+        <translation>힘 장치: %1.</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,12 @@
 
 namespace tp {
 
+ServoSettings settings_for_reading(ServoSettings settings) {
+    settings.limits.stall = 60.0;
+    settings.limits.late_periods = 60000.0;
+    return settings;
+}
+
 bool CalibrationSteps::is_at_mark(Vec2 touched) const {
     const Vec2 off = touched - area_.centre();
     const bool left = mark_ == top_left || mark_ == bottom_left;

@@ -4,11 +4,15 @@
 #include "core/base/result.hpp"
 #include "core/geometry/calibration.hpp"
 #include "core/geometry/vec.hpp"
+#include "core/servo/servo_loop.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace tp {
+
+/// For a loop that only reads: nothing pulls, so a computer that is late for a moment takes nothing away.
+ServoSettings settings_for_reading(ServoSettings settings);
 
 /// A person's way through the marks of a calibration: the four corners of an area, one after the other, each held for a
 /// moment with the finger in the device. Every place at which the finger is slow enough for both frames to be of one

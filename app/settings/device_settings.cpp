@@ -116,7 +116,8 @@ void DeviceSettings::tryForce() { begin(Doing::trying); }
 void DeviceSettings::calibrate() { begin(Doing::calibrating); }
 
 void DeviceSettings::opened(OpenDevice& open) {
-    drive_ = std::make_unique<DeviceDrive>(std::move(open.device), open.can, setup_.servo);
+    drive_ = std::make_unique<DeviceDrive>(std::move(open.device), open.can,
+                                           wanted_ == Doing::calibrating ? settings_for_reading(setup_.servo) : setup_.servo);
     drive_->loop().set_max_force(preferences_.choices().max_force_n);
     drive_->loop().start();
     doing_ = wanted_;

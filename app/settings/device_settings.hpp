@@ -14,6 +14,7 @@
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -58,6 +59,9 @@ public:
     QString instruction() const;
     /// What the choice of the one with that index in `names` is remembered by; nothing where there is none.
     std::optional<QString> key_at(int index) const;
+
+    /// Where calibrations are kept.
+    const std::filesystem::path& calibrations() const { return setup_.access.calibrations; }
 
     /// The page comes into sight and goes out of it: nothing of a device is held behind it.
     void enter();

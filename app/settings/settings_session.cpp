@@ -250,6 +250,8 @@ QStringList SettingsSession::stored() const {
     list << tr("These settings, in %1.").arg(native(stored_.preferences));
     list << tr("An index of the album, in %1 (%2). It can be thrown away at any time.")
                 .arg(native(stored_.cache), QLocale().formattedDataSize(static_cast<qint64>(bytes_in(stored_.cache))));
+    if (std::error_code error; std::filesystem::exists(devices_.calibrations(), error))
+        list << tr("Where your force device lies on the screen, in %1.").arg(native(devices_.calibrations()));
     for (const QString& folder : folders())
         list << tr("Names, descriptions and recordings, beside the photographs in %1.").arg(folder);
     if (!now().last_photo.isEmpty())

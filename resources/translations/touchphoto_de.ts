@@ -4120,6 +4120,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Force device: %1.</source>
         <translation>Kraftgerät: %1.</translation>
     </message>
+    <message>
+        <source>Where your force device lies on the screen, in %1.</source>
+        <translation>Wo Ihr Kraftgerät auf dem Bildschirm liegt, in %1.</translation>
+    </message>
 </context>
 <context>
     <name>tp::Shell</name>

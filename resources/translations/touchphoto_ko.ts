@@ -4080,6 +4080,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Force device: %1.</source>
         <translation>힘 장치: %1.</translation>
     </message>
+    <message>
+        <source>Where your force device lies on the screen, in %1.</source>
+        <translation>힘 장치가 화면의 어디에 놓이는지, %1에 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>tp::Shell</name>

@@ -89,7 +89,8 @@ int main(int argc, char** argv) {
                            tp::Preferences::usual_file(), tp::OpenAlbum::usual_cache(),
                            tp::PrintSession::usual_folder(), {}, force_devices};
     parts.explore.extras = *extras;
-    parts.explore.devices = tp::DeviceAccess::of_this_computer();
+    parts.explore.devices = tp::DeviceAccess::of_this_computer(
+        tp::Preferences::usual_file().parent_path() / "calibrations.txt");
     const bool picture = options.isSet(picture_option);
     if (options.isSet(voice_option) || picture)
         parts.by = voice_wish == "on" && !picture ? tp::Narrator::By::voice : tp::Narrator::By::screen_reader;

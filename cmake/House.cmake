@@ -60,7 +60,7 @@ tp_may(tp_care     ${_below_page}                   USES Qt6::Quick)
 tp_may(tp_mend     ${_below_page} tp_report         USES Qt6::Quick)
 tp_may(tp_print    ${_below_page}                   USES Qt6::Quick Qt6::Svg)
 tp_may(tp_shell    ${_below_page} tp_browse tp_care tp_explore tp_lab tp_mend tp_print tp_settings tp_start USES Qt6::Quick)
-tp_may(tp_cli      ${_below_app} tp_evaluation tp_metadata tp_people tp_index tp_keeper tp_scene tp_picture tp_report tp_tactile tp_bench         USES Qt6::Core Qt6::Gui Qt6::Network)
+tp_may(tp_cli      ${_below_app} tp_devices tp_evaluation tp_metadata tp_people tp_index tp_keeper tp_scene tp_picture tp_report tp_tactile tp_bench         USES Qt6::Core Qt6::Gui Qt6::Network)
 
 # tp_check_arrows(room DEPENDS rooms... USES libraries...): stops the configuration on a forbidden arrow.
 function(tp_check_arrows room)

@@ -2,10 +2,13 @@
 #include "app/devices/device_access.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tp {
 
-DeviceAccess DeviceAccess::of_this_computer() { return {list_devices, device_named}; }
+DeviceAccess DeviceAccess::of_this_computer(std::filesystem::path calibrations) {
+    return {list_devices, device_named, std::move(calibrations)};
+}
 
 QString key_of(const ListedDevice& device) {
     return QString::fromStdString(device.serial_number.empty() ? device.name : device.serial_number);

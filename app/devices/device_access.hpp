@@ -7,6 +7,7 @@
 
 #include <QString>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,10 +20,11 @@ namespace tp {
 struct DeviceAccess {
     std::function<std::vector<ListedDevice>()> list;
     std::function<Result<std::unique_ptr<ForceDevice>>(const std::string& name)> make;
-    int look_every_ms = 2000; ///< how soon a device that is plugged in is found
+    std::filesystem::path calibrations; ///< file (device/calibration_file.hpp); empty: none are kept
+    int look_every_ms = 2000;           ///< how soon a device that is plugged in is found
 
     /// Those of this computer, as device/registry.hpp has them.
-    static DeviceAccess of_this_computer();
+    static DeviceAccess of_this_computer(std::filesystem::path calibrations);
 };
 
 /// What the choice of a device is remembered by: its serial number, or its name where it has none.

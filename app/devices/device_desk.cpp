@@ -2,6 +2,7 @@
 #include "app/devices/device_desk.hpp"
 
 #include "app/devices/device_words.hpp"
+#include "device/calibration_file.hpp"
 
 #include <QMetaObject>
 
@@ -48,7 +49,7 @@ void DeviceDesk::look() {
 
 void DeviceDesk::open(const ListedDevice& listed) {
     opening_ = true;
-    pool_.start([this, wish = ++wish_, listed, make = access_.make] {
+    pool_.start([this, wish = ++wish_, listed, make = access_.make, file = access_.calibrations] {
         auto open = std::make_shared<OpenDevice>();
         open->listed = listed;
         QString problem;
@@ -61,6 +62,8 @@ void DeviceDesk::open(const ListedDevice& listed) {
             else
                 problem = device_words(can.error());
         }
+        if (!file.empty())
+            open->calibration = kept_calibration(file, key_of(listed).toStdString());
         QMetaObject::invokeMethod(this, [this, wish, problem, open] {
             if (wish != wish_)
                 return pool_.start([open] { open->device.reset(); }); // giving it back may wait

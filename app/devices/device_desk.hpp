@@ -3,6 +3,7 @@
 
 #include "app/devices/device_access.hpp"
 #include "app/devices/device_drive.hpp"
+#include "core/geometry/calibration.hpp"
 
 #include <QObject>
 #include <QString>
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace tp {
@@ -20,6 +22,7 @@ struct OpenDevice {
     ListedDevice listed;
     std::unique_ptr<ForceDevice> device;
     Capabilities can;
+    std::optional<Calibration> calibration; ///< device frame → screen frame, where it was calibrated once
 };
 
 /// Finds, opens and gives back force devices for one page, on a thread of its own and one thing after the other. Belongs

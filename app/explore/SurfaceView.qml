@@ -11,6 +11,19 @@ FocusScope {
     readonly property real pixelsPerMm: width / session.surfaceWidth
     readonly property rect photoRect: session.photoRect
 
+    // Where it lies on the screen, for a device that lies there too.
+    function tellPlace() {
+        const corner = mapToGlobal(0, 0)
+        session.sheetLies(corner.x / Screen.pixelDensity, corner.y / Screen.pixelDensity, pixelsPerMm / Screen.pixelDensity)
+    }
+    onPixelsPerMmChanged: Qt.callLater(tellPlace)
+    Window.onWindowChanged: Qt.callLater(tellPlace)
+    Connections {
+        target: surface.Window.window
+        function onXChanged() { Qt.callLater(surface.tellPlace) }
+        function onYChanged() { Qt.callLater(surface.tellPlace) }
+    }
+
     activeFocusOnTab: true
     Accessible.role: Accessible.Canvas
     Accessible.name: qsTr("Touch surface")

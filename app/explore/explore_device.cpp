@@ -6,6 +6,11 @@
 
 namespace tp {
 
+namespace {
+constexpr double least_stretch = 0.5; ///< from the screen's millimetres to the sheet's
+constexpr double most_stretch = 1.5;  ///< 0.2 N/mm becomes 0.45 N/mm, for which the damping near a line suffices
+} // namespace
+
 QString ExploreSession::faultSentence() const {
     const QString why = faults_.shown() == Fault::motors_off ? device_words(servo_.complaint()) : QString();
     return why.isEmpty() ? fault_words(faults_.shown()) : why;
@@ -40,13 +45,30 @@ void ExploreSession::devices_seen() {
     }
 }
 
+void ExploreSession::sheetLies(double left, double top, double scale) {
+    if (!(scale > 0.0))
+        return;
+    const Vec2 middle = Vec2(left, -top) + scale * 0.5 * Vec2(frame_.width_mm, -frame_.height_mm);
+    screen_to_surface_ = {glm::dmat2(1.0 / scale), -middle / scale};
+}
+
+/// Device → surface for a device that lies on the screen; nothing where the sheet is drawn so small or large that its
+/// stiffness, which the map changes by its square, would be another thing.
+std::optional<Affine> ExploreSession::on_the_sheet(const Calibration& calibration) const {
+    const double real_mm = 1.0 / screen_to_surface_.linear[0].x;
+    if (real_mm < 1.0 / most_stretch || real_mm > 1.0 / least_stretch)
+        return std::nullopt;
+    return compose(screen_to_surface_, calibration.device_to_surface);
+}
+
 void ExploreSession::use_device(OpenDevice& open) {
     const bool at_once = device_expected_ && engaged();
     device_expected_ = false;
     if (touring())
         end_tour(tr("Tour ended."));
     ServoSettings servo = settings_.device_servo;
-    servo.device_to_surface = middle_on_middle(open.can);
+    const std::optional<Affine> calibrated = open.calibration ? on_the_sheet(*open.calibration) : std::nullopt;
+    servo.device_to_surface = calibrated.value_or(middle_on_middle(open.can));
     device_about_ = device_words(open.listed.about);
     device_was_at_ = {};
     faults_ = {}; // what was told of another, or before it was plugged in again, is told anew
@@ -56,6 +78,10 @@ void ExploreSession::use_device(OpenDevice& open) {
     if (at_once)
         servo_.engage();
     emit modeChanged();
+    if (open.calibration && !calibrated)
+        tell(tr("The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its "
+                "true size."),
+             Priority::message);
     tell(at_once ? tr("Device: %1. Its force is on.").arg(device_about_)
                  : tr("Device: %1. Its force is off. Press Enter to switch it on.").arg(device_about_),
          Priority::message);

@@ -31,7 +31,7 @@ struct Choices {
     bool brows = false, nose = false, irises = false; ///< felt beside eyes, lips and outline
     QStringList folders;                              ///< of the album, absolute
     QString last_photo;                               ///< where one was, absolute; empty: nowhere
-    QString device;                                   ///< serial number of the one used last; empty: none
+    QString device;                                   ///< serial number, or name, of the force device; "simulated": none; empty: the first
 
     bool operator==(const Choices&) const = default;
 };

@@ -35,10 +35,16 @@ FocusScope {
             onLoaded: item.forceActiveFocus()
         }
     }
+    Loader {
+        anchors.fill: parent
+        active: page.session.devices.calibrating
+        sourceComponent: CalibrationView { devices: page.session.devices }
+        onLoaded: item.forceActiveFocus()
+    }
     TpScroll {
         anchors.fill: parent
-        focus: !page.session.choosing
-        visible: !page.session.choosing
+        focus: !page.session.choosing && !page.session.devices.calibrating
+        visible: !page.session.choosing && !page.session.devices.calibrating
         enabled: visible
         margin: 2 * Theme.gap
 
@@ -130,6 +136,37 @@ FocusScope {
             stepSize: 0.1
             setting: page.session.maxForce
             onChosen: (value) => page.session.setMaxForce(value)
+        }
+        TpChoice {
+            objectName: "device"
+            width: parent.width
+            label: qsTr("Force device")
+            options: page.session.devices.names
+            current: page.session.devices.current
+            onPicked: (index) => page.session.chooseDevice(index)
+        }
+        TpStatus {
+            width: parent.width
+            visible: text !== ""
+            label: qsTr("Calibration")
+            text: page.session.devices.calibration
+            wrapMode: Text.Wrap
+        }
+        TpButton {
+            objectName: "calibrate"
+            width: parent.width
+            visible: page.session.devices.there
+            text: qsTr("Calibrate the device on this screen")
+            hint: qsTr("The four corners of the screen are touched with the device")
+            onClicked: page.session.devices.calibrate()
+        }
+        TpButton {
+            objectName: "tryForce"
+            width: parent.width
+            visible: page.session.devices.there
+            text: qsTr("Try the strongest force")
+            hint: qsTr("The device pulls to the right and to the left for less than three seconds. Escape ends it")
+            onClicked: page.session.devices.tryForce()
         }
         TpButton {
             width: parent.width

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -32,8 +33,10 @@ std::uintmax_t bytes_in(const std::filesystem::path& folder) {
 
 } // namespace
 
-SettingsSession::SettingsSession(Narrator& narrator, Preferences& preferences, Stored stored)
-    : narrator_(narrator), preferences_(preferences), stored_(std::move(stored)), chooser_(narrator) {
+SettingsSession::SettingsSession(Narrator& narrator, Preferences& preferences, Stored stored,
+                                 DeviceSettings::Setup devices)
+    : narrator_(narrator), preferences_(preferences), stored_(std::move(stored)), chooser_(narrator),
+      devices_(narrator, preferences, std::move(devices)) {
     connect(&preferences_, &Preferences::changed, this, &SettingsSession::changed);
     connect(&chooser_, &FolderChooser::cancelled, this, [this] {
         set_choosing(false);
@@ -67,9 +70,11 @@ void SettingsSession::enter() {
     narrator_.tell(tr("Settings. Go through them by Tab; each change is kept at once. Control Z takes the last one back."),
                    Priority::touch);
     emit storedChanged();
+    devices_.enter();
 }
 
 void SettingsSession::leave() {
+    devices_.leave();
     narrator_.stop();
     set_choosing(false);
 }
@@ -165,6 +170,12 @@ void SettingsSession::setMaxForce(double newtons) {
          [&](Choices& choices) { choices.max_force_n = std::clamp(newtons, 0.1, 1.5); });
 }
 
+void SettingsSession::chooseDevice(int index) {
+    if (const std::optional<QString> key = devices_.key_at(index))
+        make(tr("the force device"), tr("Force device: %1.").arg(devices_.names()[index]),
+             [&](Choices& choices) { choices.device = *key; });
+}
+
 void SettingsSession::setBrows(bool on) {
     make(tr("brows"), on ? tr("Brows are felt.") : tr("Brows are not felt."), [&](Choices& choices) { choices.brows = on; });
 }
@@ -192,6 +203,8 @@ void SettingsSession::addFolder() {
 }
 
 bool SettingsSession::back() {
+    if (devices_.stop())
+        return true;
     if (!choosing_)
         return false;
     chooser_.cancel();
@@ -237,6 +250,8 @@ QStringList SettingsSession::stored() const {
     list << tr("These settings, in %1.").arg(native(stored_.preferences));
     list << tr("An index of the album, in %1 (%2). It can be thrown away at any time.")
                 .arg(native(stored_.cache), QLocale().formattedDataSize(static_cast<qint64>(bytes_in(stored_.cache))));
+    if (std::error_code error; std::filesystem::exists(devices_.calibrations(), error))
+        list << tr("Where your force device lies on the screen, in %1.").arg(native(devices_.calibrations()));
     for (const QString& folder : folders())
         list << tr("Names, descriptions and recordings, beside the photographs in %1.").arg(folder);
     if (!now().last_photo.isEmpty())

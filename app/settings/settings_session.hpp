@@ -4,6 +4,7 @@
 #include "app/folders/folder_chooser.hpp"
 #include "app/narration/narrator.hpp"
 #include "app/preferences/preferences.hpp"
+#include "app/settings/device_settings.hpp"
 
 #include <QObject>
 #include <QString>
@@ -46,6 +47,7 @@ class SettingsSession final : public QObject {
     Q_PROPERTY(bool nose READ nose NOTIFY changed)
     Q_PROPERTY(bool irises READ irises NOTIFY changed)
 
+    Q_PROPERTY(tp::DeviceSettings* devices READ devices CONSTANT)
     Q_PROPERTY(QStringList folders READ folders NOTIFY changed)
     Q_PROPERTY(bool choosing READ choosing NOTIFY choosingChanged)
     Q_PROPERTY(tp::FolderChooser* chooser READ chooser CONSTANT)
@@ -63,7 +65,7 @@ public:
     };
 
     /// All must outlive the session.
-    SettingsSession(Narrator& narrator, Preferences& preferences, Stored stored);
+    SettingsSession(Narrator& narrator, Preferences& preferences, Stored stored, DeviceSettings::Setup devices = {});
 
     int voice() const { return static_cast<int>(now().voice); }
     int rate() const { return static_cast<int>(now().rate); }
@@ -79,6 +81,7 @@ public:
     bool brows() const { return now().brows; }
     bool nose() const { return now().nose; }
     bool irises() const { return now().irises; }
+    DeviceSettings* devices() { return &devices_; }
     QStringList folders() const { return now().folders; }
     QStringList voices() const;
     QStringList rates() const;
@@ -103,6 +106,8 @@ public:
     Q_INVOKABLE void setTextScale(double scale);
     Q_INVOKABLE void setPlaybackSpeed(double speed);
     Q_INVOKABLE void setMaxForce(double newtons);
+    /// Index into the devices' names.
+    Q_INVOKABLE void chooseDevice(int index);
     Q_INVOKABLE void setMotion(bool on);
     Q_INVOKABLE void setEarcons(bool on);
     Q_INVOKABLE void setBrows(bool on);
@@ -114,7 +119,7 @@ public:
     Q_INVOKABLE void reset();
     Q_INVOKABLE void undo();
     Q_INVOKABLE void discardIndex();
-    /// Ends choosing a folder; false where none is being chosen.
+    /// Ends what is done with a device, or choosing a folder; false where there is nothing to end.
     Q_INVOKABLE bool back();
 
 signals:
@@ -140,6 +145,7 @@ private:
     Preferences& preferences_;
     Stored stored_;
     FolderChooser chooser_;
+    DeviceSettings devices_;
     std::vector<Step> history_;
     bool choosing_ = false;
 };

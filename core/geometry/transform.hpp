@@ -6,8 +6,6 @@
 
 #include <glm/mat2x2.hpp>
 
-#include <vector>
-
 namespace tp {
 
 /// Affine map of the plane, x ↦ linear·x + offset: how one frame is seen from another.
@@ -18,8 +16,10 @@ struct Affine {
     Vec2 operator()(Vec2 p) const { return linear * p + offset; }
     /// A direction or difference: the offset does not act.
     Vec2 direction(Vec2 v) const { return linear * v; }
-    /// A force felt in the target frame, as it must be applied in the source frame to do the same work:
-    /// the transpose of the linear part.
+    /// A force felt in the target frame, as it must be applied in the source frame to do the same work, which keeps a
+    /// passive field passive: Fₛ·ẋₛ = Fₜ·ẋₜ for every motion, and ẋₜ = linear·ẋₛ, so Fₛ = linearᵀ·Fₜ. Where the map only
+    /// turns or mirrors that is its inverse; where it stretches by s the force is s times the target's, and a
+    /// stiffness s² times.
     Vec2 pull_back_force(Vec2 force) const { return glm::transpose(linear) * force; }
     /// Factor by which areas grow; negative where the map mirrors.
     double determinant() const { return glm::determinant(linear); }
@@ -34,20 +34,5 @@ Affine compose(const Affine& outer, const Affine& inner);
 /// that fits `subject` (pixels, positive width and height) centred into `workspace` (mm), as large as it
 /// goes.
 Result<Affine> fit_photo_to_surface(const Rect& subject_px, const Rect& workspace_mm);
-
-/// A pair of the same place in both frames, sampled together while a device is calibrated.
-struct FramePair {
-    Vec2 device{0.0};  ///< mm, the device's own frame
-    Vec2 surface{0.0}; ///< mm, surface frame
-};
-
-/// device → surface by least squares, and how well it fits.
-struct Calibration {
-    Affine device_to_surface;
-    double residual_mm = 0.0; ///< root mean square over the pairs
-};
-
-/// Needs three pairs that do not lie on one line; refuses a fit whose residual exceeds `max_residual_mm`.
-Result<Calibration> calibrate(const std::vector<FramePair>& pairs, double max_residual_mm = 1.0);
 
 } // namespace tp

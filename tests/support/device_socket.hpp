@@ -49,6 +49,8 @@ public:
         const std::lock_guard lock(state_->mutex);
         return state_->strongest;
     }
+    /// How often somebody looked; one look ends before the next begins.
+    int looks() const { return state_->looks; }
     int opened() const { return state_->opened; }
     int tried() const { return state_->tried; }
     /// Opened and not given back.
@@ -58,6 +60,7 @@ public:
         DeviceAccess access;
         access.look_every_ms = 5;
         access.list = [state = state_] {
+            ++state->looks;
             std::vector<ListedDevice> there{{"simulated", "the mouse", "", ""}};
             if (state->plugged)
                 there.push_back({std::string("pad:") + serial_number, "force pad", serial_number, "hid"});
@@ -79,6 +82,7 @@ private:
         std::string complaint;
         std::atomic<bool> plugged{false};
         std::atomic<bool> in_use{false};
+        std::atomic<int> looks{0};
         std::atomic<int> opened{0};
         std::atomic<int> tried{0};
     };

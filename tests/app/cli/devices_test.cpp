@@ -32,6 +32,20 @@ private slots:
         QVERIFY2(run.out.contains("force       3 N"), run.out + run.err);
     }
 
+    void a_device_that_does_not_move_is_not_calibrated() {
+        const QString file = folder_.filePath("calibrations.txt");
+        const QStringList words{"devices", "calibrate", "simulated", "--screen", "250x150", "--file", file};
+        const Run run = lab(words, "\n\n\n\n");
+        QCOMPARE(run.code, 1);
+        for (const char* const said : {"top left mark", "top right mark", "bottom right mark", "bottom left mark",
+                                       "at least three marks that do not lie on one line"})
+            QVERIFY2(run.err.contains(said), run.err);
+        const Run given_up = lab(words, "\n");
+        QCOMPARE(given_up.code, 1);
+        QVERIFY2(given_up.err.contains("Nothing was changed."), given_up.err);
+        QVERIFY(!QFile::exists(file));
+    }
+
     void what_is_not_there_is_said_so() {
         for (const char* const verb : {"test", "home"}) {
             const Run run = lab({"devices", verb, "pad:none"});
@@ -39,6 +53,10 @@ private slots:
             QVERIFY(is_one_sentence(run.err) || run.err.contains("lists what is there"));
         }
         QCOMPARE(lab({"devices", "home", "simulated"}).code, 1);
+        QCOMPARE(lab({"devices", "calibrate", "pad:none", "--screen", "250x150"}).code, 1);
+        for (const char* screen : {"", "250", "250x", "1x1", "axb", "250x150x3"})
+            QCOMPARE(lab({"devices", "calibrate", "simulated", "--screen", screen}).code, 2);
+        QCOMPARE(lab({"devices", "calibrate", "simulated", "--screen", "250x150", "--inset", "-1"}).code, 2);
         QCOMPARE(lab({"devices", "test"}).code, 2);
         QCOMPARE(lab({"devices", "record", folder_.filePath("no"), "--device", "pad:none"}).code, 1);
     }

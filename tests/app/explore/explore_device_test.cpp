@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // A real device under the Explore page: its handle is the finger, its force is the person's own, and it comes and goes.
 #include "app/controls/recording_announcer.hpp"
+#include "device/calibration_file.hpp"
 #include "device_socket.hpp"
 #include "explore_bench.hpp"
 
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
+#include <filesystem>
 
 using namespace tp;
 using tp::testing::DeviceSocket;
@@ -17,6 +20,7 @@ constexpr int left_eye = 0;
 constexpr int outline = 3;
 
 struct Bench {
+    QTemporaryDir folder;
     DeviceSocket socket;
     RecordingVoice voice;
     RecordingAnnouncer announcer;
@@ -24,12 +28,16 @@ struct Bench {
     ExploreSounds sounds;
     ExploreSession session;
 
-    Bench() : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings()) {
+    explicit Bench(bool keeps_calibrations = false)
+        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings(keeps_calibrations)) {
         socket.hold_at(in_device({0.0, 0.0}));
     }
-    ExploreSettings settings() {
+    std::filesystem::path calibrations() const { return folder.filePath("calibrations.txt").toStdString(); }
+    ExploreSettings settings(bool keeps_calibrations) {
         ExploreSettings made = patient_settings();
         made.devices = socket.access();
+        if (keeps_calibrations)
+            made.devices.calibrations = calibrations();
         return made;
     }
     /// As the program does: the page comes into sight, and a photograph is opened.
@@ -148,7 +156,7 @@ private slots:
         Bench bench;
         bench.begin();
         QVERIFY(bench.session.engaged());
-        QTest::qWait(30); // looks have found nothing
+        QTRY_VERIFY(bench.socket.looks() > 1); // the first has found nothing
         bench.socket.plug_in();
         QTRY_VERIFY(bench.with_device());
         QVERIFY(!bench.session.engaged());
@@ -180,7 +188,8 @@ private slots:
         QTRY_VERIFY(bench.said("plug it in again"));
         bench.socket.unplug();
         bench.socket.refuse({});
-        QTest::qWait(50);
+        const int looks = bench.socket.looks();
+        QTRY_VERIFY(bench.socket.looks() > looks + 2); // one of them has found nothing
         bench.socket.plug_in();
         QTRY_VERIFY(bench.with_device());
         QVERIFY(!bench.session.engaged());
@@ -266,6 +275,42 @@ private slots:
         QVERIFY2(soft > 0.0 && soft < 0.5 * loud, qPrintable(QString("%1, %2").arg(soft).arg(loud)));
         felt.socket.hold_at(Bench::in_device(felt.left_of_outline(3.0)));
         QTRY_VERIFY(!felt.sounds.guide.sounds());
+    }
+
+    void a_calibrated_one_is_felt_where_the_picture_lies_on_the_screen() {
+        Bench bench(true);
+        // It lies turned by a quarter on the screen, and the picture is drawn there at 0.8 of its millimetres.
+        const Calibration calibration{{glm::dmat2(0.0, 1.0, -1.0, 0.0), {150.0, -100.0}}, 0.4, 60};
+        QCOMPARE(keep_calibration(bench.calibrations(), DeviceSocket::serial_number, calibration), std::string());
+        bench.session.sheetLies(20.0, 10.0, 0.8);
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        const Vec2 place = bench.left_of_outline(4.0);
+        // Surface → millimetres on the screen, y up → device.
+        const Vec2 on_screen = Vec2(20.0, -10.0) + 0.8 * (place + Vec2(100.0, -75.0));
+        const Vec2 off = on_screen - calibration.device_to_surface.offset;
+        bench.socket.hold_at({off.y, -off.x});
+        const QPointF finger = bench.session.frame().from_surface(place);
+        QTRY_VERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
+        // 0.8 N to the right on the surface, whose millimetre is 0.8 of the device's: 1 N does the same work there.
+        QTRY_VERIFY(bench.socket.force().y < -0.99);
+        QVERIFY(std::abs(bench.socket.force().x) < 1e-9);
+        QVERIFY(bench.socket.strongest() < 1.0 + 1e-9);
+        QTRY_VERIFY(std::abs(bench.session.force().x() - 0.8) < 0.01);
+    }
+
+    void a_picture_too_small_on_the_screen_is_felt_in_its_true_size() {
+        Bench bench(true);
+        QCOMPARE(keep_calibration(bench.calibrations(), DeviceSocket::serial_number, {{}, 0.4, 60}), std::string());
+        bench.session.sheetLies(20.0, 10.0, 0.6);
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        QTRY_VERIFY(bench.said("too small or too large on the screen"));
+        bench.socket.hold_at(Bench::in_device({7.0, 3.0}));
+        const QPointF finger = bench.session.frame().from_surface(Vec2(7.0, 3.0));
+        QTRY_VERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
     }
 
     void it_leads_the_finger_round_a_feature() {

@@ -33,7 +33,7 @@ struct Bench {
 
     static ExploreSettings settings() {
         ExploreSettings made = patient_settings();
-        made.devices = DeviceAccess::of_this_computer();
+        made.devices = DeviceAccess::of_this_computer({});
         made.devices.look_every_ms = 20;
         return made;
     }

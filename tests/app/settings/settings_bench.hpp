@@ -4,6 +4,11 @@
 #include "app/controls/recording_announcer.hpp"
 #include "app/settings/settings_session.hpp"
 #include "audio/speech/recording_voice.hpp"
+#include "device_socket.hpp"
+
+#include <QTemporaryDir>
+
+#include <filesystem>
 
 /// A settings session over choices that are kept nowhere.
 struct SettingsBench {
@@ -12,7 +17,23 @@ struct SettingsBench {
     tp::Narrator narrator{voice, announcer};
     tp::Preferences preferences;
     int discarded = 0;
-    tp::SettingsSession session{narrator, preferences, {"/home/x/preferences.json", "/nowhere", [this] { ++discarded; }}};
+    QTemporaryDir folder;
+    tp::testing::DeviceSocket socket; ///< for a force device
+    double time = 100.0;              ///< s, of what is done with it
+    tp::SettingsSession session{narrator, preferences,
+                                {"/home/x/preferences.json", "/nowhere", [this] { ++discarded; }}, devices()};
+
+    std::filesystem::path calibrations() const { return folder.filePath("calibrations.txt").toStdString(); }
+    tp::DeviceSettings::Setup devices() {
+        tp::DeviceSettings::Setup setup{socket.access(), {}, [this] { return time; }};
+        setup.access.calibrations = calibrations();
+        setup.servo.limits.stall = 60.0; // a busy test machine is never too late
+        setup.servo.limits.stale_after = 60.0;
+        setup.servo.limits.late_periods = 60000.0;
+        setup.servo.limits.max_speed = 1e9;
+        return setup;
+    }
+    bool said(const QString& part) const { return !voice.said().filter(part).isEmpty(); }
 
     const tp::Choices& now() const { return preferences.choices(); }
 };

@@ -3,7 +3,14 @@
 #include "page_window.hpp"
 #include "settings_bench.hpp"
 
+#include <QCoreApplication>
+#include <QPoint>
+#include <QPointF>
+#include <QPointingDevice>
+#include <QScreen>
 #include <QSize>
+
+#include <memory>
 
 using namespace tp;
 
@@ -14,7 +21,7 @@ private slots:
         QAccessible::setActive(true);
         register_settings();
     }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); }
+    void cleanup() { QCOMPARE(Warnings::all().join("; "), QString()); }
 
     void everything_has_a_name_and_size_and_tab_goes_round_in_reading_order_data() {
         QTest::addColumn<QSize>("size");
@@ -88,7 +95,58 @@ private slots:
         QVERIFY(!bench.session.choosing());
     }
 
+    void a_device_is_chosen_and_calibrated_by_a_screen_reader_keys_and_touch_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("wide") << QSize(1280, 800);
+        QTest::newRow("smallest") << QSize(480, 560);
+    }
+    void a_device_is_chosen_and_calibrated_by_a_screen_reader_keys_and_touch() {
+        QFETCH(QSize, size);
+        const Warnings warnings;
+        SettingsBench bench;
+        bench.socket.plug_in();
+        bench.session.enter();
+        PageWindow window(page, &bench.session, size);
+        QVERIFY(window.exposed());
+        const QString pad = "Force device: force pad TPC-0042, over USB (HID)";
+        QTRY_VERIFY(window.named(pad) != nullptr);
+        QVERIFY(window.named(pad)->state().checked);
+        QVERIFY(window.press("Force device: None: sound, and a drawn finger"));
+        QCOMPARE(bench.now().device, QString(no_device_key));
+        QVERIFY(window.named("Try the strongest force") == nullptr);
+        QVERIFY(window.press(pad));
+        QCOMPARE(bench.now().device, QString("TPC-0042"));
+        QTRY_VERIFY(window.named("Try the strongest force") != nullptr);
+        QCOMPARE(window.faulty_targets().join("; "), QString());
+
+        QVERIFY(window.press("Calibrate the device on this screen"));
+        QTRY_VERIFY(window.named("End the calibration") != nullptr);
+        QCOMPARE(window.faulty_targets().join("; "), QString());
+        QVERIFY(window.named("Speed of speech: Fast") == nullptr);
+        // A corner, with a finger: millimetres of the screen are the device's, wherever the window lies.
+        QCoreApplication::processEvents();
+        const QPoint corner(40, 40);
+        const double density = window.screen()->physicalDotsPerInch() / 25.4;
+        const QPointF at = QPointF(window.mapToGlobal(corner)) / density;
+        bench.socket.hold_at({at.x(), 100.0 - at.y()});
+        QTest::qWait(20);
+        QTest::touchEvent(&window, screen.get()).press(0, corner, &window);
+        for (int i = 0; i < 100 && bench.session.devices()->mark() == 0; ++i) {
+            bench.time += 0.06;
+            QTest::qWait(17);
+        }
+        QTest::touchEvent(&window, screen.get()).release(0, corner, &window);
+        QCOMPARE(bench.session.devices()->mark(), 1);
+        QVERIFY(window.named("Now the top right corner.") != nullptr);
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QVERIFY(!bench.session.devices()->calibrating());
+        QTRY_VERIFY(window.named("Speed of speech: Fast") != nullptr);
+        QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier); // the page has the keys again
+        QVERIFY(bench.now().device != "TPC-0042");
+    }
+
 private:
+    const std::unique_ptr<QPointingDevice> screen{QTest::createTouchDevice()};
     const QString page = "Settings/SettingsPage.qml";
 };
 

@@ -176,10 +176,10 @@
 <context>
     <name>tp::ExploreSession</name>
     <message numerus="yes">
-        <source>%1 o'clock, %n millimetre(s)</source>
+        <source>%1 o&apos;clock, %n millimetre(s)</source>
         <translation>
-            <numerusform>%1 o'clock, %n millimetre</numerusform>
-            <numerusform>%1 o'clock, %n millimetres</numerusform>
+            <numerusform>%1 o&apos;clock, %n millimetre</numerusform>
+            <numerusform>%1 o&apos;clock, %n millimetres</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -295,24 +295,24 @@
 <context>
     <name>tp::PlaceWords</name>
     <message numerus="yes">
-        <source>%1. On the %2, at its %3 o'clock, %n millimetre(s) from its middle.</source>
+        <source>%1. On the %2, at its %3 o&apos;clock, %n millimetre(s) from its middle.</source>
         <translation>
-            <numerusform>%1. On the %2, at its %3 o'clock, %n millimetre from its middle.</numerusform>
-            <numerusform>%1. On the %2, at its %3 o'clock, %n millimetres from its middle.</numerusform>
+            <numerusform>%1. On the %2, at its %3 o&apos;clock, %n millimetre from its middle.</numerusform>
+            <numerusform>%1. On the %2, at its %3 o&apos;clock, %n millimetres from its middle.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Beside %1. %2 at %3 o'clock, %n millimetre(s).</source>
+        <source>Beside %1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
         <translation>
-            <numerusform>Beside %1. %2 at %3 o'clock, %n millimetre.</numerusform>
-            <numerusform>Beside %1. %2 at %3 o'clock, %n millimetres.</numerusform>
+            <numerusform>Beside %1. %2 at %3 o&apos;clock, %n millimetre.</numerusform>
+            <numerusform>Beside %1. %2 at %3 o&apos;clock, %n millimetres.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1. %2 at %3 o'clock, %n millimetre(s).</source>
+        <source>%1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
         <translation>
-            <numerusform>%1. %2 at %3 o'clock, %n millimetre.</numerusform>
-            <numerusform>%1. %2 at %3 o'clock, %n millimetres.</numerusform>
+            <numerusform>%1. %2 at %3 o&apos;clock, %n millimetre.</numerusform>
+            <numerusform>%1. %2 at %3 o&apos;clock, %n millimetres.</numerusform>
         </translation>
     </message>
 </context>

@@ -106,7 +106,6 @@ FocusScope {
         id: panel
         objectName: "panel"
         visible: !page.listing
-        margin: 6 // so that focus rings are whole
         width: !page.ready ? Math.min(page.width - 4 * Theme.gap, 640 * Theme.textScale)
                : page.wide ? Math.min(380 * Theme.textScale, 0.45 * page.width) : page.width - 4 * Theme.gap
         anchors { right: parent.right; rightMargin: page.ready ? 2 * Theme.gap : 0.5 * (page.width - width) }

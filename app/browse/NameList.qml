@@ -41,7 +41,7 @@ FocusScope {
     Connections {
         target: list.session
         function onRowsChanged() {
-            list.lost = list.activeFocus && !field.activeFocus ? list.current : -1
+            list.lost = list.activeFocus && !field.activeFocus && !letters.activeFocus ? list.current : -1
             list.current = list.session.chosenRow
             if (list.lost >= 0)
                 Qt.callLater(list.comeBack)
@@ -90,8 +90,28 @@ FocusScope {
     TpScroll {
         anchors { top: found.bottom; topMargin: Theme.gap; bottom: bar.top; bottomMargin: Theme.gap }
         width: parent.width
-        margin: 6
 
+        TpLetters {
+            id: letters
+            objectName: "letters"
+            width: parent.width
+            visible: list.searching && letters.letters.length > 0
+            label: qsTr("Letters to spell with")
+            letters: list.session.letters
+            onReached: (letter) => list.session.reachLetter(letter)
+            onChosen: (letter) => {
+                list.session.addLetter(letter)
+                if (letters.letters.length === 0) // the keyboard is never left on what is gone
+                    takeBack.forceActiveFocus(Qt.OtherFocusReason)
+            }
+        }
+        TpButton {
+            id: takeBack
+            objectName: "takeLetterBack"
+            visible: list.searching && list.session.typed !== ""
+            text: qsTr("Take the last letter back")
+            onClicked: list.session.takeLetterBack()
+        }
         Repeater {
             id: rows
             model: list.session.rows

@@ -130,6 +130,7 @@ void BrowseSession::fill_rows() {
     rows_.clear();
     choices_.clear();
     found_.clear();
+    letters_.clear();
     if (view() == View::Names)
         list_names(most_rows_);
     else if (view() == View::Search)
@@ -180,8 +181,12 @@ void BrowseSession::list_matches() {
     AlbumQueries queries = album_.queries();
     const auto topics = queries.suggestions(words, most_suggestions);
     const auto photos = queries.search(words, most_results);
-    if (!topics || !photos)
-        return refuse(in_persons_language(topics ? photos.error() : topics.error()));
+    const auto letters = queries.next_letters(words);
+    if (!topics || !photos || !letters)
+        return refuse(
+            in_persons_language(!topics ? topics.error() : !photos ? photos.error() : letters.error()));
+    for (const std::string& letter : *letters)
+        letters_ << QLocale().toUpper(QString::fromStdString(letter));
     for (const TopicEntry& topic : *topics)
         add_row(QString::fromStdString(topic.name), topic_words(topic), topic);
     const PhotoWords say;
@@ -213,6 +218,31 @@ void BrowseSession::tellFound() {
         narrator_.tell(tr("%1.", "what was found").arg(found_), Priority::touch);
 }
 
+void BrowseSession::reachLetter(int letter) {
+    if (letter >= 0 && letter < letters_.size())
+        narrator_.tell(letters_[letter], Priority::touch);
+}
+
+void BrowseSession::addLetter(int letter) {
+    if (letter >= 0 && letter < letters_.size())
+        spell(typed() + (typed().isEmpty() ? letters_[letter] : QLocale().toLower(letters_[letter])));
+}
+
+void BrowseSession::takeLetterBack() {
+    if (typed().isEmpty())
+        return refuse(tr("There is no letter to take away."));
+    QString words = typed();
+    words.chop(words.back().isLowSurrogate() ? 2 : 1);
+    spell(words);
+}
+
+void BrowseSession::spell(const QString& words) {
+    earcons_.play(Earcon::next);
+    type(words);
+    narrator_.tell(found_.isEmpty() ? tr("Nothing is typed any more.") : tr("%1: %2.", "what is typed, what was found").arg(words, found_),
+                   Priority::touch);
+}
+
 void BrowseSession::tell_list() {
     narrator_.stop(); // an older list is of no interest
     narrator_.tell(list_words(), Priority::message);
@@ -221,7 +251,8 @@ void BrowseSession::tell_list() {
 QString BrowseSession::list_words() const {
     if (view() == View::Search)
         return found_.isEmpty()
-                   ? tr("Search. Type a name, a place or a word; the arrow keys go through what is found.")
+                   ? tr("Search. Type a name, a place or a word, or move a finger over the letters and lift it on one. "
+                        "The arrow keys go through what is found.")
                    : tr("Search for %1: %2.").arg(typed(), found_);
     if (rows_.isEmpty())
         return tr("%1: there are none yet.", "a list").arg(title());

@@ -15,6 +15,7 @@
 #include <QObject>
 #include <QSize>
 #include <QString>
+#include <QStringList>
 #include <QVariantList>
 #include <QtQml/qqmlregistration.h>
 
@@ -44,6 +45,8 @@ class BrowseSession final : public QObject {
     /// The row that was chosen last, for coming back; −1: none.
     Q_PROPERTY(int chosenRow READ chosenRow NOTIFY rowsChanged)
     Q_PROPERTY(QString typed READ typed NOTIFY rowsChanged)
+    /// With which letters what is found goes on after `typed`, for who spells by touch.
+    Q_PROPERTY(QStringList letters READ letters NOTIFY rowsChanged)
     /// How many of what is in the list; empty: nothing to say.
     Q_PROPERTY(QString found READ found NOTIFY rowsChanged)
 
@@ -94,6 +97,7 @@ public:
     const QVariantList& rows() const { return rows_; }
     int chosenRow() const { return level().chosen_row; }
     QString typed() const { return level().typed; }
+    const QStringList& letters() const { return letters_; }
     const QString& found() const { return found_; }
     State state() const { return state_; }
     QString emptyText() const;
@@ -157,6 +161,12 @@ public:
     Q_INVOKABLE void type(const QString& words);
     /// Says how much was found.
     Q_INVOKABLE void tellFound();
+    /// A finger or the keyboard is on this letter of `letters`.
+    Q_INVOKABLE void reachLetter(int letter);
+    /// Types it, and says what that finds.
+    Q_INVOKABLE void addLetter(int letter);
+    /// Takes the last letter away, and says what is left.
+    Q_INVOKABLE void takeLetterBack();
     Q_INVOKABLE void choose(int row);
     /// The keyboard is on this row.
     Q_INVOKABLE void reach(int row);
@@ -223,6 +233,7 @@ private:
     double speed() const { return preferences_.choices().playback_speed; }
     void list_names(std::size_t most);
     void list_matches();
+    void spell(const QString& words);
     void add_row(const QString& text, const QString& detail, Choice choice);
     void tell_list();
     QString list_words() const;
@@ -241,6 +252,7 @@ private:
     QVariantList rows_;
     std::vector<Choice> choices_; ///< one a row
     QString found_;
+    QStringList letters_;
     std::size_t most_rows_ = 0;
 
     State state_ = State::Looking;

@@ -30,6 +30,7 @@ FocusScope {
     }
     // Back in the list, or in the photograph that has come back: the keyboard is never left on what is hidden.
     onPhotoShownChanged: {
+        giveFocus()
         if (!page.activeFocus)
             return
         if (photoShown)
@@ -38,14 +39,22 @@ FocusScope {
             listPane.focusRow()
     }
 
+    // To the part that is seen, for when the keyboard comes to the page.
+    function giveFocus() {
+        if (!wide)
+            (photoShown ? photoPane : listPane).focus = true
+    }
+    onWideChanged: giveFocus()
+    Component.onCompleted: giveFocus()
+
     Rectangle {
         anchors.fill: parent
         color: Theme.ground
     }
     PhotoListPane {
         id: listPane
-        anchors { left: parent.left; top: parent.top; bottom: parent.bottom; margins: 2 * Theme.gap }
-        width: page.wide ? 0.38 * page.width : page.width - 4 * Theme.gap
+        anchors { left: parent.left; top: parent.top; bottom: parent.bottom; margins: 2 * Theme.gap - inset }
+        width: Math.round(page.wide ? 0.38 * page.width : page.width - 4 * Theme.gap) + 2 * inset
         visible: page.wide || !page.session.photoOpen
         enabled: !page.session.choosing
         focus: true

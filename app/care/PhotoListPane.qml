@@ -9,6 +9,7 @@ FocusScope {
 
     required property CareSession session
     readonly property Item focused: Window.activeFocusItem
+    readonly property real inset: 2 * Theme.ring // room for the ring round what has the keyboard
     property int row: 0 // that Tab comes to; the list's own current item would take the keyboard whenever rows change
     property bool keepFocus: false
     signal photosAsked
@@ -33,7 +34,7 @@ FocusScope {
                 const top = focused.mapToItem(list.contentItem, 0, 0).y
                 const wanted = Math.max(Math.min(list.contentY, top - Theme.gap),
                                         top + focused.height + Theme.gap - list.height)
-                list.contentY = Math.max(list.originY - list.inset, wanted)
+                list.contentY = Math.max(list.originY - pane.inset, wanted)
                 return
             }
     }
@@ -59,12 +60,10 @@ FocusScope {
         anchors.fill: parent
         spacing: Theme.gap
         clip: true
-        // Room for the ring round what has the keyboard.
-        readonly property real inset: 2 * Theme.ring
-        leftMargin: inset
-        rightMargin: inset
-        topMargin: inset
-        bottomMargin: inset
+        leftMargin: pane.inset
+        rightMargin: pane.inset
+        topMargin: pane.inset
+        bottomMargin: pane.inset
         focus: true
         boundsBehavior: Flickable.StopAtBounds
         currentIndex: -1
@@ -94,7 +93,7 @@ FocusScope {
         }
 
         header: FocusScope {
-            width: list.width - 2 * list.inset
+            width: list.width - 2 * pane.inset
             height: above.height + Theme.gap
             function focusFirst() { importPart.firstControl.forceActiveFocus() }
 
@@ -149,7 +148,7 @@ FocusScope {
             required property string detail
             required property var picture
 
-            width: list.width - 2 * list.inset
+            width: list.width - 2 * pane.inset
             height: row.height
             function focusRow() { row.forceActiveFocus() }
             onIndexChanged: if (row.activeFocus) pane.row = index // it was moved

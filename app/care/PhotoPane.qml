@@ -19,7 +19,6 @@ FocusScope {
         id: scroll
         anchors.fill: parent
         visible: pane.session.photoOpen
-        margin: Theme.ring + 2
         spacing: 2 * Theme.gap
 
         TpButton {

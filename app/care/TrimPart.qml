@@ -37,6 +37,16 @@ Column {
             dimColor: Theme.edge
             Accessible.ignored: true
         }
+        MouseArea { // the nearer end comes to where one taps: for who cannot drag
+            anchors.fill: parent
+            onClicked: (mouse) => {
+                const seconds = track.secondsAt(mouse.x)
+                if (Math.abs(seconds - part.trimming.begin) < Math.abs(seconds - part.trimming.end))
+                    part.trimming.setBegin(seconds)
+                else
+                    part.trimming.setEnd(seconds)
+            }
+        }
         Rectangle { // where it plays
             visible: part.trimming.playing
             x: track.xOf(part.trimming.position) - 1

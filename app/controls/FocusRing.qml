@@ -4,12 +4,13 @@ import QtQuick
 // Drawn round whatever has the keyboard.
 Rectangle {
     required property Item target
+    property real corner: Theme.radius // of what it is drawn round; 0: a picture
 
     anchors.fill: parent
     anchors.margins: -Theme.ring - 2
     visible: target.activeFocus
     color: "transparent"
-    radius: Theme.radius + Theme.ring + 2
+    radius: corner + Theme.ring + 2
     border.width: Theme.ring
     border.color: Theme.accent
 }

@@ -8,6 +8,7 @@ T.Button {
     id: control
 
     property bool primary: false
+    property bool large: false // one of the few things that a page is for
     property string hint: ""
 
     implicitWidth: Math.max(Theme.target, label.implicitWidth + 2 * padding)
@@ -25,7 +26,7 @@ T.Button {
     contentItem: Text {
         id: label
         text: control.text
-        font.pixelSize: Theme.textSize
+        font.pixelSize: control.large ? 1.2 * Theme.headingSize : Theme.textSize
         font.bold: control.primary
         color: control.primary ? Theme.accentText : Theme.text
         horizontalAlignment: Text.AlignHCenter

@@ -8,6 +8,7 @@ TpPressable {
     property string text: ""
     property string detail: ""
     property bool selected: false
+    property bool large: false // one of the few things that a page is for
     property int position: 0 // from 1; 0: said nowhere
     property int count: 0
     property url picture: ""
@@ -32,7 +33,7 @@ TpPressable {
         FocusRing { target: row }
     }
     Row {
-        anchors { fill: parent; margins: Theme.gap }
+        anchors { fill: parent; margins: Theme.gap; leftMargin: row.large ? 2 * Theme.gap : Theme.gap }
         spacing: Theme.gap
         Image {
             id: thumbnail
@@ -52,7 +53,7 @@ TpPressable {
             Text {
                 width: parent.width
                 text: row.text
-                font.pixelSize: Theme.textSize
+                font.pixelSize: row.large ? 1.4 * Theme.headingSize : Theme.textSize
                 font.bold: row.selected
                 color: Theme.text
                 wrapMode: Text.Wrap
@@ -63,7 +64,7 @@ TpPressable {
                 width: parent.width
                 visible: text !== ""
                 text: row.detail
-                font.pixelSize: Theme.smallSize
+                font.pixelSize: row.large ? Theme.textSize : Theme.smallSize
                 color: Theme.quiet
                 wrapMode: Text.Wrap
                 textFormat: Text.PlainText

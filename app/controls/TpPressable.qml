@@ -5,7 +5,7 @@ import QtQuick
 Item {
     id: pressable
 
-    readonly property bool down: area.pressed && area.containsMouse
+    readonly property bool down: area.held
     signal clicked
 
     opacity: enabled ? 1 : 0.45
@@ -16,10 +16,21 @@ Item {
     Keys.onReturnPressed: pressable.clicked()
     Keys.onEnterPressed: pressable.clicked()
 
-    MouseArea {
+    // A MouseArea of Qt 6.4 loses the second of two taps that follow each other soon.
+    MultiPointTouchArea {
         id: area
+        property bool held: false
         anchors.fill: parent
-        onPressed: pressable.forceActiveFocus(Qt.MouseFocusReason)
-        onClicked: pressable.clicked()
+        maximumTouchPoints: 1
+        onPressed: {
+            pressable.forceActiveFocus(Qt.MouseFocusReason)
+            held = true
+        }
+        onReleased: (points) => {
+            held = false
+            if (contains(Qt.point(points[0].x, points[0].y)))
+                pressable.clicked()
+        }
+        onCanceled: held = false
     }
 }

@@ -37,13 +37,15 @@ T.Slider {
         border.color: Theme.edge
         Text {
             id: caption
-            anchors { left: parent.left; top: parent.top; margins: 10; leftMargin: Theme.gap }
+            anchors { left: parent.left; right: reading.left; top: parent.top; margins: 10; leftMargin: Theme.gap }
             text: control.label
             font.pixelSize: Theme.smallSize
             color: Theme.text
+            wrapMode: Text.Wrap
             Accessible.ignored: true
         }
         Text {
+            id: reading
             anchors { right: parent.right; top: parent.top; margins: 10; rightMargin: Theme.gap }
             text: control.valueText
             font.pixelSize: Theme.smallSize

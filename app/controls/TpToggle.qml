@@ -8,6 +8,7 @@ T.Switch {
     id: control
 
     property bool on: false
+    readonly property real thick: Math.round(32 * Math.min(1.5, Theme.textScale))
     signal switched(bool on)
 
     implicitWidth: Theme.target
@@ -30,7 +31,7 @@ T.Switch {
     contentItem: Text {
         id: label
         text: control.text
-        rightPadding: 76
+        rightPadding: control.indicator.width + 16
         font.pixelSize: Theme.textSize
         color: Theme.text
         verticalAlignment: Text.AlignVCenter
@@ -40,18 +41,18 @@ T.Switch {
     indicator: Rectangle {
         x: control.width - width - control.padding
         y: (control.height - height) / 2
-        width: 60
-        height: 32
-        radius: 16
+        width: 2 * control.thick - 4
+        height: control.thick
+        radius: 0.5 * height
         color: control.checked ? Theme.accent : Theme.ground
         border.width: 2
         border.color: control.checked ? Theme.accent : Theme.edge
         Rectangle {
             x: control.checked ? parent.width - width - 5 : 5
             anchors.verticalCenter: parent.verticalCenter
-            width: 22
-            height: 22
-            radius: 11
+            width: control.thick - 10
+            height: width
+            radius: 0.5 * width
             color: control.checked ? Theme.accentText : Theme.edge
         }
     }

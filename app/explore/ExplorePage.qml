@@ -94,6 +94,7 @@ FocusScope {
             id: panel
             session: page.session
             holdsSurface: page.tight
+            alone: page.announcer !== null
             Layout.fillHeight: true
             Layout.fillWidth: !page.wide
             Layout.preferredWidth: page.wide ? Math.min(380 * Theme.textScale, 0.5 * page.width) : -1

@@ -13,9 +13,8 @@ TpScroll {
     readonly property alias help: keys.text
     property bool holdsSurface: false   // on a small page the touch surface scrolls with the rest …
     readonly property alias slot: slot  // … and lies here, never so high that there is no room left to scroll by
+    property bool alone: true // else the window has a place for what was said
     signal openAsked
-
-    margin: Theme.ring + 3 // so that the focus ring is not cut
 
     component Pair: RowLayout {
         width: parent.width
@@ -43,11 +42,13 @@ TpScroll {
     }
     TpStatus {
         width: parent.width
-        height: Math.max(implicitHeight, 2.2 * font.pixelSize)
+        height: (width > 560 ? 1.3 : 2.2) * font.pixelSize // the buttons below keep their place
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.textSize
         verticalAlignment: Text.AlignVCenter
         text: panel.session.featureName === "" ? "–" : panel.session.featureName
         textFormat: Text.PlainText
-        font.pixelSize: Math.max(Theme.headingSize, Math.min(Theme.bigSize, width / 9))
+        font.pixelSize: Math.max(Theme.headingSize, Math.min(Theme.bigSize, width / (width > 560 ? 14 : 9)))
         font.bold: true
         lineHeight: 0.95
         color: panel.session.featureName === "" ? Theme.quiet : Theme.accent
@@ -57,6 +58,7 @@ TpScroll {
     TpStatus {
         width: parent.width
         height: Math.max(implicitHeight, 3.8 * Theme.textSize)
+        visible: panel.alone
         text: panel.session.sentence
         textFormat: Text.PlainText
         color: panel.session.state === ExploreSession.Problem ? Theme.accent : Theme.text

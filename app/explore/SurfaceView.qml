@@ -106,5 +106,5 @@ FocusScope {
         onCanceled: surface.session.fingersCancelled()
         onGestureStarted: (gesture) => gesture.grab() // from a column that scrolls
     }
-    FocusRing { target: surface }
+    FocusRing { target: surface; corner: 0 }
 }

@@ -78,7 +78,7 @@ FocusScope {
         Item {
             width: parent.width
             height: parent.height + surface.legend
-            FocusRing { target: surface; anchors.margins: -2 }
+            FocusRing { target: surface; corner: 0 }
         }
     }
 }

@@ -18,10 +18,6 @@ TpScroll {
         elide: Text.ElideMiddle
         wrapMode: Text.NoWrap
     }
-    TpStatus {
-        width: parent.width
-        text: panel.session.sentence
-    }
     Row {
         spacing: panel.spacing
         TpButton {

@@ -12,7 +12,6 @@ FocusScope {
     readonly property real reach: Math.max(24, 0.5 * Theme.target) // px round a point in which it is taken
 
     activeFocusOnTab: true
-    clip: true
     Accessible.role: Accessible.Canvas
     Accessible.name: qsTr("Contours")
     Accessible.description: qsTr("Tab goes from point to point. Arrow keys move it by one pixel of the photograph, with Shift by ten, with Control by a fifth. Page up and page down change the feature.")
@@ -61,11 +60,13 @@ FocusScope {
     }
     MendPictureItem {
         anchors.fill: parent
+        clip: true
         session: surface.session
         opacity: surface.session.state === MendSession.Looking ? 0.3 : 1
     }
     MendLinesItem {
         anchors.fill: parent
+        clip: true
         session: surface.session
         visible: surface.session.state === MendSession.Ready
         lineColor: Theme.line
@@ -145,5 +146,5 @@ FocusScope {
         }
         onWheel: (wheel) => surface.session.zoomAt(Math.pow(1.0015, wheel.angleDelta.y), wheel.x, wheel.y)
     }
-    FocusRing { target: surface }
+    FocusRing { target: surface; corner: 0 }
 }

@@ -34,70 +34,83 @@ FocusScope {
                 Accessible.name: page.session.ready ? qsTr("The sheet, %1").arg(page.session.size) : qsTr("No sheet yet")
             }
         }
-        TpScroll {
+        ColumnLayout {
             Layout.fillHeight: true
             Layout.fillWidth: !page.wide
             Layout.preferredWidth: page.wide ? 420 * Math.min(1.4, Theme.textScale) : -1
-            focus: true
-            margin: 6
-            TpHeading {
-                width: parent.width
-                text: page.session.photoName === "" ? qsTr("No photograph") : page.session.photoName
-            }
-            TpProgress {
-                width: parent.width
-                visible: page.session.looking
-                label: qsTr("Looking for faces")
-                fraction: -1
-            }
-            TpChoice {
-                width: parent.width
-                label: qsTr("Paper")
-                options: page.session.papers
-                current: page.session.paper
-                onPicked: (index) => page.session.choosePaper(index)
-            }
-            TpToggle {
-                width: parent.width
-                text: qsTr("Turned by a quarter")
-                on: page.session.landscape
-                onSwitched: (on) => page.session.setLandscape(on)
-            }
-            TpChoice {
-                width: parent.width
-                visible: page.session.faces.length > 1
-                label: qsTr("Who")
-                options: page.session.faces
-                current: page.session.face
-                onPicked: (index) => page.session.chooseFace(index)
-            }
-            TpToggle {
-                width: parent.width
-                text: qsTr("Its name in print")
-                on: page.session.titled
-                onSwitched: (on) => page.session.setTitled(on)
-            }
-            Repeater {
-                model: page.session.notes
-                delegate: TpText {
-                    required property string modelData
+            spacing: 2 * Theme.gap // rings of both have room
+
+            TpScroll {
+                Layout.fillHeight: true
+                Layout.fillWidth: true
+                focus: true
+                TpHeading {
                     width: parent.width
-                    text: modelData
-                    color: Theme.quiet
+                    text: page.session.photoName === "" ? qsTr("No photograph") : page.session.photoName
+                }
+                TpProgress {
+                    width: parent.width
+                    visible: page.session.looking
+                    label: qsTr("Looking for faces")
+                    fraction: -1
+                }
+                TpChoice {
+                    width: parent.width
+                    label: qsTr("Paper")
+                    options: page.session.papers
+                    current: page.session.paper
+                    onPicked: (index) => page.session.choosePaper(index)
+                }
+                TpToggle {
+                    width: parent.width
+                    text: qsTr("Turned by a quarter")
+                    on: page.session.landscape
+                    onSwitched: (on) => page.session.setLandscape(on)
+                }
+                TpChoice {
+                    width: parent.width
+                    visible: page.session.faces.length > 1
+                    label: qsTr("Who")
+                    options: page.session.faces
+                    current: page.session.face
+                    onPicked: (index) => page.session.chooseFace(index)
+                }
+                TpToggle {
+                    width: parent.width
+                    text: qsTr("Its name in print")
+                    on: page.session.titled
+                    onSwitched: (on) => page.session.setTitled(on)
+                }
+                Repeater {
+                    model: page.session.notes
+                    delegate: TpText {
+                        required property string modelData
+                        width: parent.width
+                        text: modelData
+                        color: Theme.quiet
+                    }
                 }
             }
-            TpButton {
-                width: parent.width
-                primary: true
-                enabled: page.session.ready
-                text: qsTr("Store as PDF")
-                onClicked: page.session.store("pdf")
-            }
-            TpButton {
-                width: parent.width
-                enabled: page.session.ready
-                text: qsTr("Store as SVG")
-                onClicked: page.session.store("svg")
+            // Where a hand and an eye find them, however long the list above is.
+            RowLayout {
+                Layout.fillWidth: true
+                Layout.fillHeight: false
+                spacing: Theme.gap
+                component Store: TpButton {
+                    Layout.fillWidth: true
+                    Layout.fillHeight: true
+                    Layout.preferredWidth: 1
+                    enabled: page.session.ready
+                }
+                Store {
+                    primary: true
+                    text: qsTr("Store as PDF")
+                    onClicked: page.session.store("pdf")
+                }
+                Store {
+                    text: qsTr("Store as SVG")
+                    onClicked: page.session.store("svg")
+                }
             }
         }
     }

@@ -15,6 +15,14 @@ FocusScope {
     readonly property Item pageItem: current === null ? null : current.item
     property Loader current: null
 
+    // What scrolls on a page ends here.
+    component BarEdge: Rectangle {
+        width: parent.width
+        height: 1
+        z: 1
+        color: Theme.edge
+    }
+
     focus: true
     LayoutMirroring.enabled: Qt.application.layoutDirection === Qt.RightToLeft
     LayoutMirroring.childrenInherit: true
@@ -72,12 +80,14 @@ FocusScope {
         Rectangle {
             Layout.fillWidth: true
             Layout.preferredHeight: bar.implicitHeight + 2 * Theme.gap
+            z: 1 // over the page, with its edge
             color: Theme.panel
+            BarEdge { anchors.top: parent.bottom }
             RowLayout {
                 id: bar
                 anchors { fill: parent; margins: Theme.gap; leftMargin: 2 * Theme.gap; rightMargin: 2 * Theme.gap }
                 Keys.forwardTo: view.pageItem === null ? [] : [view.pageItem] // the page's keys hold here too
-                spacing: Theme.gap
+                spacing: 2 * Theme.gap
                 TpButton {
                     objectName: "home"
                     visible: !view.shell.home
@@ -116,12 +126,15 @@ FocusScope {
             Layout.fillWidth: true
             Layout.preferredHeight: said.implicitHeight + 2 * Theme.gap
             visible: said.text !== ""
+            z: 1
             color: Theme.panel
+            BarEdge { anchors.bottom: parent.top }
             TpStatus {
                 id: said
                 objectName: "said"
                 label: qsTr("Said last")
                 anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: 2 * Theme.gap }
+                font.pixelSize: Theme.smallSize
                 maximumLineCount: 3
                 elide: Text.ElideRight
                 text: view.shell.voiceProblem !== "" ? view.shell.sentence + " " + view.shell.voiceProblem : view.shell.sentence

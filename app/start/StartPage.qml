@@ -57,9 +57,10 @@ FocusScope {
                     required property string modelData
                     objectName: "answer" + index
                     width: parent.width
-                    height: Math.max(implicitHeight, (page.height - 260 * Theme.textScale) / page.session.answers.length - Theme.gap)
+                    height: Math.max(implicitHeight, Math.floor((page.height - 260 * Theme.textScale) / page.session.answers.length - Theme.gap))
                     focus: index === Math.max(0, page.session.current)
                     primary: index === page.session.current
+                    large: true
                     text: qsTr("%1: %2").arg(index + 1).arg(modelData)
                     onClicked: page.session.answer(index)
                 }
@@ -104,9 +105,10 @@ FocusScope {
                     readonly property bool main: index < 2
                     objectName: "destination" + index
                     width: parent.width
-                    height: main ? Math.max(implicitHeight, 0.22 * page.height) : implicitHeight
+                    height: main ? Math.max(implicitHeight, Math.round(0.2 * page.height)) : implicitHeight
                     focus: index === 0
                     selected: main
+                    large: main
                     text: qsTr("%1: %2").arg(index + 1).arg(modelData.title)
                     detail: modelData.hint
                     onClicked: page.session.go(index)

@@ -761,7 +761,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>MendPage</name>
     <message>
-        <source>Tab goes from point to point of the photograph's lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
+        <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
         <translation>Tab geht von Punkt zu Punkt der Linien auf dem Foto, Bild auf und Bild ab von Merkmal zu Merkmal. Pfeiltasten verschieben einen Punkt um ein Pixel, mit Umschalt um zehn, mit Strg um ein Fünftel. A fügt einen Punkt hinzu, Entf entfernt ihn, C macht aus einer Ecke einen glatten Punkt. Strg Z nimmt den letzten Schritt zurück, Strg S speichert; auch beim Verlassen der Seite wird gespeichert.</translation>
     </message>
 </context>
@@ -1056,6 +1056,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The row that was told last. Key: Return</source>
         <translation>Die zuletzt genannte Zeile. Taste: Eingabetaste</translation>
     </message>
+    <message>
+        <source>Letters to spell with</source>
+        <translation>Buchstaben zum Buchstabieren</translation>
+    </message>
+    <message>
+        <source>Take the last letter back</source>
+        <translation>Letzten Buchstaben zurücknehmen</translation>
+    </message>
 </context>
 <context>
     <name>OpenDialog</name>
@@ -1280,7 +1288,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>%1 %2</source>
-        <comment>the month's name and the year</comment>
+        <comment>the month&apos;s name and the year</comment>
         <translation>%1 %2</translation>
     </message>
     <message>
@@ -3096,7 +3104,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Alles wie am Anfang</translation>
     </message>
     <message>
-        <source>The album's folders stay; it can be taken back</source>
+        <source>The album&apos;s folders stay; it can be taken back</source>
         <translation>Die Ordner des Albums bleiben; es kann zurückgenommen werden</translation>
     </message>
 <message>
@@ -3609,10 +3617,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1.</translation>
     </message>
     <message>
-        <source>Search. Type a name, a place or a word; the arrow keys go through what is found.</source>
-        <translation>Suche. Tippen Sie einen Namen, einen Ort oder ein Wort; die Pfeiltasten gehen durch das Gefundene.</translation>
-    </message>
-    <message>
         <source>Search for %1: %2.</source>
         <translation>Suche nach %1: %2.</translation>
     </message>
@@ -3722,6 +3726,23 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two fingers goes back, three fingers tell where you are.</source>
         <translation>Links und rechts: voriges und nächstes Foto. Auf und ab: was darüber bekannt ist. Eingabetaste: Aufnahmen hören oder anhalten. Escape: Stopp. Plus und Minus: schneller und langsamer. Pos1 und Ende: erstes und letztes Foto. S: Suche. P: Personen. Y: Jahre. L: Orte. K: Stichwörter. R: ein beliebiges Foto. A: alle Fotos. Rücktaste: zurück. E: das Gesicht fühlen. C: dieses Foto pflegen. W: wo bin ich. H: diese Tasten. Ein Wischen wirkt wie seine Pfeiltaste, doppeltes Tippen spielt ab, zwei Finger halten an, ein Z mit zwei Fingern geht zurück, drei Finger sagen, wo Sie sind.</translation>
     </message>
+    <message>
+        <source>There is no letter to take away.</source>
+        <translation>Es gibt keinen Buchstaben zum Wegnehmen.</translation>
+    </message>
+    <message>
+        <source>Nothing is typed any more.</source>
+        <translation>Es ist nichts mehr eingegeben.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>what is typed, what was found</comment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Search. Type a name, a place or a word, or move a finger over the letters and lift it on one. The arrow keys go through what is found.</source>
+        <translation>Suche. Geben Sie einen Namen, einen Ort oder ein Wort ein, oder fahren Sie mit einem Finger über die Buchstaben und heben ihn auf einem ab. Die Pfeiltasten gehen durch das Gefundene.</translation>
+    </message>
 </context>
 <context>
     <name>tp::CareSession</name>
@@ -3775,7 +3796,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Rundgang beendet.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 o'clock, %n millimetre(s)</source>
+        <source>%1 o&apos;clock, %n millimetre(s)</source>
         <translation>
             <numerusform>%1 Uhr, %n Millimeter</numerusform>
             <numerusform>%1 Uhr, %n Millimeter</numerusform>
@@ -4843,21 +4864,21 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::PlaceWords</name>
     <message numerus="yes">
-        <source>%1. On the %2, at its %3 o'clock, %n millimetre(s) from its middle.</source>
+        <source>%1. On the %2, at its %3 o&apos;clock, %n millimetre(s) from its middle.</source>
         <translation>
             <numerusform>%1. Auf der Linie: %2, auf %3 Uhr, %n Millimeter von der Mitte.</numerusform>
             <numerusform>%1. Auf der Linie: %2, auf %3 Uhr, %n Millimeter von der Mitte.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Beside %1. %2 at %3 o'clock, %n millimetre(s).</source>
+        <source>Beside %1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
         <translation>
             <numerusform>Daneben: %1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
             <numerusform>Daneben: %1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1. %2 at %3 o'clock, %n millimetre(s).</source>
+        <source>%1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
             <numerusform>%1. %2 auf %3 Uhr, %n Millimeter.</numerusform>
@@ -5224,7 +5245,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Album hat diesen Ordner schon.</translation>
     </message>
     <message>
-        <source>the album's new folder</source>
+        <source>the album&apos;s new folder</source>
         <translation>der neue Ordner des Albums</translation>
     </message>
     <message>
@@ -5432,7 +5453,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>das Zurücksetzen</translation>
     </message>
     <message>
-        <source>All settings are as they were at first. The album's folders stay.</source>
+        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
         <translation>Alle Einstellungen sind wie am Anfang. Die Ordner des Albums bleiben.</translation>
     </message>
     <message>

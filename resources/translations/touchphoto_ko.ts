@@ -757,7 +757,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>MendPage</name>
     <message>
-        <source>Tab goes from point to point of the photograph's lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
+        <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
         <translation>탭 키는 사진 위 선의 점에서 점으로, 페이지 업과 페이지 다운 키는 부위에서 부위로 갑니다. 화살표 키는 점을 1픽셀씩, Shift와 함께 10픽셀씩, Ctrl과 함께 5분의 1픽셀씩 옮깁니다. A는 점을 더하고, Delete는 점을 지우고, C는 모서리를 매끄러운 점으로 바꿉니다. Ctrl Z는 마지막 단계를 되돌리고, Ctrl S는 저장합니다. 페이지를 떠날 때도 저장됩니다.</translation>
     </message>
 </context>
@@ -1052,6 +1052,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The row that was told last. Key: Return</source>
         <translation>마지막으로 읽어 준 줄을 고릅니다. 엔터 키</translation>
     </message>
+    <message>
+        <source>Letters to spell with</source>
+        <translation>글자를 고르는 판</translation>
+    </message>
+    <message>
+        <source>Take the last letter back</source>
+        <translation>마지막 글자 지우기</translation>
+    </message>
 </context>
 <context>
     <name>OpenDialog</name>
@@ -1268,7 +1276,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>%1 %2</source>
-        <comment>the month's name and the year</comment>
+        <comment>the month&apos;s name and the year</comment>
         <translation>%2년 %1</translation>
     </message>
     <message>
@@ -3084,7 +3092,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모두 처음 상태로</translation>
     </message>
     <message>
-        <source>The album's folders stay; it can be taken back</source>
+        <source>The album&apos;s folders stay; it can be taken back</source>
         <translation>앨범의 폴더는 그대로 남으며, 되돌릴 수 있습니다</translation>
     </message>
 <message>
@@ -3588,10 +3596,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1.</translation>
     </message>
     <message>
-        <source>Search. Type a name, a place or a word; the arrow keys go through what is found.</source>
-        <translation>검색. 이름, 장소 또는 낱말을 입력하세요. 화살표 키로 찾은 것 사이를 이동합니다.</translation>
-    </message>
-    <message>
         <source>Search for %1: %2.</source>
         <translation>검색어 %1: %2.</translation>
     </message>
@@ -3701,6 +3705,23 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two fingers goes back, three fingers tell where you are.</source>
         <translation>왼쪽과 오른쪽 화살표: 이전 사진과 다음 사진. 위와 아래 화살표: 사진에 대해 알려진 내용. 엔터 키: 녹음 듣기 또는 일시 정지. Escape 키: 멈춤. 더하기와 빼기: 빠르게와 느리게. 홈과 엔드 키: 첫 사진과 마지막 사진. S: 검색. P: 사람. Y: 연도. L: 장소. K: 핵심어. R: 아무 사진이나. A: 모든 사진. 백스페이스: 뒤로. E: 얼굴 만지기. C: 이 사진 관리. W: 지금 위치. H: 이 키 안내. 쓸어 넘기기는 같은 방향의 화살표 키와 같고, 두 번 두드리면 재생하고, 두 손가락은 멈추고, 두 손가락으로 Z를 그리면 뒤로 가고, 세 손가락은 지금 위치를 알려 줍니다.</translation>
     </message>
+    <message>
+        <source>There is no letter to take away.</source>
+        <translation>지울 글자가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Nothing is typed any more.</source>
+        <translation>입력한 글자가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <comment>what is typed, what was found</comment>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Search. Type a name, a place or a word, or move a finger over the letters and lift it on one. The arrow keys go through what is found.</source>
+        <translation>검색. 이름, 장소 또는 낱말을 입력하거나, 손가락으로 글자 위를 지나가다 원하는 글자에서 떼세요. 화살표 키로 찾은 것을 살펴봅니다.</translation>
+    </message>
 </context>
 <context>
     <name>tp::CareSession</name>
@@ -3753,7 +3774,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>안내가 끝났습니다.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 o'clock, %n millimetre(s)</source>
+        <source>%1 o&apos;clock, %n millimetre(s)</source>
         <translation>
             <numerusform>%1시 방향, %n밀리미터</numerusform>
         </translation>
@@ -4806,19 +4827,19 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::PlaceWords</name>
     <message numerus="yes">
-        <source>%1. On the %2, at its %3 o'clock, %n millimetre(s) from its middle.</source>
+        <source>%1. On the %2, at its %3 o&apos;clock, %n millimetre(s) from its middle.</source>
         <translation>
             <numerusform>%1. %2 위, 중심에서 %3시 방향, %n밀리미터.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Beside %1. %2 at %3 o'clock, %n millimetre(s).</source>
+        <source>Beside %1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1 옆. %2, %3시 방향, %n밀리미터.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1. %2 at %3 o'clock, %n millimetre(s).</source>
+        <source>%1. %2 at %3 o&apos;clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1. %2, %3시 방향, %n밀리미터.</numerusform>
         </translation>
@@ -5184,7 +5205,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이미 앨범에 있는 폴더입니다.</translation>
     </message>
     <message>
-        <source>the album's new folder</source>
+        <source>the album&apos;s new folder</source>
         <translation>앨범의 새 폴더</translation>
     </message>
     <message>
@@ -5392,7 +5413,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>처음 상태로 돌리기</translation>
     </message>
     <message>
-        <source>All settings are as they were at first. The album's folders stay.</source>
+        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
         <translation>모든 설정이 처음 상태로 돌아갔습니다. 앨범의 폴더는 그대로입니다.</translation>
     </message>
     <message>

@@ -130,6 +130,10 @@ constexpr const char* suggestions_3 =
     "WHERE substr(s.folded, 1, 3) = substr(?, 1, 3) AND s.folded >= ? AND s.folded < ? "
     "ORDER BY s.photos DESC LIMIT ?";
 
+/// The words of the full-text search themselves (https://www.sqlite.org/fts5.html#the_fts5vocab_virtual_table_module).
+constexpr const char* vocabulary =
+    "CREATE VIRTUAL TABLE IF NOT EXISTS temp.vocabulary USING fts5vocab('main', 'words', 'row')";
+
 /// Folded, with single blanks between words and none around them.
 std::string typed_start(std::string_view typed) {
     return QString::fromStdString(folded(typed)).simplified().toStdString();
@@ -270,6 +274,37 @@ Result<std::vector<TopicEntry>> AlbumQueries::suggestions(std::string_view typed
             if (seen.insert(found.integer(0)).second)
                 topics.push_back({found.text(1), found.text(2), static_cast<std::size_t>(found.integer(3))});
         return topics;
+    });
+}
+
+Result<std::vector<std::string>> AlbumQueries::next_letters(std::string_view typed) {
+    constexpr std::size_t most = 100;
+    // Composed again, as full-text search has the syllables of Hangul.
+    const QString words = QString::fromStdString(folded(typed)).normalized(QString::NormalizationForm_C);
+    qsizetype begin = words.size();
+    while (begin > 0 && (words[begin - 1].isLetterOrNumber() || words[begin - 1].isSurrogate()))
+        --begin;
+    const std::string begun = words.mid(begin).toStdString();
+    return index_.guarded([&] {
+        std::vector<std::string> letters;
+        SqlConnection& connection = index_.connection();
+        connection.run(vocabulary);
+        // From each letter to the first word behind it, so that it takes no longer where there are more words.
+        std::string from = begun + '\x01';
+        while (letters.size() < most) {
+            SqlRun run = connection.run("SELECT term FROM temp.vocabulary WHERE term >= ? ORDER BY term LIMIT 1", from);
+            if (!run.next())
+                break;
+            const std::string term = run.text(0);
+            if (term.compare(0, begun.size(), begun) != 0)
+                break;
+            const QString rest = QString::fromStdString(term.substr(begun.size()));
+            const std::string letter = rest.left(rest[0].isHighSurrogate() ? 2 : 1).toStdString();
+            if (!search_terms(letter).empty()) // unicode61 takes some signs for letters that are none
+                letters.push_back(letter);
+            from = begun + letter + std::string(last_text);
+        }
+        return letters;
     });
 }
 

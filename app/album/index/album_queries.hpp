@@ -86,6 +86,11 @@ public:
     /// People, places and keywords with a word that begins as typed, the commonest first.
     Result<std::vector<TopicEntry>> suggestions(std::string_view typed, std::size_t count);
 
+    /// The letters and digits with which a word that `search` finds goes on after the last word typed, in small letters
+    /// without accents and in their order, at most 100: for who spells without a keyboard. Where nothing or a blank was
+    /// typed last, those with which a word begins.
+    Result<std::vector<std::string>> next_letters(std::string_view typed);
+
     /// People, places or keywords by name, from after one on.
     Result<std::vector<TopicEntry>> topics(std::string_view kind, std::string_view after, std::size_t count);
     Result<std::vector<int>> years();

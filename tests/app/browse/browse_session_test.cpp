@@ -381,6 +381,32 @@ private slots:
         QCOMPARE(bench.said(), "Anna, 1 of 2: " + garden_words);
     }
 
+    void a_name_is_spelt_without_a_keyboard() {
+        AtGarden bench;
+        bench.session->openSearch();
+        const auto letter = [&](const char* one) { return static_cast<int>(bench.session->letters().indexOf(one)); };
+        QVERIFY(letter("T") >= 0 && letter("V") >= 0);
+        QCOMPARE(letter("Q"), -1);
+        bench.session->reachLetter(letter("T"));
+        QCOMPARE(bench.said(), QString("T"));
+        bench.session->addLetter(letter("T"));
+        QCOMPARE(bench.session->typed(), QString("T"));
+        bench.session->addLetter(letter("O"));
+        QCOMPARE(bench.said(), QString("To: 2 photograph(s), 1 suggestion(s).")); // Tom, and tower.jpg
+        QCOMPARE(bench.session->letters(), QStringList({"M", "W"}));
+        bench.session->addLetter(letter("M"));
+        QCOMPARE(bench.session->letters(), QStringList());
+        bench.session->addLetter(0); // there is none
+        QCOMPARE(bench.session->typed(), QString("Tom"));
+        bench.session->takeLetterBack();
+        QCOMPARE(bench.session->typed(), QString("To"));
+        bench.session->takeLetterBack();
+        bench.session->takeLetterBack();
+        QCOMPARE(bench.said(), QString("Nothing is typed any more."));
+        bench.session->takeLetterBack();
+        QCOMPARE(bench.said(), QString("There is no letter to take away."));
+    }
+
     void what_was_found_is_gone_through() {
         AtGarden bench;
         bench.session->openSearch();

@@ -15,6 +15,8 @@ Column {
     property string story: "In the garden"
     property int keystrokes: 0
     property int choice: 1
+    property var reachedLetters: []
+    property string spelt: ""
 
     TpHeading { text: "A heading" }
     TpText { text: "Some text" }
@@ -78,6 +80,14 @@ Column {
         options: ["one", "two", "three"]
         current: gallery.choice
         onPicked: (index) => gallery.choice = index
+    }
+    TpLetters {
+        objectName: "letters"
+        width: parent.width
+        label: "Some letters"
+        letters: ["A", "B", "C", "D", "E", "F", "G", "H"]
+        onReached: (letter) => gallery.reachedLetters = gallery.reachedLetters.concat([letters[letter]])
+        onChosen: (letter) => gallery.spelt += letters[letter]
     }
     TpProgress {
         objectName: "progress"

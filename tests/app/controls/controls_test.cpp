@@ -4,6 +4,8 @@
 
 #include <QAccessible>
 #include <QColor>
+#include <QPoint>
+#include <QPointingDevice>
 #include <QQuickItem>
 #include <QQuickView>
 #include <QScopeGuard>
@@ -260,6 +262,61 @@ private slots:
             const double top = item(*view_, far)->mapToItem(scroll, {0, 0}).y();
             QVERIFY2(top >= 0.0 && top + item(*view_, far)->height() <= scroll->height(), far);
         }
+    }
+
+    void a_finger_hears_letters_and_takes_the_one_it_is_lifted_on() {
+        QQuickItem* board = item(*view_, "letters");
+        const int columns = board->property("columns").toInt();
+        QCOMPARE(columns, 5); // 400 px wide: 5 × 64 px and gaps
+        const auto place = [&](int letter) {
+            return board->mapToScene({70.0 * (letter % columns) + 32.0, 70.0 * (letter / columns) + 32.0}).toPoint();
+        };
+        QTest::mousePress(view_.get(), Qt::LeftButton, {}, place(0));
+        QTest::mouseMove(view_.get(), place(1));
+        QTest::mouseMove(view_.get(), place(6));
+        QCOMPARE(property("spelt").toString(), QString()); // not before it is lifted
+        QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, place(6));
+        QCOMPARE(property("reachedLetters").toStringList(), QStringList({"A", "B", "G"}));
+        QCOMPARE(property("spelt").toString(), QString("G"));
+        QTest::mousePress(view_.get(), Qt::LeftButton, {}, place(2));
+        QTest::mouseMove(view_.get(), place(2) - QPoint(0, 200)); // away: it was not meant
+        QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, place(2) - QPoint(0, 200));
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, place(4) + QPoint(35, 0)); // between two is the one before
+        QCOMPARE(property("spelt").toString(), QString("GE"));
+    }
+
+    void taps_that_soon_follow_each_other_count_each() {
+        QPointingDevice* screen = QTest::createTouchDevice();
+        const auto tap = [&](QPoint place) {
+            QTest::touchEvent(view_.get(), screen).press(0, place, view_.get());
+            QTest::touchEvent(view_.get(), screen).release(0, place, view_.get());
+        };
+        const QPoint row = item(*view_, "row")->mapToScene({30, 30}).toPoint();
+        const QPoint letter = item(*view_, "letters")->mapToScene({30, 30}).toPoint();
+        for (int i = 0; i < 4; ++i)
+            tap(row);
+        for (int i = 0; i < 4; ++i)
+            tap(letter);
+        QCOMPARE(presses(), 4);
+        QCOMPARE(property("spelt").toString(), QString("AAAA"));
+    }
+
+    void letters_are_chosen_by_keys_and_screen_reader() {
+        QQuickItem* board = item(*view_, "letters");
+        board->forceActiveFocus();
+        for (const auto key : {Qt::Key_Right, Qt::Key_Space, Qt::Key_Down, Qt::Key_Return, Qt::Key_Right, Qt::Key_Right,
+                               Qt::Key_Left, Qt::Key_Up, Qt::Key_Enter})
+            QTest::keyClick(view_.get(), key);
+        QCOMPARE(property("spelt").toString(), QString("BGB"));
+        QAccessibleInterface* letters = accessible(*view_, "letters");
+        QCOMPARE(letters->text(QAccessible::Name), QString("Some letters"));
+        QStringList names;
+        for (int i = 0; i < letters->childCount(); ++i)
+            if (letters->child(i)->role() == QAccessible::Button)
+                names << letters->child(i)->text(QAccessible::Name);
+        QCOMPARE(names, QStringList({"A", "B", "C", "D", "E", "F", "G", "H"}));
+        act(letters->child(3), QAccessibleActionInterface::pressAction());
+        QCOMPARE(property("spelt").toString(), QString("BGBD"));
     }
 
     void tab_goes_from_control_to_control() {

@@ -12,12 +12,13 @@
 #include <QString>
 #include <QTemporaryDir>
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <vector>
 
 /// The program with everything but the machine: its voice is remembered, its loudspeakers and its microphone are the
-/// test's, its album is a folder of sample portraits.
+/// test's, its album is a folder of sample portraits; of somebody who has not been asked yet it has none.
 class WholeProgram {
 public:
     explicit WholeProgram(const tp::Choices& choices = asked()) {
@@ -25,16 +26,22 @@ public:
         for (const char* name : {"anna_smiling.jpg", "ben_and_clara.jpg", "ben_smiling.jpg"})
             QFile::copy(QString(tp::test::in_source("resources/samples/")) + name, folder.filePath(QString("Family/") + name));
         tp::Choices with_album = choices;
-        with_album.folders = {folder.filePath("Family")};
+        if (choices.asked)
+            with_album.folders = {folder.filePath("Family")};
         {
             tp::Preferences kept(file("preferences.json"));
             kept.set(with_album);
         }
         tp::ProgramParts parts{voice,
-                               [] { return std::make_unique<tp::testing::FakeLoudspeaker>(); },
+                               [this] {
+                                   auto made = std::make_unique<tp::testing::FakeLoudspeaker>();
+                                   loudspeakers.push_back(made.get());
+                                   return made;
+                               },
                                [this] {
                                    auto made = std::make_unique<tp::testing::FakeMicrophone>();
                                    made->there = microphone_there;
+                                   microphone = made.get();
                                    return made;
                                },
                                file("preferences.json"),
@@ -63,6 +70,8 @@ public:
     QTemporaryDir folder;
     bool microphone_there = true; ///< for what is recorded first
     tp::RecordingVoice voice;
+    std::vector<tp::testing::FakeLoudspeaker*> loudspeakers; ///< in the order in which they were asked for
+    std::atomic<tp::testing::FakeMicrophone*> microphone{nullptr}; ///< on the recorder's thread
     std::unique_ptr<tp::Program> program;
     std::unique_ptr<tp::ProgramWindow> window;
 };

@@ -177,6 +177,37 @@ private slots:
         QVERIFY(queries.suggestions("zzz", 10).value().empty());
     }
 
+    void letters_lead_on_to_what_is_found() {
+        AlbumQueries queries(*index_);
+        QCOMPARE(queries.next_letters("mul").value(), (Names{"l"}));
+        QCOMPARE(queries.next_letters("Mü").value(), (Names{"l"}));
+        QCOMPARE(queries.next_letters("sea ann").value(), (Names{"a", "e"}));
+        QCOMPARE(queries.next_letters("O'").value(), queries.next_letters("").value()); // a new word
+        QCOMPARE(queries.next_letters("annahm").value(), (Names{}));
+        QCOMPARE(queries.next_letters("日").value(), (Names{"本"}));
+        // Each leads to something, and nothing that is there is left out.
+        const auto first = queries.next_letters("").value();
+        QVERIFY(std::is_sorted(first.begin(), first.end()));
+        for (const std::string& letter : first)
+            QVERIFY2(!found(letter).empty(), letter.c_str());
+        for (char letter = 'a'; letter <= 'z'; ++letter) {
+            const std::string typed(1, letter);
+            QCOMPARE(std::count(first.begin(), first.end(), typed) > 0, !found(typed).empty());
+        }
+    }
+
+    void letters_of_hangul_are_syllables() {
+        TestAlbum album;
+        PhotoRecord record;
+        record.persons = {"안나", "안수"};
+        album.add("a.jpg", "a");
+        write_file(album.root() / "a.jpg.xmp", sidecar_text(record));
+        AlbumIndex index = AlbumIndex::in_memory().value();
+        QVERIFY(album.scan(index).ok());
+        const auto letters = AlbumQueries(index).next_letters("안").value();
+        QCOMPARE(letters, (Names{"나", "수"}));
+    }
+
     /// Also where so many photographs have a word that it does not count for the order.
     void every_word_chooses_in_a_large_album() {
         TestAlbum album;

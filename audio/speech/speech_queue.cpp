@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/speech_queue.hpp"
 
+#include <utility>
+
 namespace tp {
 
 void SpeechQueue::say(const QString& text, Priority priority) {
@@ -34,6 +36,19 @@ void SpeechQueue::interrupt() {
         messages_.push_front(std::move(*current_));
     current_.reset();
     engine_.cancel();
+}
+
+/// The engine that had it has gone.
+void SpeechQueue::put_back() {
+    if (!current_)
+        return;
+    if (current_->priority == Priority::fault)
+        faults_.push_front(std::move(*current_));
+    else if (current_->priority == Priority::message)
+        messages_.push_front(std::move(*current_));
+    else if (!touch_)
+        touch_ = std::move(*current_);
+    current_.reset();
 }
 
 void SpeechQueue::next() {
@@ -73,6 +88,8 @@ void SpeechQueue::stop() {
 
 void SpeechQueue::open(bool open) {
     open_ = open;
+    if (!open)
+        put_back();
     next();
 }
 

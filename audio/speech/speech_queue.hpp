@@ -24,7 +24,7 @@ public:
     void stop();
     /// The utterance has been spoken to its end; others than the current one are ignored.
     void finished(quint64 id);
-    /// Whether the engine takes texts.
+    /// Whether the engine takes texts. What one that no longer does was given last is spoken by the next.
     void open(bool open);
     void set_recording_plays(bool plays);
     /// Nothing is being spoken, and nothing waits.
@@ -40,6 +40,7 @@ private:
     };
     bool may_start(Priority priority) const;
     void interrupt();
+    void put_back();
     void next();
 
     SpeechEngine& engine_;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/speech_worker.hpp"
 
-#include <QLocale>
-
 #include <algorithm>
-#include <utility>
 
 namespace tp {
 
@@ -13,88 +10,73 @@ constexpr int mute_after = 2; ///< texts in a row that an engine never began
 constexpr int longest_ms(qsizetype letters) { return 5000 + 200 * static_cast<int>(letters); }
 } // namespace
 
-SpeechWorker::SpeechWorker(const char* engine) : engine_(QLatin1String(engine)), too_long_(this) {
+SpeechWorker::SpeechWorker() : too_long_(this) {
     too_long_.setSingleShot(true);
-    connect(&too_long_, &QTimer::timeout, this, [this] { begun_ ? end() : not_begun(); });
+    connect(&too_long_, &QTimer::timeout, this, [this] { begun_ ? ended(id_) : not_begun(id_); });
 }
 
 void SpeechWorker::find_engine() {
-    if (QTextToSpeech::availableEngines().contains(engine_))
-        speech_ = new QTextToSpeech(engine_, this);
-    if (speech_ == nullptr || speech_->state() == QTextToSpeech::Error) {
+    open_ = open();
+    if (!open_) {
         emit failed();
         return;
     }
-    connect(speech_, &QTextToSpeech::stateChanged, this, &SpeechWorker::state_became);
-    speech_->setRate(rate_);
-    apply_language();
+    use_rate(rate_);
+    if (!language_.isEmpty())
+        use_language(language_);
     emit found();
 }
 
 void SpeechWorker::speak(quint64 id, const QString& text) {
-    if (speech_ == nullptr)
+    if (!open_)
         return;
     id_ = id;
     begun_ = false;
     too_long_.start(longest_ms(text.size()));
-    speech_->say(text);
-    if (speech_->state() == QTextToSpeech::Error)
-        not_begun();
+    say(id, text);
 }
 
 void SpeechWorker::cancel() {
     id_ = 0;
     too_long_.stop();
-    if (speech_ != nullptr)
-        speech_->stop();
+    if (open_)
+        silence();
 }
 
 void SpeechWorker::set_rate(double rate) {
     rate_ = std::clamp(rate, -1.0, 1.0);
-    if (speech_ != nullptr)
-        speech_->setRate(rate_);
+    if (open_)
+        use_rate(rate_);
 }
 
 void SpeechWorker::set_language(const QString& language) {
     language_ = language;
-    apply_language();
+    if (open_ && !language_.isEmpty())
+        use_language(language_);
 }
 
-/// An engine that has no voice of the language keeps the one it has.
-void SpeechWorker::apply_language() {
-    if (speech_ == nullptr || language_.isEmpty())
+void SpeechWorker::begun(quint64 id) {
+    if (id != id_)
         return;
-    const QLocale wanted(language_);
-    for (const QLocale& locale : speech_->availableLocales())
-        if (locale.language() == wanted.language()) {
-            if (speech_->locale().language() != wanted.language())
-                speech_->setLocale(locale);
-            return;
-        }
+    begun_ = true;
+    failures_ = 0;
 }
 
-void SpeechWorker::state_became(QTextToSpeech::State state) {
-    if (state == QTextToSpeech::Speaking) {
-        begun_ = true;
-        failures_ = 0;
-    } else if (state == QTextToSpeech::Error) {
-        not_begun();
-    } else if (state == QTextToSpeech::Ready && begun_) {
-        end(); // a Ready before any Speaking belongs to the text that this one replaced
-    }
-}
-
-void SpeechWorker::not_begun() {
-    const bool mute = id_ != 0 && ++failures_ == mute_after;
-    end();
+void SpeechWorker::not_begun(quint64 id) {
+    if (id == 0 || id != id_)
+        return;
+    const bool mute = ++failures_ == mute_after;
+    ended(id);
     if (mute)
         emit failed();
 }
 
-void SpeechWorker::end() {
+void SpeechWorker::ended(quint64 id) {
+    if (id == 0 || id != id_)
+        return;
     too_long_.stop();
-    if (const quint64 id = std::exchange(id_, 0); id != 0)
-        emit finished(id);
+    id_ = 0;
+    emit finished(id);
 }
 
 } // namespace tp

@@ -3,17 +3,16 @@
 
 #include <QObject>
 #include <QString>
-#include <QTextToSpeech>
 #include <QTimer>
 
 namespace tp {
 
-/// One engine's QTextToSpeech; every call on the thread that the worker was moved to.
-class SpeechWorker final : public QObject {
+/// One speech engine; every call on the thread that the worker was moved to. A text is over when the engine says so, or
+/// after longer than any text takes: an engine that never says that it has ended must not silence the rest.
+class SpeechWorker : public QObject {
     Q_OBJECT
 public:
-    /// `engine` as Qt names it.
-    explicit SpeechWorker(const char* engine);
+    SpeechWorker();
 
     void find_engine();
     void speak(quint64 id, const QString& text);
@@ -24,20 +23,28 @@ public:
 
 signals:
     void found();
-    /// There is no such engine, or it is mute: without a sound card one calls itself ready until it must
+    /// There is no such engine, or it has gone, or it is mute: without a sound card one calls itself ready until it must
     /// speak.
     void failed();
     void finished(quint64 id);
 
-private:
-    void apply_language();
-    void state_became(QTextToSpeech::State state);
-    void end();
-    void not_begun();
+protected:
+    /// False: there is none. May take seconds; the others are called after it, and only where it was true.
+    virtual bool open() = 0;
+    virtual void say(quint64 id, const QString& text) = 0;
+    virtual void silence() = 0;
+    virtual void use_rate(double rate) = 0;
+    /// Of an engine without a voice of the language the one that it has.
+    virtual void use_language(const QString& language) = 0;
 
-    QString engine_;
-    QTextToSpeech* speech_ = nullptr; ///< a child, so that it dies on this thread
-    QTimer too_long_; ///< an engine that never says that it has ended must not silence the rest
+    /// What the engine tells of a text; of any but the one that was given last it is ignored.
+    void begun(quint64 id);
+    void ended(quint64 id);
+    void not_begun(quint64 id);
+
+private:
+    QTimer too_long_;
+    bool open_ = false;
     double rate_ = 0.0;
     QString language_;
     quint64 id_ = 0;     ///< what is being spoken; 0: nothing

@@ -5,7 +5,11 @@ namespace tp {
 
 SpokenVoice::SpokenVoice(QObject* parent) : Voice(parent), queue_(speech_) {
     connect(&speech_, &SystemSpeech::found, this, [this] { became(State::ready); });
-    connect(&speech_, &SystemSpeech::lost, this, [this] { became(State::starting); });
+    connect(&speech_, &SystemSpeech::trying, this, [this] { queue_.open(true); }); // it speaks as soon as it is there
+    connect(&speech_, &SystemSpeech::lost, this, [this] {
+        queue_.open(false);
+        became(State::starting);
+    });
     connect(&speech_, &SystemSpeech::none_left, this, [this] { became(State::missing); });
     connect(&speech_, &SystemSpeech::finished, this, [this](quint64 id) {
         queue_.finished(id);
@@ -41,7 +45,6 @@ void SpokenVoice::became(State state) {
     state_ = state;
     if (state == State::missing)
         queue_.clear();
-    queue_.open(state == State::ready);
     emit state_changed();
 }
 

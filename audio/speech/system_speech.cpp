@@ -1,18 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/system_speech.hpp"
 
+#include "audio/speech/dispatcher_worker.hpp"
+#include "audio/speech/qt_speech_worker.hpp"
 #include "audio/speech/speech_worker.hpp"
 
-#include <iterator>
+#include <memory>
 #include <utility>
 
 namespace tp {
 
 namespace {
-constexpr const char* engines[] = {"speechd",
-                                   "flite"}; // tried in this order; others may only pretend ("mock")
-constexpr int longest_search_ms = 8000;      // speech-dispatcher takes 1–4 s
+
+constexpr int longest_search_ms = 8000; ///< to start speech-dispatcher takes about 1 s
 constexpr int longest_goodbye_ms = 2000;
+
+/// Tried in this order; others of Qt's may only pretend ("mock").
+std::unique_ptr<SpeechWorker> engine(int place) {
+    switch (place) {
+    case 0: return std::make_unique<DispatcherWorker>();
+    case 1: return std::make_unique<QtSpeechWorker>("flite");
+    default: return nullptr;
+    }
+}
+
 } // namespace
 
 SystemSpeech::SystemSpeech() {
@@ -37,13 +48,15 @@ void SystemSpeech::start() {
 
 void SystemSpeech::try_next() {
     leave_behind();
-    if (next_ == static_cast<int>(std::size(engines))) {
+    std::unique_ptr<SpeechWorker> next = engine(next_);
+    if (next == nullptr) {
         emit none_left();
         return;
     }
+    ++next_;
     thread_ = new QThread;
     thread_->setObjectName("speech");
-    worker_ = new SpeechWorker(engines[next_++]);
+    worker_ = next.release();
     worker_->moveToThread(thread_);
     connect(thread_, &QThread::started, worker_, &SpeechWorker::find_engine);
     connect(thread_, &QThread::finished, worker_, &QObject::deleteLater);
@@ -52,14 +65,12 @@ void SystemSpeech::try_next() {
         too_long_.stop();
         emit found();
     });
-    connect(worker_, &SpeechWorker::failed, this, [this] {
-        emit lost();
-        try_next();
-    });
+    connect(worker_, &SpeechWorker::failed, this, &SystemSpeech::try_next);
     set_rate(rate_);
     set_language(language_);
     too_long_.start();
     thread_->start();
+    emit trying();
 }
 
 void SystemSpeech::leave_behind() {
@@ -71,6 +82,7 @@ void SystemSpeech::leave_behind() {
     thread_->quit();
     thread_ = nullptr;
     worker_ = nullptr;
+    emit lost();
 }
 
 void SystemSpeech::speak(quint64 id, const QString& text) {

@@ -12,7 +12,7 @@ namespace tp {
 
 class SpeechWorker;
 
-/// The speech engine of this system (Qt TextToSpeech: speech-dispatcher, then flite), each tried on a thread
+/// The speech engine of this system (speech-dispatcher, then Qt TextToSpeech's flite), each tried on a thread
 /// of its own, because finding one takes seconds and one that hangs may hang for ever. An engine that does
 /// not answer in time, or turns out to be mute, is left behind and the next one tried.
 class SystemSpeech final : public QObject, public SpeechEngine {
@@ -22,7 +22,7 @@ public:
     /// Leaves an engine that hangs where it hangs rather than keep the program from ending.
     ~SystemSpeech() override;
 
-    /// Looks for an engine; `found` or `none_left` follows. Once only.
+    /// Looks for an engine; `trying` and then `found` or `none_left` follow. Once only.
     void start();
     void speak(quint64 id, const QString& text) override;
     void cancel() override;
@@ -30,8 +30,10 @@ public:
     void set_language(const QString& language);
 
 signals:
+    /// An engine is being looked for and speaks what it is given meanwhile, unless it is `lost`.
+    void trying();
     void found();
-    /// The engine that was found is no longer used; another is looked for.
+    /// The engine that was found or tried is no longer used; another is looked for.
     void lost();
     void none_left();
     void finished(quint64 id);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A sound server for tests: nothing of the machine's own is heard or recorded."""
 import os
+import socket
 import subprocess
 import time
 import wave
@@ -89,15 +90,21 @@ class Ear:
         return read_wav(self.path)[0]
 
 
+def listens(path):
+    """Whether somebody answers at a socket; one that is left over stays in its folder."""
+    with socket.socket(socket.AF_UNIX) as door:
+        return door.connect_ex(path) == 0
+
+
 class Speech:
     """A speech-dispatcher of our own, as a session has one: it speaks through the sound server of XDG_RUNTIME_DIR."""
 
     def __init__(self):
-        socket = os.path.join(os.environ["XDG_RUNTIME_DIR"], "speech-dispatcher", "speechd.sock")
-        os.makedirs(os.path.dirname(socket), mode=0o700, exist_ok=True)
-        self.process = subprocess.Popen(["speech-dispatcher", "--run-single", "--timeout", "0", "--socket-path", socket],
+        path = os.path.join(os.environ["XDG_RUNTIME_DIR"], "speech-dispatcher", "speechd.sock")
+        os.makedirs(os.path.dirname(path), mode=0o700, exist_ok=True)
+        self.process = subprocess.Popen(["speech-dispatcher", "--run-single", "--timeout", "0", "--socket-path", path],
                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        wait_until(lambda: os.path.exists(socket))
+        wait_until(lambda: listens(path))
 
     def end(self):
         self.process.terminate()

@@ -2,6 +2,7 @@
 // The journeys of tests/e2e, by touch alone.
 #include "app/album/keeper/album_keeper.hpp"
 #include "page_window.hpp"
+#include "places.hpp"
 #include "sound_files.hpp"
 #include "touch_hand.hpp"
 #include "whole_program.hpp"
@@ -130,7 +131,7 @@ struct Caregiver : ByTouch {
         const QDir folder(whole.folder.path());
         folder.mkpath("Card");
         folder.mkpath("Documents");
-        QFile::copy(TP_SOURCE_DIR "/resources/samples/clara_sad.jpg", folder.filePath("Card/clara_sad.jpg"));
+        QFile::copy(tp::test::in_source("resources/samples/clara_sad.jpg"), folder.filePath("Card/clara_sad.jpg"));
         AlbumKeeper keeper(folder.filePath("Family").toStdString());
         if (const std::string why = keeper.name_face(photo("ben_smiling.jpg").toStdString(), {0.5, 0.4, 0.4, 0.5, "Ben"}); !why.empty())
             qFatal("%s", why.c_str());

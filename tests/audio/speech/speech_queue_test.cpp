@@ -133,6 +133,19 @@ private slots:
         QCOMPARE(engine.begun, QStringList({"Looking for faces."}));
     }
 
+    void what_an_engine_that_goes_was_given_is_spoken_by_the_next() {
+        for (const Priority priority : {Priority::touch, Priority::message, Priority::fault}) {
+            Bench bench;
+            bench.queue.say("One face.", priority);
+            bench.queue.open(false);
+            QVERIFY(!bench.queue.idle());
+            bench.queue.open(true);
+            QCOMPARE(bench.engine.begun, QStringList({"One face.", "One face."}));
+            bench.end();
+            QVERIFY(bench.queue.idle());
+        }
+    }
+
     void a_late_end_of_a_cancelled_text_does_not_end_the_next() {
         Bench bench;
         bench.queue.say("left eye", Priority::touch);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "calibration_check.hpp"
 #include "device/calibration_file.hpp"
+#include "places.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -71,7 +72,7 @@ private slots:
     }
 
     void the_corpus_and_its_broken_copies_hold_what_the_fuzzer_asks() {
-        QDir corpus(TP_SOURCE_DIR "/tests/device/calibration/corpus");
+        QDir corpus(tp::test::in_source("tests/device/calibration/corpus"));
         const QStringList files = corpus.entryList(QDir::Files);
         QVERIFY(files.size() >= 3);
         std::mt19937 random(7);

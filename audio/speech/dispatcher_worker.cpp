@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audio/speech/dispatcher_worker.hpp"
+
+#include <QDeadlineTimer>
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+#include <QThread>
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tp {
+
+namespace {
+
+constexpr int start_ms = 5000; ///< that a speech-dispatcher may take to open its socket
+constexpr int look_ms = 10;
+
+constexpr int message_queued = 225;
+constexpr int first_refusal = 300; ///< and all above that are no events
+constexpr int event_begin = 701;
+constexpr int event_end = 702;
+constexpr int event_cancelled = 703;
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? std::string() : value;
+}
+
+} // namespace
+
+/// As speech-dispatcher's own library finds it.
+std::string DispatcherWorker::usual_socket() {
+    constexpr std::string_view by_socket = "unix_socket:";
+    if (const std::string address = variable("SPEECHD_ADDRESS"); address.starts_with(by_socket))
+        return address.substr(by_socket.size());
+    std::string folder = variable("XDG_RUNTIME_DIR");
+    if (folder.empty())
+        folder = variable("XDG_CACHE_HOME");
+    if (folder.empty())
+        folder = variable("HOME") + "/.cache";
+    return folder + "/speech-dispatcher/speechd.sock";
+}
+
+DispatcherWorker::DispatcherWorker(std::string socket, bool may_start) : path_(std::move(socket)), may_start_(may_start) {}
+
+DispatcherWorker::~DispatcherWorker() { hang_up(); }
+
+bool DispatcherWorker::connected() {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    if (path_.size() >= sizeof address.sun_path)
+        return false;
+    std::memcpy(address.sun_path, path_.data(), path_.size());
+    socket_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (socket_ >= 0 && ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0)
+        return true;
+    hang_up();
+    return false;
+}
+
+/// Starts the server, and is connected to it.
+bool DispatcherWorker::started() {
+    QProcess starter;
+    starter.setStandardOutputFile(QProcess::nullDevice());
+    starter.setStandardErrorFile(QProcess::nullDevice());
+    starter.start("speech-dispatcher",
+                  {"--spawn", "--communication-method", "unix_socket", "--socket-path", QString::fromStdString(path_)});
+    if (!starter.waitForFinished(start_ms))
+        return false;
+    // One that would not start may have found another on its way.
+    const QDeadlineTimer patience(starter.exitCode() == 0 ? start_ms : start_ms / 5);
+    while (!connected()) {
+        if (patience.hasExpired())
+            return false;
+        QThread::msleep(look_ms);
+    }
+    return true;
+}
+
+bool DispatcherWorker::open() {
+    if (!connected() && !(may_start_ && started()))
+        return false;
+    ear_ = std::make_unique<QSocketNotifier>(socket_, QSocketNotifier::Read);
+    connect(ear_.get(), &QSocketNotifier::activated, this, &DispatcherWorker::hear);
+    std::string user = variable("USER");
+    if (user.find_first_of(": \r\n") != std::string::npos || user.empty())
+        user = "unknown";
+    send({"SET SELF CLIENT_NAME " + user + ":touchphoto:main\r\n"});
+    for (const char* event : {"BEGIN", "END", "CANCEL"})
+        send({std::string("SET SELF NOTIFICATION ") + event + " ON\r\n"});
+    return true;
+}
+
+void DispatcherWorker::say(quint64 id, const QString& text) {
+    send({"SPEAK\r\n", id});
+    send({ssip_text(text.toStdString()), id});
+}
+
+void DispatcherWorker::silence() { send({"CANCEL SELF\r\n"}); }
+
+void DispatcherWorker::use_rate(double rate) {
+    send({"SET SELF RATE " + std::to_string(std::lround(100.0 * rate)) + "\r\n"});
+}
+
+void DispatcherWorker::use_language(const QString& language) {
+    send({"SET SELF LANGUAGE " + language.toStdString() + "\r\n"});
+}
+
+void DispatcherWorker::send(Command command) {
+    commands_.push_back(std::move(command));
+    if (commands_.size() == 1)
+        send_next();
+}
+
+void DispatcherWorker::send_next() {
+    if (commands_.empty() || socket_ < 0)
+        return;
+    std::string_view left = commands_.front().bytes;
+    while (!left.empty()) {
+        const ssize_t sent = ::send(socket_, left.data(), left.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR)
+            continue;
+        if (sent <= 0)
+            return; // it has gone: hear() is told
+        left.remove_prefix(static_cast<std::size_t>(sent));
+    }
+}
+
+void DispatcherWorker::hear() {
+    std::array<char, 4096> bytes{};
+    const ssize_t got = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+    if (got < 0 && (errno == EAGAIN || errno == EINTR))
+        return;
+    std::vector<SsipReply> replies;
+    const bool sound = got > 0 && reader_.read({bytes.data(), static_cast<std::size_t>(got)}, replies);
+    for (const SsipReply& reply : replies)
+        take(reply);
+    if (!sound) {
+        hang_up();
+        emit failed();
+    }
+}
+
+void DispatcherWorker::take(const SsipReply& reply) {
+    if (reply.is_event())
+        return take_event(reply);
+    if (commands_.empty())
+        return;
+    const quint64 id = commands_.front().id;
+    commands_.pop_front();
+    if (reply.code == message_queued)
+        messages_[reply.lines.front()] = id;
+    const bool refused = reply.code >= first_refusal && id != 0;
+    if (refused && !commands_.empty() && commands_.front().id == id)
+        commands_.pop_front(); // the text that was to follow
+    send_next();
+    if (refused)
+        not_begun(id);
+}
+
+void DispatcherWorker::take_event(const SsipReply& event) {
+    const auto found = messages_.find(event.lines.front());
+    if (found == messages_.end())
+        return;
+    const quint64 id = found->second;
+    if (event.code == event_begin)
+        begun(id);
+    if (event.code != event_end && event.code != event_cancelled)
+        return;
+    messages_.erase(found);
+    ended(id);
+}
+
+void DispatcherWorker::hang_up() {
+    if (ear_ != nullptr)
+        ear_->setEnabled(false); // it may be what calls
+    if (socket_ >= 0)
+        ::close(std::exchange(socket_, -1));
+}
+
+} // namespace tp

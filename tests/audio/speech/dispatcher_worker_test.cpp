@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audio/speech/dispatcher_worker.hpp"
+
+#include <QFile>
+#include <QLocalServer>
+#include <QLocalSocket>
+#include <QSignalSpy>
+#include <QStringList>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+using namespace tp;
+
+namespace {
+
+/// A speech-dispatcher that says yes to everything but what it is told to refuse, and speaks when it is told to.
+class FakeDispatcher : public QObject {
+public:
+    FakeDispatcher() {
+        server_.listen(path());
+        connect(&server_, &QLocalServer::newConnection, this, [this] {
+            line_ = server_.nextPendingConnection();
+            connect(line_, &QLocalSocket::readyRead, this, [this] { hear(); });
+        });
+    }
+    QString path() const { return folder_.filePath("speechd.sock"); }
+    void send(const QByteArray& bytes) {
+        line_->write(bytes);
+        line_->flush();
+    }
+    void tell(int message, int code, const QByteArray& word) {
+        const QByteArray each = QByteArray::number(code);
+        send(each + '-' + QByteArray::number(message) + "\r\n" + each + "-1\r\n" + each + ' ' + word + "\r\n");
+    }
+    void hang_up() { line_->disconnectFromServer(); }
+    bool connected() const { return line_ != nullptr; }
+
+    QStringList commands, texts;
+    QString refused;
+
+private:
+    void hear() {
+        while (line_->canReadLine()) {
+            const QString line = QString::fromUtf8(line_->readLine()).chopped(2);
+            if (taking_ && line == ".") {
+                taking_ = false;
+                send("225-" + QByteArray::number(texts.size()) + "\r\n225 OK MESSAGE QUEUED\r\n");
+            } else if (taking_) {
+                texts << line;
+            } else {
+                commands << line;
+                taking_ = line == "SPEAK" && refused != line;
+                send(line == refused ? "300 ERR INTERNAL\r\n" : taking_ ? "230 OK RECEIVING DATA\r\n" : "200 OK\r\n");
+            }
+        }
+    }
+    QTemporaryDir folder_;
+    QLocalServer server_;
+    QLocalSocket* line_ = nullptr;
+    bool taking_ = false;
+};
+
+struct Bench {
+    FakeDispatcher dispatcher;
+    DispatcherWorker worker{dispatcher.path().toStdString(), false};
+    QSignalSpy found{&worker, &SpeechWorker::found};
+    QSignalSpy failed{&worker, &SpeechWorker::failed};
+    QSignalSpy finished{&worker, &SpeechWorker::finished};
+    Bench() { worker.find_engine(); }
+};
+
+} // namespace
+
+class DispatcherWorkerTest : public QObject {
+    Q_OBJECT
+private slots:
+    void it_is_there_at_once_and_says_who_it_is() {
+        Bench bench;
+        QCOMPARE(bench.found.size(), 1);
+        bench.worker.set_rate(-0.5);
+        bench.worker.set_language("ko");
+        QTRY_VERIFY(bench.dispatcher.commands.contains("SET SELF LANGUAGE ko"));
+        QVERIFY(bench.dispatcher.commands.first().startsWith("SET SELF CLIENT_NAME "));
+        QVERIFY(bench.dispatcher.commands.first().endsWith(":touchphoto:main"));
+        QVERIFY(bench.dispatcher.commands.contains("SET SELF RATE -50"));
+        QVERIFY(bench.dispatcher.commands.contains("SET SELF NOTIFICATION END ON"));
+    }
+
+    void a_text_has_ended_when_the_dispatcher_says_so() {
+        Bench bench;
+        bench.worker.speak(7, QString::fromUtf8("Große\nAugen."));
+        QTRY_COMPARE(bench.dispatcher.texts, QStringList{QString::fromUtf8("Große Augen.")});
+        bench.dispatcher.tell(1, 701, "BEGIN");
+        bench.dispatcher.tell(99, 702, "END"); // of somebody else's
+        bench.dispatcher.tell(1, 702, "END");
+        QTRY_COMPARE(bench.finished.size(), 1);
+        QCOMPARE(bench.finished[0][0].toULongLong(), quint64(7));
+        QVERIFY(bench.failed.isEmpty());
+    }
+
+    void a_late_end_of_a_cancelled_text_does_not_end_the_next() {
+        Bench bench;
+        bench.worker.speak(1, "left eye");
+        bench.worker.cancel();
+        bench.worker.speak(2, "lips");
+        QTRY_COMPARE(bench.dispatcher.texts, QStringList({"left eye", "lips"}));
+        QVERIFY(bench.dispatcher.commands.contains("CANCEL SELF"));
+        bench.dispatcher.tell(1, 703, "CANCELED");
+        bench.dispatcher.tell(2, 701, "BEGIN");
+        bench.dispatcher.tell(2, 702, "END");
+        QTRY_VERIFY(!bench.finished.isEmpty());
+        QCOMPARE(bench.finished.size(), 1);
+        QCOMPARE(bench.finished[0][0].toULongLong(), quint64(2));
+    }
+
+    void two_refused_texts_are_a_mute_engine() {
+        Bench bench;
+        bench.dispatcher.refused = "SPEAK";
+        bench.worker.speak(1, "left eye");
+        QTRY_COMPARE(bench.finished.size(), 1);
+        QVERIFY(bench.failed.isEmpty());
+        bench.worker.speak(2, "lips");
+        QTRY_COMPARE(bench.failed.size(), 1);
+        QVERIFY(!bench.dispatcher.commands.contains("left eye")); // which would be a command there
+        QCOMPARE(bench.finished.size(), 2);
+    }
+
+    void one_that_hangs_up_has_failed() {
+        Bench bench;
+        QTRY_VERIFY(bench.dispatcher.connected());
+        bench.dispatcher.hang_up();
+        QTRY_COMPARE(bench.failed.size(), 1);
+        bench.worker.speak(1, "lips"); // nobody hears it, and nothing breaks
+        QVERIFY(bench.finished.isEmpty());
+    }
+
+    void one_that_talks_nonsense_has_failed() {
+        Bench bench;
+        QTRY_VERIFY(bench.dispatcher.connected());
+        bench.dispatcher.send("HTTP/1.1 200 OK\r\n");
+        QTRY_COMPARE(bench.failed.size(), 1);
+    }
+
+    void where_there_is_none_it_says_so() {
+        const QTemporaryDir folder;
+        for (const QString& path : {folder.filePath("none.sock"), QString(200, 'x')}) {
+            DispatcherWorker worker(path.toStdString(), false);
+            const QSignalSpy failed(&worker, &SpeechWorker::failed);
+            worker.find_engine();
+            QCOMPARE(failed.size(), 1);
+        }
+    }
+
+    void the_socket_is_where_its_own_library_looks() {
+        qputenv("XDG_RUNTIME_DIR", "/run/user/7");
+        QCOMPARE(DispatcherWorker::usual_socket(), std::string("/run/user/7/speech-dispatcher/speechd.sock"));
+        qputenv("SPEECHD_ADDRESS", "unix_socket:/tmp/other.sock");
+        QCOMPARE(DispatcherWorker::usual_socket(), std::string("/tmp/other.sock"));
+        qunsetenv("SPEECHD_ADDRESS");
+    }
+};
+
+QTEST_GUILESS_MAIN(DispatcherWorkerTest)
+#include "dispatcher_worker_test.moc"

@@ -176,6 +176,21 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>CalibrationView</name>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>End the calibration</source>
+        <translation>Kalibrierung beenden</translation>
+    </message>
+    <message>
+        <source>Nothing is changed. Key: Escape</source>
+        <translation>Nichts wird geändert. Taste: Escape</translation>
+    </message>
+</context>
+<context>
     <name>CarePage</name>
     <message>
         <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
@@ -1429,87 +1444,87 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>Sentence</name>
     <message>
-        <source>"%1" cannot be added to a face; brows, nose and irises can.</source>
+        <source>&quot;%1&quot; cannot be added to a face; brows, nose and irises can.</source>
         <translation>„%1“ kann einem Gesicht nicht hinzugefügt werden; Brauen, Nase und Iris gehen.</translation>
     </message>
     <message>
-        <source>"%1" cannot be changed: %2</source>
+        <source>&quot;%1&quot; cannot be changed: %2</source>
         <translation>„%1“ kann nicht geändert werden: %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be moved: %2</source>
+        <source>&quot;%1&quot; cannot be moved: %2</source>
         <translation>„%1“ kann nicht verschoben werden: %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be read.</source>
+        <source>&quot;%1&quot; cannot be read.</source>
         <translation>„%1“ kann nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>"%1" cannot be renamed: %2</source>
+        <source>&quot;%1&quot; cannot be renamed: %2</source>
         <translation>„%1“ kann nicht umbenannt werden: %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be restored and stays in the trash: %2</source>
+        <source>&quot;%1&quot; cannot be restored and stays in the trash: %2</source>
         <translation>„%1“ kann nicht zurückgebracht werden und bleibt im Papierkorb: %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be restored, because another file has its place now. Move that one away first.</source>
+        <source>&quot;%1&quot; cannot be restored, because another file has its place now. Move that one away first.</source>
         <translation>„%1“ kann nicht zurückgebracht werden, weil jetzt eine andere Datei an der Stelle liegt. Verschieben Sie zuerst diese.</translation>
     </message>
     <message>
-        <source>"%1" cannot be taken in: %2</source>
+        <source>&quot;%1&quot; cannot be taken in: %2</source>
         <translation>„%1“ kann nicht aufgenommen werden: %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be trimmed: %2</source>
+        <source>&quot;%1&quot; cannot be trimmed: %2</source>
         <translation>„%1“ kann nicht gekürzt werden: %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be trimmed: the part must begin before it ends.</source>
+        <source>&quot;%1&quot; cannot be trimmed: the part must begin before it ends.</source>
         <translation>„%1“ kann nicht gekürzt werden: Der Teil muss beginnen, bevor er endet.</translation>
     </message>
     <message>
-        <source>"%1" cannot be used: %2</source>
+        <source>&quot;%1&quot; cannot be used: %2</source>
         <translation>„%1“ kann nicht verwendet werden: %2</translation>
     </message>
     <message>
-        <source>"%1" changed meanwhile.</source>
+        <source>&quot;%1&quot; changed meanwhile.</source>
         <translation>„%1“ hat sich inzwischen geändert.</translation>
     </message>
     <message>
-        <source>"%1" is a folder, not a file.</source>
+        <source>&quot;%1&quot; is a folder, not a file.</source>
         <translation>„%1“ ist ein Ordner, keine Datei.</translation>
     </message>
     <message>
-        <source>"%1" is a folder.</source>
+        <source>&quot;%1&quot; is a folder.</source>
         <translation>„%1“ ist ein Ordner.</translation>
     </message>
     <message>
-        <source>"%1" is not a file.</source>
+        <source>&quot;%1&quot; is not a file.</source>
         <translation>„%1“ ist keine Datei.</translation>
     </message>
     <message>
-        <source>"%1" is not a folder in the album.</source>
+        <source>&quot;%1&quot; is not a folder in the album.</source>
         <translation>„%1“ ist kein Ordner im Album.</translation>
     </message>
     <message>
-        <source>"%1" is not in the album "%2".</source>
+        <source>&quot;%1&quot; is not in the album &quot;%2&quot;.</source>
         <translation>„%1“ ist nicht im Album „%2“.</translation>
     </message>
     <message>
-        <source>"%1" is there already, so nothing was moved.</source>
+        <source>&quot;%1&quot; is there already, so nothing was moved.</source>
         <translation>„%1“ ist schon da, deshalb wurde nichts verschoben.</translation>
     </message>
     <message>
-        <source>"%1" is there, so it stays on the list.</source>
+        <source>&quot;%1&quot; is there, so it stays on the list.</source>
         <translation>„%1“ ist da und bleibt deshalb auf der Liste.</translation>
     </message>
     <message>
-        <source>"%1" was not deleted, because it is not in the album "%2".</source>
+        <source>&quot;%1&quot; was not deleted, because it is not in the album &quot;%2&quot;.</source>
         <translation>„%1“ wurde nicht gelöscht, weil es nicht im Album „%2“ ist.</translation>
     </message>
     <message>
-        <source>"%1" was not imported: %2</source>
+        <source>&quot;%1&quot; was not imported: %2</source>
         <translation>„%1“ wurde nicht importiert: %2</translation>
     </message>
     <message>
@@ -1537,11 +1552,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 kann nicht verwendet werden: %2</translation>
     </message>
     <message>
-        <source>%1 has a transform that cannot be read: "%2".</source>
+        <source>%1 has a transform that cannot be read: &quot;%2&quot;.</source>
         <translation>%1 hat eine Transformation, die nicht gelesen werden kann: „%2“.</translation>
     </message>
     <message>
-        <source>%1 in "%2"</source>
+        <source>%1 in &quot;%2&quot;</source>
         <translation>%1 auf „%2“</translation>
     </message>
     <message>
@@ -1561,7 +1576,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 reicht weiter, als gerechnet werden kann.</translation>
     </message>
     <message>
-        <source>%1 was "%2" in another copy; it is "%3" now.</source>
+        <source>%1 was &quot;%2&quot; in another copy; it is &quot;%3&quot; now.</source>
         <translation>%1 war in einer anderen Kopie „%2“; jetzt gilt „%3“.</translation>
     </message>
     <message>
@@ -1589,7 +1604,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 wurde nicht beendet und enthielt keinen Ton.</translation>
     </message>
     <message>
-        <source>%1 was not finished; what was recorded is in "%2".</source>
+        <source>%1 was not finished; what was recorded is in &quot;%2&quot;.</source>
         <translation>%1 wurde nicht beendet; was aufgenommen wurde, ist in „%2“.</translation>
     </message>
     <message>
@@ -1599,10 +1614,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>A calibration sample is not a number; touch the marks again.</source>
-        <translation>Ein Messwert der Kalibrierung ist keine Zahl; berühren Sie die Marken noch einmal.</translation>
     </message>
     <message>
         <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
@@ -1625,7 +1636,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Eine Aufnahme ist als %1 aufgeführt, was kein Dateiname ist; sie wird ausgelassen.</translation>
     </message>
     <message>
-        <source>A tactile sheet is written as .pdf or .svg, not as "%1".</source>
+        <source>A tactile sheet is written as .pdf or .svg, not as &quot;%1&quot;.</source>
         <translation>Ein Tastblatt wird als .pdf oder .svg geschrieben, nicht als „%1“.</translation>
     </message>
     <message>
@@ -1641,7 +1652,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Ein anderer Treiber des Systems belegt dieses Gerät: %1. Ziehen Sie das Gerät ab und stecken Sie es wieder an; hilft das nicht, braucht der Systemkern den Treiber hidraw.</translation>
     </message>
     <message>
-        <source>Another program is at work on "%1"; try again.</source>
+        <source>Another program is at work on &quot;%1&quot;; try again.</source>
         <translation>Ein anderes Programm arbeitet an „%1“; versuchen Sie es noch einmal.</translation>
     </message>
     <message>
@@ -1693,7 +1704,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Andere Bilder als JPEG brauchen die Bibliothek %1 (Debian: libopencv-imgcodecs406), die hier fehlt: Installieren Sie sie, oder speichern Sie das Bild als JPEG.</translation>
     </message>
     <message>
-        <source>Qt's driver for SQLite is not installed; without it there is no album. On Debian it is the package libqt6sql6-sqlite.</source>
+        <source>Qt&apos;s driver for SQLite is not installed; without it there is no album. On Debian it is the package libqt6sql6-sqlite.</source>
         <translation>Der Qt-Treiber für SQLite ist nicht installiert; ohne ihn gibt es kein Album. Unter Debian ist es das Paket libqt6sql6-sqlite.</translation>
     </message>
     <message>
@@ -1701,7 +1712,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Steifigkeit und Reichweite der Führung müssen beide Zahlen über null sein.</translation>
     </message>
     <message>
-        <source>The %1 "%2"</source>
+        <source>The %1 &quot;%2&quot;</source>
         <translation>Das Element %1 „%2“</translation>
     </message>
     <message>
@@ -1713,11 +1724,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die %1-Datei ist beschädigt.</translation>
     </message>
     <message>
-        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then "USB Input Device".</source>
+        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then &quot;USB Input Device&quot;.</source>
         <translation>Dieses Gerät hat den falschen Treiber: %1. Wählen Sie im Geräte-Manager „Treiber aktualisieren“, dann „USB-Eingabegerät“.</translation>
     </message>
     <message>
-        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then "WinUsb Device".</source>
+        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then &quot;WinUsb Device&quot;.</source>
         <translation>Dieses Gerät hat den falschen Treiber: %1. Wählen Sie im Geräte-Manager „Treiber aktualisieren“, dann „WinUsb-Gerät“.</translation>
     </message>
     <message>
@@ -1753,27 +1764,27 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die WebP-Datei ist abgeschnitten: Ein Teil des Bildes fehlt.</translation>
     </message>
     <message>
-        <source>The album's index %1; it was set aside as "%2" and is made anew. The photographs are not touched by this.</source>
+        <source>The album&apos;s index %1; it was set aside as &quot;%2&quot; and is made anew. The photographs are not touched by this.</source>
         <translation>Der Index des Albums %1; er wurde als „%2“ beiseitegelegt und wird neu angelegt. Die Fotos bleiben davon unberührt.</translation>
     </message>
     <message>
-        <source>The album's index cannot be kept in "%1"; it is held in memory and made anew at every start: %2</source>
+        <source>The album&apos;s index cannot be kept in &quot;%1&quot;; it is held in memory and made anew at every start: %2</source>
         <translation>Der Index des Albums kann nicht in „%1“ gehalten werden; er liegt im Arbeitsspeicher und wird bei jedem Start neu angelegt: %2</translation>
     </message>
     <message>
-        <source>The album's index cannot be made: %1.</source>
+        <source>The album&apos;s index cannot be made: %1.</source>
         <translation>Der Index des Albums kann nicht angelegt werden: %1.</translation>
     </message>
     <message>
-        <source>The album's index cannot be used: %1.</source>
+        <source>The album&apos;s index cannot be used: %1.</source>
         <translation>Der Index des Albums kann nicht benutzt werden: %1.</translation>
     </message>
     <message>
-        <source>The album's index cannot grow: the disk is full.</source>
+        <source>The album&apos;s index cannot grow: the disk is full.</source>
         <translation>Der Index des Albums kann nicht wachsen: Der Datenträger ist voll.</translation>
     </message>
     <message>
-        <source>The album's index is damaged; it is made anew when the album is opened next. The photographs are not touched by this.</source>
+        <source>The album&apos;s index is damaged; it is made anew when the album is opened next. The photographs are not touched by this.</source>
         <translation>Der Index des Albums ist beschädigt; er wird neu angelegt, wenn das Album das nächste Mal geöffnet wird. Die Fotos bleiben davon unberührt.</translation>
     </message>
     <message>
@@ -1781,15 +1792,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Brailletabelle %1 wurde nicht gefunden; Namen können nicht in Braille geschrieben werden. Installieren Sie das Paket liblouis-data.</translation>
     </message>
     <message>
-        <source>The bundle "%1" cannot be used: %2</source>
+        <source>The bundle &quot;%1&quot; cannot be used: %2</source>
         <translation>Das Bündel „%1“ kann nicht verwendet werden: %2</translation>
     </message>
     <message>
-        <source>The bundle "%1" was not written: %2</source>
+        <source>The bundle &quot;%1&quot; was not written: %2</source>
         <translation>Das Bündel „%1“ wurde nicht geschrieben: %2</translation>
     </message>
     <message>
-        <source>The bundle cannot be unpacked, because "%1" is not empty.</source>
+        <source>The bundle cannot be unpacked, because &quot;%1&quot; is not empty.</source>
         <translation>Das Bündel kann nicht ausgepackt werden, weil „%1“ nicht leer ist.</translation>
     </message>
     <message>
@@ -1801,15 +1812,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Kalibrierung verfehlt ihre Marken um %1 mm, mehr als die erlaubten %2 mm; berühren Sie sie noch einmal.</translation>
     </message>
     <message>
-        <source>The conflict copy "%1" cannot be read: %2</source>
+        <source>The conflict copy &quot;%1&quot; cannot be read: %2</source>
         <translation>Die Konfliktkopie „%1“ kann nicht gelesen werden: %2</translation>
     </message>
     <message>
-        <source>The conflict copy "%1" could not be moved to the trash: %2</source>
+        <source>The conflict copy &quot;%1&quot; could not be moved to the trash: %2</source>
         <translation>Die Konfliktkopie „%1“ konnte nicht in den Papierkorb verschoben werden: %2</translation>
     </message>
     <message>
-        <source>The date "%1" is in no calendar and is left out.</source>
+        <source>The date &quot;%1&quot; is in no calendar and is left out.</source>
         <translation>Das Datum „%1“ steht in keinem Kalender und wird ausgelassen.</translation>
     </message>
     <message>
@@ -1825,11 +1836,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Gerät wurde abgeschaltet, weil dieser Computer stillstand. Starten Sie es wieder, wenn Sie bereit sind.</translation>
     </message>
     <message>
-        <source>The device with a force pad's ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
+        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
         <translation>Das Gerät mit der Kennung eines Kraftpads antwortet nicht wie ein Kraftpad. Ziehen Sie es ab und stecken Sie es wieder an; ist es kein Kraftpad, wählen Sie ein anderes Gerät.</translation>
     </message>
     <message>
-        <source>The drawing cannot be saved as "%1": %2</source>
+        <source>The drawing cannot be saved as &quot;%1&quot;: %2</source>
         <translation>Die Zeichnung kann nicht als „%1“ gespeichert werden: %2</translation>
     </message>
     <message>
@@ -1861,19 +1872,19 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Zeichnung ist größer als 64 MB; das ist mehr, als ein Blatt mit Konturen haben darf.</translation>
     </message>
     <message>
-        <source>The drawing's %1 "%2" is not a length in mm, cm, in, pt, pc or px.</source>
+        <source>The drawing&apos;s %1 &quot;%2&quot; is not a length in mm, cm, in, pt, pc or px.</source>
         <translation>%1 der Zeichnung ist „%2“; das ist keine Länge in mm, cm, in, pt, pc oder px.</translation>
     </message>
     <message>
-        <source>The drawing's %1 is %2, but it must be larger than zero.</source>
+        <source>The drawing&apos;s %1 is %2, but it must be larger than zero.</source>
         <translation>%1 der Zeichnung ist %2, muss aber größer als null sein.</translation>
     </message>
     <message>
-        <source>The drawing's size is beyond what can be computed with.</source>
+        <source>The drawing&apos;s size is beyond what can be computed with.</source>
         <translation>Die Größe der Zeichnung ist jenseits dessen, womit gerechnet werden kann.</translation>
     </message>
     <message>
-        <source>The drawing's viewBox "%1" is not four numbers with a width and a height larger than zero.</source>
+        <source>The drawing&apos;s viewBox &quot;%1&quot; is not four numbers with a width and a height larger than zero.</source>
         <translation>Die viewBox „%1“ der Zeichnung besteht nicht aus vier Zahlen mit Breite und Höhe über null.</translation>
     </message>
     <message>
@@ -1893,7 +1904,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Gesicht ist nur %1 Pixel breit, zu klein für genaue Konturen.</translation>
     </message>
     <message>
-        <source>The face of "%1" lies outside the photograph.</source>
+        <source>The face of &quot;%1&quot; lies outside the photograph.</source>
         <translation>Das Gesicht von „%1“ liegt außerhalb des Fotos.</translation>
     </message>
     <message>
@@ -1901,31 +1912,31 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Gesichter wurden auf einem Bild mit anderen Seitenlängen markiert, ihre Stellen könnten deshalb falsch sein.</translation>
     </message>
     <message>
-        <source>The file "%1" cannot be opened; you may not be allowed to read it.</source>
+        <source>The file &quot;%1&quot; cannot be opened; you may not be allowed to read it.</source>
         <translation>Die Datei „%1“ kann nicht geöffnet werden; vielleicht dürfen Sie sie nicht lesen.</translation>
     </message>
     <message>
-        <source>The file "%1" cannot be read to its end.</source>
+        <source>The file &quot;%1&quot; cannot be read to its end.</source>
         <translation>Die Datei „%1“ kann nicht bis zu ihrem Ende gelesen werden.</translation>
     </message>
     <message>
-        <source>The file "%1" cannot be read.</source>
+        <source>The file &quot;%1&quot; cannot be read.</source>
         <translation>Die Datei „%1“ kann nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>The file "%1" could not be read: there is not enough memory for it.</source>
+        <source>The file &quot;%1&quot; could not be read: there is not enough memory for it.</source>
         <translation>Die Datei „%1“ konnte nicht gelesen werden: Der Arbeitsspeicher reicht nicht.</translation>
     </message>
     <message>
-        <source>The file "%1" is called a photograph, but is none.</source>
+        <source>The file &quot;%1&quot; is called a photograph, but is none.</source>
         <translation>Die Datei „%1“ heißt wie ein Foto, ist aber keines.</translation>
     </message>
     <message>
-        <source>The file "%1" is in a folder that you are not allowed to open.</source>
+        <source>The file &quot;%1&quot; is in a folder that you are not allowed to open.</source>
         <translation>Die Datei „%1“ ist in einem Ordner, den Sie nicht öffnen dürfen.</translation>
     </message>
     <message>
-        <source>The file "%1" is larger than %2 MB; that is more than such a file may be.</source>
+        <source>The file &quot;%1&quot; is larger than %2 MB; that is more than such a file may be.</source>
         <translation>Die Datei „%1“ ist größer als %2 MB; das ist mehr, als so eine Datei haben darf.</translation>
     </message>
     <message>
@@ -1949,19 +1960,19 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Fingerabdruck des Fotos</translation>
     </message>
     <message>
-        <source>The folder "%1" cannot be made: %2</source>
+        <source>The folder &quot;%1&quot; cannot be made: %2</source>
         <translation>Der Ordner „%1“ kann nicht angelegt werden: %2</translation>
     </message>
     <message>
-        <source>The folder "%1" cannot be read: %2</source>
+        <source>The folder &quot;%1&quot; cannot be read: %2</source>
         <translation>Der Ordner „%1“ kann nicht gelesen werden: %2</translation>
     </message>
     <message>
-        <source>The folder "%1" is not there.</source>
+        <source>The folder &quot;%1&quot; is not there.</source>
         <translation>Der Ordner „%1“ ist nicht da.</translation>
     </message>
     <message>
-        <source>The folder "%1" may not be opened by you.</source>
+        <source>The folder &quot;%1&quot; may not be opened by you.</source>
         <translation>Den Ordner „%1“ dürfen Sie nicht öffnen.</translation>
     </message>
     <message>
@@ -2005,15 +2016,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Kraftpad hörte einen Moment lang nichts von diesem Computer und schaltete seine Motoren ab.</translation>
     </message>
     <message>
-        <source>The force pad's encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
+        <source>The force pad&apos;s encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
         <translation>Die Geber des Kraftpads widersprechen sich: Ein Seil ist schlaff, oder einer ist verrutscht. Setzen Sie den Knopf auf seine Marke und lassen Sie das Pad seinen Nullpunkt suchen.</translation>
     </message>
     <message>
-        <source>The force pad's motors are off.</source>
+        <source>The force pad&apos;s motors are off.</source>
         <translation>Die Motoren des Kraftpads sind aus.</translation>
     </message>
     <message>
-        <source>The force pad's motors are too hot. It goes on by itself when they have cooled.</source>
+        <source>The force pad&apos;s motors are too hot. It goes on by itself when they have cooled.</source>
         <translation>Die Motoren des Kraftpads sind zu heiß. Es geht von selbst weiter, wenn sie abgekühlt sind.</translation>
     </message>
     <message>
@@ -2029,7 +2040,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Import endete, weil der Computer meldet: %1</translation>
     </message>
     <message>
-        <source>The import's list cannot be removed: %1</source>
+        <source>The import&apos;s list cannot be removed: %1</source>
         <translation>Die Liste des Imports kann nicht entfernt werden: %1</translation>
     </message>
     <message>
@@ -2041,11 +2052,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Sprache %1</translation>
     </message>
     <message>
-        <source>The list of the import "%1" cannot be read; import its folder again, nothing comes twice.</source>
+        <source>The list of the import &quot;%1&quot; cannot be read; import its folder again, nothing comes twice.</source>
         <translation>Die Liste des Imports „%1“ kann nicht gelesen werden; importieren Sie den Ordner noch einmal, nichts kommt doppelt.</translation>
     </message>
     <message>
-        <source>The list of what was deleted in "%1" cannot be read; its files are still there.</source>
+        <source>The list of what was deleted in &quot;%1&quot; cannot be read; its files are still there.</source>
         <translation>Die Liste des Gelöschten in „%1“ kann nicht gelesen werden; die Dateien sind noch da.</translation>
     </message>
     <message>
@@ -2053,15 +2064,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Abbildung zwischen zwei Flächen kann nicht umgekehrt werden, weil sie die Ebene zu einer Linie plattdrückt.</translation>
     </message>
     <message>
-        <source>The mended contours "%1" cannot be taken away: %2</source>
+        <source>The mended contours &quot;%1&quot; cannot be taken away: %2</source>
         <translation>Die korrigierten Konturen „%1“ können nicht entfernt werden: %2</translation>
     </message>
     <message>
-        <source>The mended contours cannot be saved as "%1": %2</source>
+        <source>The mended contours cannot be saved as &quot;%1&quot;: %2</source>
         <translation>Die korrigierten Konturen können nicht als „%1“ gespeichert werden: %2</translation>
     </message>
     <message>
-        <source>The mended contours in %1 cannot be used, and the program's own are taken: %2</source>
+        <source>The mended contours in %1 cannot be used, and the program&apos;s own are taken: %2</source>
         <translation>Die korrigierten Konturen in %1 können nicht verwendet werden, es gelten die des Programms: %2</translation>
     </message>
     <message>
@@ -2085,39 +2096,39 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Person %1</translation>
     </message>
     <message>
-        <source>The photograph "%1" cannot be read: %2</source>
+        <source>The photograph &quot;%1&quot; cannot be read: %2</source>
         <translation>Das Foto „%1“ kann nicht gelesen werden: %2</translation>
     </message>
     <message>
-        <source>The photograph "%1" cannot be read: you are not allowed to.</source>
+        <source>The photograph &quot;%1&quot; cannot be read: you are not allowed to.</source>
         <translation>Das Foto „%1“ kann nicht gelesen werden: Sie dürfen es nicht.</translation>
     </message>
     <message>
-        <source>The photograph "%1" is now "%2", but what belongs to it stayed behind: %3</source>
+        <source>The photograph &quot;%1&quot; is now &quot;%2&quot;, but what belongs to it stayed behind: %3</source>
         <translation>Das Foto „%1“ heißt jetzt „%2“, aber was dazugehört, blieb zurück: %3</translation>
     </message>
     <message>
-        <source>The photograph "%1" says more of itself than any program writes; it was not read.</source>
+        <source>The photograph &quot;%1&quot; says more of itself than any program writes; it was not read.</source>
         <translation>Das Foto „%1“ sagt mehr von sich, als ein Programm schreibt; es wurde nicht gelesen.</translation>
     </message>
     <message>
-        <source>The photograph's EXIF is damaged.</source>
+        <source>The photograph&apos;s EXIF is damaged.</source>
         <translation>Die EXIF-Daten des Fotos sind beschädigt.</translation>
     </message>
     <message>
-        <source>The photograph's IPTC is damaged.</source>
+        <source>The photograph&apos;s IPTC is damaged.</source>
         <translation>Die IPTC-Daten des Fotos sind beschädigt.</translation>
     </message>
     <message>
-        <source>The photograph's XMP cannot be read: %1</source>
+        <source>The photograph&apos;s XMP cannot be read: %1</source>
         <translation>Die XMP-Daten des Fotos können nicht gelesen werden: %1</translation>
     </message>
     <message>
-        <source>The photograph's XMP is damaged.</source>
+        <source>The photograph&apos;s XMP is damaged.</source>
         <translation>Die XMP-Daten des Fotos sind beschädigt.</translation>
     </message>
     <message>
-        <source>The photograph's own metadata is damaged; what could be read of it counts.</source>
+        <source>The photograph&apos;s own metadata is damaged; what could be read of it counts.</source>
         <translation>Die eigenen Angaben des Fotos sind beschädigt; es gilt, was davon gelesen werden konnte.</translation>
     </message>
     <message>
@@ -2165,31 +2176,31 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Position ist kein Ort auf der Erde und wird ausgelassen.</translation>
     </message>
     <message>
-        <source>The recording "%1"</source>
+        <source>The recording &quot;%1&quot;</source>
         <translation>Die Aufnahme „%1“</translation>
     </message>
     <message>
-        <source>The recording "%1" can only be played from its beginning.</source>
+        <source>The recording &quot;%1&quot; can only be played from its beginning.</source>
         <translation>Die Aufnahme „%1“ kann nur von ihrem Anfang an abgespielt werden.</translation>
     </message>
     <message>
-        <source>The recording "%1" cannot be listed twice.</source>
+        <source>The recording &quot;%1&quot; cannot be listed twice.</source>
         <translation>Die Aufnahme „%1“ kann nicht zweimal aufgeführt werden.</translation>
     </message>
     <message>
-        <source>The recording "%1" cannot be listed: that is no name of a file that XML can hold.</source>
+        <source>The recording &quot;%1&quot; cannot be listed: that is no name of a file that XML can hold.</source>
         <translation>Die Aufnahme „%1“ kann nicht aufgeführt werden: Das ist kein Dateiname, den XML fassen kann.</translation>
     </message>
     <message>
-        <source>The recording "%1" cannot be played: %2</source>
+        <source>The recording &quot;%1&quot; cannot be played: %2</source>
         <translation>Die Aufnahme „%1“ kann nicht abgespielt werden: %2</translation>
     </message>
     <message>
-        <source>The recording "%1" cannot be used: %2</source>
+        <source>The recording &quot;%1&quot; cannot be used: %2</source>
         <translation>Die Aufnahme „%1“ kann nicht verwendet werden: %2</translation>
     </message>
     <message>
-        <source>The recording "%1" is kept, but the photograph's list could not be written: %2</source>
+        <source>The recording &quot;%1&quot; is kept, but the photograph&apos;s list could not be written: %2</source>
         <translation>Die Aufnahme „%1“ ist aufbewahrt, aber die Liste des Fotos konnte nicht geschrieben werden: %2</translation>
     </message>
     <message>
@@ -2221,31 +2232,31 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die kurze Beschreibung</translation>
     </message>
     <message>
-        <source>The sidecar "%1" cannot be read: %2</source>
+        <source>The sidecar &quot;%1&quot; cannot be read: %2</source>
         <translation>Die Begleitdatei „%1“ kann nicht gelesen werden: %2</translation>
     </message>
     <message>
-        <source>The sidecar "%1" could not be written: %2</source>
+        <source>The sidecar &quot;%1&quot; could not be written: %2</source>
         <translation>Die Begleitdatei „%1“ konnte nicht geschrieben werden: %2</translation>
     </message>
     <message>
-        <source>The sidecar of "%1" could not be written: another program is busy there.</source>
+        <source>The sidecar of &quot;%1&quot; could not be written: another program is busy there.</source>
         <translation>Die Begleitdatei von „%1“ konnte nicht geschrieben werden: Ein anderes Programm arbeitet gerade daran.</translation>
     </message>
     <message>
-        <source>The sidecar of "%1" was changed in two places at once; it holds both now, and the copy "%2" is in the trash.</source>
+        <source>The sidecar of &quot;%1&quot; was changed in two places at once; it holds both now, and the copy &quot;%2&quot; is in the trash.</source>
         <translation>Die Begleitdatei von „%1“ wurde an zwei Orten zugleich geändert; sie enthält jetzt beides, und die Kopie „%2“ ist im Papierkorb.</translation>
     </message>
     <message>
-        <source>The sound of "%1" is not whole. %2</source>
+        <source>The sound of &quot;%1&quot; is not whole. %2</source>
         <translation>Der Ton von „%1“ ist nicht vollständig. %2</translation>
     </message>
     <message>
-        <source>The sound of the video "%1" does not come along: %2</source>
+        <source>The sound of the video &quot;%1&quot; does not come along: %2</source>
         <translation>Der Ton des Videos „%1“ kommt nicht mit: %2</translation>
     </message>
     <message>
-        <source>The sound of the video in "%1" does not come along: %2</source>
+        <source>The sound of the video in &quot;%1&quot; does not come along: %2</source>
         <translation>Der Ton des Videos in „%1“ kommt nicht mit: %2</translation>
     </message>
     <message>
@@ -2257,11 +2268,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das System gibt diesem Programm keinen Arbeitsfaden; schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>The system watches only a part of the album's folders; changes by other programs in the others are noticed %1 seconds later.</source>
+        <source>The system watches only a part of the album&apos;s folders; changes by other programs in the others are noticed %1 seconds later.</source>
         <translation>Das System beobachtet nur einen Teil der Ordner des Albums; was andere Programme in den übrigen ändern, wird %1 Sekunden später bemerkt.</translation>
     </message>
     <message>
-        <source>The tactile sheet cannot be saved as "%1": %2</source>
+        <source>The tactile sheet cannot be saved as &quot;%1&quot;: %2</source>
         <translation>Das Tastblatt kann nicht als „%1“ gespeichert werden: %2</translation>
     </message>
     <message>
@@ -2285,11 +2296,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Es gibt schon eine Datei %1. Wählen Sie einen anderen Namen für die Aufzeichnung.</translation>
     </message>
     <message>
-        <source>There is no braille for the language "%1"; en, de and ko there is.</source>
+        <source>There is no braille for the language &quot;%1&quot;; en, de and ko there is.</source>
         <translation>Für die Sprache „%1“ gibt es keine Braille; es gibt en, de und ko.</translation>
     </message>
     <message>
-        <source>There is no device "%1" now. See that it is plugged in; "touchphoto-lab devices" lists what is there.</source>
+        <source>There is no device &quot;%1&quot; now. See that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
         <translation>Das Gerät „%1“ gibt es jetzt nicht. Sehen Sie nach, ob es angesteckt ist; „touchphoto-lab devices“ zählt auf, was da ist.</translation>
     </message>
     <message>
@@ -2297,11 +2308,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>In diesem Bild gibt es kein Gesicht %1; so viele hat es: %2.</translation>
     </message>
     <message>
-        <source>There is no file "%1".</source>
+        <source>There is no file &quot;%1&quot;.</source>
         <translation>Es gibt keine Datei „%1“.</translation>
     </message>
     <message>
-        <source>There is no file or folder "%1".</source>
+        <source>There is no file or folder &quot;%1&quot;.</source>
         <translation>Es gibt weder Datei noch Ordner „%1“.</translation>
     </message>
     <message>
@@ -2309,7 +2320,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Auf diesen Gesichtern gibt es keine Linie zu zeichnen.</translation>
     </message>
     <message>
-        <source>There is no photograph "%1".</source>
+        <source>There is no photograph &quot;%1&quot;.</source>
         <translation>Es gibt kein Foto „%1“.</translation>
     </message>
     <message>
@@ -2317,7 +2328,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Es gibt kein Foto zum Exportieren.</translation>
     </message>
     <message>
-        <source>There is no recording "%1" on "%2".</source>
+        <source>There is no recording &quot;%1&quot; on &quot;%2&quot;.</source>
         <translation>Es gibt keine Aufnahme „%1“ bei „%2“.</translation>
     </message>
     <message>
@@ -2325,7 +2336,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Diese Datei gibt es nicht.</translation>
     </message>
     <message>
-        <source>There is no unfinished import "%1".</source>
+        <source>There is no unfinished import &quot;%1&quot;.</source>
         <translation>Es gibt keinen unfertigen Import „%1“.</translation>
     </message>
     <message>
@@ -2333,7 +2344,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Für dieses Bild reicht der Arbeitsspeicher nicht.</translation>
     </message>
     <message>
-        <source>There is nothing of the name "%1" in the trash.</source>
+        <source>There is nothing of the name &quot;%1&quot; in the trash.</source>
         <translation>Im Papierkorb gibt es nichts mit dem Namen „%1“.</translation>
     </message>
     <message>
@@ -2393,7 +2404,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Was andere Programme geschrieben haben, unterscheidet sich in: %1. Die andere Fassung ist in der Kopie.</translation>
     </message>
     <message>
-        <source>What the photograph "%1" says of itself cannot be read.</source>
+        <source>What the photograph &quot;%1&quot; says of itself cannot be read.</source>
         <translation>Was das Foto „%1“ von sich sagt, kann nicht gelesen werden.</translation>
     </message>
     <message>
@@ -2401,7 +2412,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Windows lässt dieses Programm das Gerät nicht benutzen: %1. Ziehen Sie es ab und stecken Sie es wieder an; hilft das nicht, schließen Sie andere Programme, die es benutzen.</translation>
     </message>
     <message>
-        <source>You are not allowed to read the photograph "%1".</source>
+        <source>You are not allowed to read the photograph &quot;%1&quot;.</source>
         <translation>Sie dürfen das Foto „%1“ nicht lesen.</translation>
     </message>
     <message>
@@ -2521,11 +2532,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Es ist kein Ton darin.</translation>
     </message>
     <message>
-        <source>it holds "%1", which is not a plain file.</source>
+        <source>it holds &quot;%1&quot;, which is not a plain file.</source>
         <translation>Es enthält „%1“, das keine gewöhnliche Datei ist.</translation>
     </message>
     <message>
-        <source>it holds "%1", which would lie outside the album.</source>
+        <source>it holds &quot;%1&quot;, which would lie outside the album.</source>
         <translation>Es enthält „%1“, das außerhalb des Albums liegen würde.</translation>
     </message>
     <message>
@@ -2585,7 +2596,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Es ist länger als %1 Stunden.</translation>
     </message>
     <message>
-        <source>it is longer than a minute, so it is a film and not the photograph's.</source>
+        <source>it is longer than a minute, so it is a film and not the photograph&apos;s.</source>
         <translation>Es ist länger als eine Minute, also ein Film und nicht der Ton des Fotos.</translation>
     </message>
     <message>
@@ -2649,7 +2660,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Datei würde größer, als ein Programm liest.</translation>
     </message>
     <message>
-        <source>it would become too large ("%1").</source>
+        <source>it would become too large (&quot;%1&quot;).</source>
         <translation>Es würde zu groß („%1“).</translation>
     </message>
     <message>
@@ -2773,7 +2784,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Nichts von dem Ton kann entschlüsselt werden.</translation>
     </message>
     <message>
-        <source>of the recording "%1"</source>
+        <source>of the recording &quot;%1&quot;</source>
         <translation>der Aufnahme „%1“</translation>
     </message>
     <message>
@@ -2829,7 +2840,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Datenträger meldet einen Fehler.</translation>
     </message>
     <message>
-        <source>the face of "%1"</source>
+        <source>the face of &quot;%1&quot;</source>
         <translation>das Gesicht von „%1“</translation>
     </message>
     <message>
@@ -2901,7 +2912,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Es gibt schon eine Datei dieses Namens.</translation>
     </message>
     <message>
-        <source>there is no folder "%1".</source>
+        <source>there is no folder &quot;%1&quot;.</source>
         <translation>Es gibt keinen Ordner „%1“.</translation>
     </message>
     <message>
@@ -2959,6 +2970,22 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>you are not allowed to write there.</source>
         <translation>Sie dürfen dort nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>A calibration sample is no place; touch the marks again.</source>
+        <translation>Ein Messwert der Kalibrierung ist keine Stelle; berühren Sie die Marken noch einmal.</translation>
+    </message>
+    <message>
+        <source>The calibration could not be kept: %1</source>
+        <translation>Die Kalibrierung konnte nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>Too many touches do not fit together. Touch the marks again with the finger in the device, and with no other.</source>
+        <translation>Zu viele Berührungen passen nicht zusammen. Berühren Sie die Marken noch einmal mit dem Finger im Gerät und mit keinem anderen.</translation>
+    </message>
+    <message>
+        <source>the device has no name to keep it by.</source>
+        <translation>das Gerät hat keinen Namen, unter dem sie gespeichert werden kann.</translation>
     </message>
 </context>
 <context>
@@ -3107,7 +3134,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The album&apos;s folders stay; it can be taken back</source>
         <translation>Die Ordner des Albums bleiben; es kann zurückgenommen werden</translation>
     </message>
-<message>
+    <message>
         <source>Force device</source>
         <translation>Kraftgerät</translation>
     </message>
@@ -3790,6 +3817,93 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>tp::DeviceSettings</name>
+    <message>
+        <source>%1, over USB (HID)</source>
+        <translation>%1, über USB (HID)</translation>
+    </message>
+    <message>
+        <source>%1, over USB (bulk)</source>
+        <translation>%1, über USB (Bulk)</translation>
+    </message>
+    <message>
+        <source>None: sound, and a drawn finger</source>
+        <translation>Keines: Ton und ein gezeichneter Finger</translation>
+    </message>
+    <message>
+        <source>%1, not plugged in</source>
+        <translation>%1, nicht eingesteckt</translation>
+    </message>
+    <message>
+        <source>Calibrated: misses by %1 millimetres on average.</source>
+        <translation>Kalibriert: liegt im Mittel %1 Millimeter daneben.</translation>
+    </message>
+    <message>
+        <source>Not calibrated. It may stand beside the screen; to lie on it, it must be calibrated.</source>
+        <translation>Nicht kalibriert. Es darf neben dem Bildschirm stehen; um darauf zu liegen, muss es kalibriert werden.</translation>
+    </message>
+    <message>
+        <source>No force device is plugged in. Plug one in; it is found by itself.</source>
+        <translation>Kein Kraftgerät ist eingesteckt. Stecken Sie eines ein; es wird von selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>No force device is chosen. Choose one above.</source>
+        <translation>Kein Kraftgerät ist gewählt. Wählen Sie oben eines.</translation>
+    </message>
+    <message>
+        <source>The strongest force, %1 newtons: to the right, then to the left. Escape ends it.</source>
+        <translation>Die größte Kraft, %1 Newton: nach rechts, dann nach links. Escape beendet es.</translation>
+    </message>
+    <message>
+        <source>Calibration. The device lies on the screen; put a finger into it, so that it touches the screen. Escape ends it. %1</source>
+        <translation>Kalibrierung. Das Gerät liegt auf dem Bildschirm; stecken Sie einen Finger hinein, so dass er den Bildschirm berührt. Escape beendet sie. %1</translation>
+    </message>
+    <message>
+        <source>That was the strongest force.</source>
+        <translation>Das war die größte Kraft.</translation>
+    </message>
+    <message>
+        <source>Touch the top left corner and keep still until I speak.</source>
+        <translation>Berühren Sie die Ecke oben links und halten Sie still, bis ich spreche.</translation>
+    </message>
+    <message>
+        <source>Now the top right corner.</source>
+        <translation>Nun die Ecke oben rechts.</translation>
+    </message>
+    <message>
+        <source>Now the bottom right corner.</source>
+        <translation>Nun die Ecke unten rechts.</translation>
+    </message>
+    <message>
+        <source>Now the bottom left corner.</source>
+        <translation>Nun die Ecke unten links.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that the device does not slip on the screen, keep still at each corner, and calibrate again.</source>
+        <translation>Die Kalibrierung liegt im Mittel %1 Millimeter neben Ihren Berührungen, erlaubt sind höchstens %2. Achten Sie darauf, dass das Gerät nicht auf dem Bildschirm rutscht, halten Sie an jeder Ecke still und kalibrieren Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The device and the screen do not move alike. Calibrate again with the finger in the device, and no other on the screen.</source>
+        <translation>Gerät und Bildschirm bewegen sich nicht gleich. Kalibrieren Sie noch einmal mit dem Finger im Gerät und keinem anderen auf dem Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Calibrated. It misses by %1 millimetres on average, and is kept for this device.</source>
+        <translation>Kalibriert. Im Mittel liegt es %1 Millimeter daneben; das ist für dieses Gerät gespeichert.</translation>
+    </message>
+    <message>
+        <source>Calibration ended. Nothing was changed.</source>
+        <translation>Kalibrierung beendet. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Stopped. The force is off.</source>
+        <translation>Angehalten. Die Kraft ist aus.</translation>
+    </message>
+</context>
+<context>
     <name>tp::ExploreSession</name>
     <message>
         <source>Tour ended.</source>
@@ -3981,13 +4095,13 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Bewegen Sie den Finger mit dem Gerät.</translation>
     </message>
     <message numerus="yes">
-        <source>%1: %2 o'clock, %n millimetre(s).</source>
+        <source>%1: %2 o&apos;clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1: %2 Uhr, %n Millimeter.</numerusform>
             <numerusform>%1: %2 Uhr, %n Millimeter.</numerusform>
         </translation>
     </message>
-<message>
+    <message>
         <source>The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its true size.</source>
         <translation>Das Bild ist auf dem Bildschirm zu klein oder zu groß, um dort gefühlt zu werden, wo es zu sehen ist. Das Gerät fühlt es in seiner wahren Größe.</translation>
     </message>
@@ -5183,7 +5297,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 können noch aufgenommen werden.</translation>
     </message>
     <message>
-        <source>What was recorded is kept as "%1" and will be stored later, because %2</source>
+        <source>What was recorded is kept as &quot;%1&quot; and will be stored later, because %2</source>
         <translation>Was aufgenommen wurde, ist als „%1“ aufbewahrt und wird später gespeichert: %2</translation>
     </message>
     <message>
@@ -5488,7 +5602,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
         <translation>Der Index wird verworfen, wenn TouchPhoto endet, und beim nächsten Start aus den Fotos neu angelegt.</translation>
     </message>
-<message>
+    <message>
         <source>the force device</source>
         <translation>das Kraftgerät</translation>
     </message>
@@ -5664,292 +5778,4 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Gekürzt: %1 bleiben. „Rückgängig“ bringt den Rest zurück.</translation>
     </message>
 </context>
-<context><name>CalibrationView</name><message>
-        <source>Calibration</source>
-        <translation>Kalibrierung</translation>
-    </message>
-    <message>
-        <source>End the calibration</source>
-        <translation>Kalibrierung beenden</translation>
-    </message>
-    <message>
-        <source>Nothing is changed. Key: Escape</source>
-        <translation>Nichts wird geändert. Taste: Escape</translation>
-    </message>
-</context><context><name>tp::DeviceSettings</name><message>
-        <source>%1, over USB (HID)</source>
-        <translation>%1, über USB (HID)</translation>
-    </message>
-    <message>
-        <source>%1, over USB (bulk)</source>
-        <translation>%1, über USB (Bulk)</translation>
-    </message>
-    <message>
-        <source>None: sound, and a drawn finger</source>
-        <translation>Keines: Ton und ein gezeichneter Finger</translation>
-    </message>
-    <message>
-        <source>%1, not plugged in</source>
-        <translation>%1, nicht eingesteckt</translation>
-    </message>
-    <message>
-        <source>Calibrated: misses by %1 millimetres on average.</source>
-        <translation>Kalibriert: liegt im Mittel %1 Millimeter daneben.</translation>
-    </message>
-    <message>
-        <source>Not calibrated. It may stand beside the screen; to lie on it, it must be calibrated.</source>
-        <translation>Nicht kalibriert. Es darf neben dem Bildschirm stehen; um darauf zu liegen, muss es kalibriert werden.</translation>
-    </message>
-    <message>
-        <source>No force device is plugged in. Plug one in; it is found by itself.</source>
-        <translation>Kein Kraftgerät ist eingesteckt. Stecken Sie eines ein; es wird von selbst gefunden.</translation>
-    </message>
-    <message>
-        <source>No force device is chosen. Choose one above.</source>
-        <translation>Kein Kraftgerät ist gewählt. Wählen Sie oben eines.</translation>
-    </message>
-    <message>
-        <source>The strongest force, %1 newtons: to the right, then to the left. Escape ends it.</source>
-        <translation>Die größte Kraft, %1 Newton: nach rechts, dann nach links. Escape beendet es.</translation>
-    </message>
-    <message>
-        <source>Calibration. The device lies on the screen; put a finger into it, so that it touches the screen. Escape ends it. %1</source>
-        <translation>Kalibrierung. Das Gerät liegt auf dem Bildschirm; stecken Sie einen Finger hinein, so dass er den Bildschirm berührt. Escape beendet sie. %1</translation>
-    </message>
-    <message>
-        <source>That was the strongest force.</source>
-        <translation>Das war die größte Kraft.</translation>
-    </message>
-    <message>
-        <source>Touch the top left corner and keep still until I speak.</source>
-        <translation>Berühren Sie die Ecke oben links und halten Sie still, bis ich spreche.</translation>
-    </message>
-    <message>
-        <source>Now the top right corner.</source>
-        <translation>Nun die Ecke oben rechts.</translation>
-    </message>
-    <message>
-        <source>Now the bottom right corner.</source>
-        <translation>Nun die Ecke unten rechts.</translation>
-    </message>
-    <message>
-        <source>Now the bottom left corner.</source>
-        <translation>Nun die Ecke unten links.</translation>
-    </message>
-    <message>
-        <source>Nothing was changed.</source>
-        <translation>Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that the device does not slip on the screen, keep still at each corner, and calibrate again.</source>
-        <translation>Die Kalibrierung liegt im Mittel %1 Millimeter neben Ihren Berührungen, erlaubt sind höchstens %2. Achten Sie darauf, dass das Gerät nicht auf dem Bildschirm rutscht, halten Sie an jeder Ecke still und kalibrieren Sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The device and the screen do not move alike. Calibrate again with the finger in the device, and no other on the screen.</source>
-        <translation>Gerät und Bildschirm bewegen sich nicht gleich. Kalibrieren Sie noch einmal mit dem Finger im Gerät und keinem anderen auf dem Bildschirm.</translation>
-    </message>
-    <message>
-        <source>Calibrated. It misses by %1 millimetres on average, and is kept for this device.</source>
-        <translation>Kalibriert. Im Mittel liegt es %1 Millimeter daneben; das ist für dieses Gerät gespeichert.</translation>
-    </message>
-    <message>
-        <source>Calibration ended. Nothing was changed.</source>
-        <translation>Kalibrierung beendet. Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>Stopped. The force is off.</source>
-        <translation>Angehalten. Die Kraft ist aus.</translation>
-    </message>
-</context><context><name>tp::Problems</name><message>
-        <source>The force was switched off for a moment, because a measurement was not a number.</source>
-        <translation>Die Kraft wurde kurz abgeschaltet, weil ein Messwert keine Zahl war.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the finger is outside the area that the device reaches. Move it back.</source>
-        <translation>Die Kraft ist aus, weil der Finger außerhalb des Bereichs ist, den das Gerät erreicht. Bewegen Sie ihn zurück.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the finger moves too fast. Move slowly and it comes back.</source>
-        <translation>Die Kraft ist aus, weil der Finger sich zu schnell bewegt. Bewegen Sie ihn langsam, dann kommt sie zurück.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the device has switched its motors off to be safe. It comes back when the device is ready.</source>
-        <translation>Die Kraft ist aus, weil das Gerät seine Motoren zur Sicherheit abgeschaltet hat. Sie kommt zurück, wenn das Gerät bereit ist.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the device does not say where the finger is.</source>
-        <translation>Die Kraft ist aus, weil das Gerät nicht sagt, wo der Finger ist.</translation>
-    </message>
-    <message>
-        <source>The force is off for a moment, because this computer was too busy to guide the finger.</source>
-        <translation>Die Kraft ist kurz aus, weil dieser Computer zu beschäftigt war, um den Finger zu führen.</translation>
-    </message>
-    <message>
-        <source>The device was switched off, because this computer stood still. Start it again when you are ready.</source>
-        <translation>Das Gerät wurde abgeschaltet, weil dieser Computer stillstand. Starten Sie es wieder, wenn Sie bereit sind.</translation>
-    </message>
-    <message>
-        <source>The device was switched off, because it no longer answers. Check its cable and start it again.</source>
-        <translation>Das Gerät wurde abgeschaltet, weil es nicht mehr antwortet. Prüfen Sie sein Kabel und starten Sie es wieder.</translation>
-    </message>
-    <message>
-        <source>No face was found in this picture.</source>
-        <translation>In diesem Bild wurde kein Gesicht gefunden.</translation>
-    </message>
-    <message>
-        <source>The picture is empty.</source>
-        <translation>Das Bild ist leer.</translation>
-    </message>
-    <message>
-        <source>The picture is not in 8-bit colour.</source>
-        <translation>Das Bild hat keine 8-Bit-Farben.</translation>
-    </message>
-    <message>
-        <source>The search for faces was stopped.</source>
-        <translation>Die Suche nach Gesichtern wurde abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the left edge of the picture.</source>
-        <translation>Das Gesicht ist am linken Bildrand abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the right edge of the picture.</source>
-        <translation>Das Gesicht ist am rechten Bildrand abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the top edge of the picture.</source>
-        <translation>Das Gesicht ist am oberen Bildrand abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the bottom edge of the picture.</source>
-        <translation>Das Gesicht ist am unteren Bildrand abgeschnitten.</translation>
-    </message>
-    <message>
-        <source>The right eye may be covered, so its contour may be wrong.</source>
-        <translation>Das rechte Auge ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The left eye may be covered, so its contour may be wrong.</source>
-        <translation>Das linke Auge ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The mouth may be covered, so its contour may be wrong.</source>
-        <translation>Der Mund ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The outline may be covered, so its contour may be wrong.</source>
-        <translation>Der Gesichtsumriss ist vielleicht verdeckt, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The edge of the right eye is faint, so its contour may be wrong.</source>
-        <translation>Der Rand des rechten Auges ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The edge of the left eye is faint, so its contour may be wrong.</source>
-        <translation>Der Rand des linken Auges ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The edge of the mouth is faint, so its contour may be wrong.</source>
-        <translation>Der Rand des Mundes ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>The edge of the outline is faint, so its contour may be wrong.</source>
-        <translation>Der Gesichtsumriss ist undeutlich, seine Kontur könnte deshalb falsch sein.</translation>
-    </message>
-    <message>
-        <source>This picture could not be worked on. It may be too large for this computer.</source>
-        <translation>Dieses Bild konnte nicht bearbeitet werden. Vielleicht ist es für diesen Computer zu groß.</translation>
-    </message>
-    <message>
-        <source>You may not use the force pad yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
-        <translation>Sie dürfen das Kraftpad noch nicht benutzen. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie dann das Gerät ab und stecken Sie es wieder ein.</translation>
-    </message>
-    <message>
-        <source>Windows does not let this program use the force pad. Unplug it and plug it in again; if that does not help, close other programs that use it.</source>
-        <translation>Windows lässt dieses Programm das Kraftpad nicht benutzen. Ziehen Sie es ab und stecken Sie es wieder ein; hilft das nicht, schließen Sie andere Programme, die es benutzen.</translation>
-    </message>
-    <message>
-        <source>macOS does not let this program use the force pad. Allow it under System Settings, Privacy &amp; Security, Input Monitoring, and start it again.</source>
-        <translation>macOS lässt dieses Programm das Kraftpad nicht benutzen. Erlauben Sie es unter Systemeinstellungen, Datenschutz &amp; Sicherheit, Eingabeüberwachung, und starten Sie das Programm neu.</translation>
-    </message>
-    <message>
-        <source>Another driver of the system holds the force pad. Unplug the device and plug it in again; if that does not help, its kernel must have the hidraw driver.</source>
-        <translation>Ein anderer Treiber des Systems hält das Kraftpad fest. Ziehen Sie das Gerät ab und stecken Sie es wieder ein; hilft das nicht, braucht der Kernel den Treiber hidraw.</translation>
-    </message>
-    <message>
-        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then "USB Input Device".</source>
-        <translation>Das Kraftpad hat den falschen Treiber. Wählen Sie im Geräte-Manager „Treiber aktualisieren“, dann „USB-Eingabegerät“.</translation>
-    </message>
-    <message>
-        <source>Another driver holds the force pad. Remove the driver that its maker installed and start this computer again.</source>
-        <translation>Ein anderer Treiber hält das Kraftpad fest. Entfernen Sie den Treiber seines Herstellers und starten Sie diesen Computer neu.</translation>
-    </message>
-    <message>
-        <source>Another driver of the system holds the force pad and does not let go of it. Unplug the device, unload that driver and plug the device in again.</source>
-        <translation>Ein anderer Treiber des Systems hält das Kraftpad fest und gibt es nicht frei. Ziehen Sie das Gerät ab, entladen Sie diesen Treiber und stecken Sie das Gerät wieder ein.</translation>
-    </message>
-    <message>
-        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then "WinUsb Device".</source>
-        <translation>Das Kraftpad hat den falschen Treiber. Wählen Sie im Geräte-Manager „Treiber aktualisieren“, dann „WinUsb-Gerät“.</translation>
-    </message>
-    <message>
-        <source>Another program uses the force pad. Close that program and try again.</source>
-        <translation>Ein anderes Programm benutzt das Kraftpad. Schließen Sie dieses Programm und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>The force pad was unplugged. Plug it in again.</source>
-        <translation>Das Kraftpad wurde abgezogen. Stecken Sie es wieder ein.</translation>
-    </message>
-    <message>
-        <source>The force pad could not be opened. Unplug it, plug it in again and try once more.</source>
-        <translation>Das Kraftpad ließ sich nicht öffnen. Ziehen Sie es ab, stecken Sie es wieder ein und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>The force pad does not know where its knob is. Put the knob on its mark and home the pad.</source>
-        <translation>Das Kraftpad weiß nicht, wo sein Knopf steht. Stellen Sie den Knopf auf seine Marke und lassen Sie das Pad sich dort ausrichten.</translation>
-    </message>
-    <message>
-        <source>The force pad's encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
-        <translation>Die Messwerte des Kraftpads widersprechen sich: Ein Seil hängt durch oder ist gerutscht. Stellen Sie den Knopf auf seine Marke und lassen Sie das Pad sich dort ausrichten.</translation>
-    </message>
-    <message>
-        <source>The force pad's motors are too hot. It goes on by itself when they have cooled.</source>
-        <translation>Die Motoren des Kraftpads sind zu heiß. Es geht von selbst weiter, wenn sie abgekühlt sind.</translation>
-    </message>
-    <message>
-        <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
-        <translation>Ein Motor des Kraftpads hat zu viel Strom gezogen. Sehen Sie nach, ob etwas den Knopf blockiert.</translation>
-    </message>
-    <message>
-        <source>The force pad heard nothing from this computer for a moment and switched its motors off.</source>
-        <translation>Das Kraftpad hat einen Augenblick nichts von diesem Computer gehört und seine Motoren abgeschaltet.</translation>
-    </message>
-    <message>
-        <source>The force pad's motors are off.</source>
-        <translation>Die Motoren des Kraftpads sind aus.</translation>
-    </message>
-    <message>
-        <source>The device with a force pad's ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
-        <translation>Das Gerät mit den Kennzahlen eines Kraftpads antwortet nicht wie eines. Ziehen Sie es ab und stecken Sie es wieder ein; ist es kein Kraftpad, wählen Sie ein anderes Gerät.</translation>
-    </message>
-    <message>
-        <source>The force pad did not say which places it reaches. Unplug it and plug it in again.</source>
-        <translation>Das Kraftpad hat nicht gesagt, welche Stellen es erreicht. Ziehen Sie es ab und stecken Sie es wieder ein.</translation>
-    </message>
-    <message>
-        <source>force pad</source>
-        <translation>Kraftpad</translation>
-    </message>
-    <message>
-        <source>A calibration sample is no place; touch the marks again.</source>
-        <translation>Ein Messwert der Kalibrierung ist keine Stelle; berühren Sie die Marken noch einmal.</translation>
-    </message>
-    <message>
-        <source>Calibration needs at least three marks that do not lie on one line; touch more marks.</source>
-        <translation>Die Kalibrierung braucht mindestens drei Marken, die nicht auf einer Linie liegen; berühren Sie mehr Marken.</translation>
-    </message>
-    <message>
-        <source>Too many touches do not fit together. Touch the marks again with the finger in the device, and with no other.</source>
-        <translation>Zu viele Berührungen passen nicht zusammen. Berühren Sie die Marken noch einmal mit dem Finger im Gerät und mit keinem anderen.</translation>
-    </message>
-</context></TS>
+</TS>

@@ -176,6 +176,21 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>CalibrationView</name>
+    <message>
+        <source>Calibration</source>
+        <translation>보정</translation>
+    </message>
+    <message>
+        <source>End the calibration</source>
+        <translation>보정 끝내기</translation>
+    </message>
+    <message>
+        <source>Nothing is changed. Key: Escape</source>
+        <translation>아무것도 바뀌지 않습니다. 키: Escape</translation>
+    </message>
+</context>
+<context>
     <name>CarePage</name>
     <message>
         <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
@@ -1417,87 +1432,87 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>Sentence</name>
     <message>
-        <source>"%1" cannot be added to a face; brows, nose and irises can.</source>
+        <source>&quot;%1&quot; cannot be added to a face; brows, nose and irises can.</source>
         <translation>“%1”: 얼굴에 더할 수 없습니다. 눈썹, 코, 홍채는 더할 수 있습니다.</translation>
     </message>
     <message>
-        <source>"%1" cannot be changed: %2</source>
+        <source>&quot;%1&quot; cannot be changed: %2</source>
         <translation>“%1”: 바꿀 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be moved: %2</source>
+        <source>&quot;%1&quot; cannot be moved: %2</source>
         <translation>“%1”: 옮길 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be read.</source>
+        <source>&quot;%1&quot; cannot be read.</source>
         <translation>“%1”: 읽을 수 없습니다.</translation>
     </message>
     <message>
-        <source>"%1" cannot be renamed: %2</source>
+        <source>&quot;%1&quot; cannot be renamed: %2</source>
         <translation>“%1”: 이름을 바꿀 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be restored and stays in the trash: %2</source>
+        <source>&quot;%1&quot; cannot be restored and stays in the trash: %2</source>
         <translation>“%1”: 되살릴 수 없어 휴지통에 그대로 둡니다. %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be restored, because another file has its place now. Move that one away first.</source>
+        <source>&quot;%1&quot; cannot be restored, because another file has its place now. Move that one away first.</source>
         <translation>“%1”: 그 자리에 다른 파일이 있어 되살릴 수 없습니다. 먼저 그 파일을 옮기세요.</translation>
     </message>
     <message>
-        <source>"%1" cannot be taken in: %2</source>
+        <source>&quot;%1&quot; cannot be taken in: %2</source>
         <translation>“%1”: 가져올 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be trimmed: %2</source>
+        <source>&quot;%1&quot; cannot be trimmed: %2</source>
         <translation>“%1”: 자를 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>"%1" cannot be trimmed: the part must begin before it ends.</source>
+        <source>&quot;%1&quot; cannot be trimmed: the part must begin before it ends.</source>
         <translation>“%1”: 자를 수 없습니다. 시작이 끝보다 앞에 있어야 합니다.</translation>
     </message>
     <message>
-        <source>"%1" cannot be used: %2</source>
+        <source>&quot;%1&quot; cannot be used: %2</source>
         <translation>“%1”: 쓸 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>"%1" changed meanwhile.</source>
+        <source>&quot;%1&quot; changed meanwhile.</source>
         <translation>“%1”: 그사이 내용이 바뀌었습니다.</translation>
     </message>
     <message>
-        <source>"%1" is a folder, not a file.</source>
+        <source>&quot;%1&quot; is a folder, not a file.</source>
         <translation>“%1”: 파일이 아니라 폴더입니다.</translation>
     </message>
     <message>
-        <source>"%1" is a folder.</source>
+        <source>&quot;%1&quot; is a folder.</source>
         <translation>“%1”: 폴더입니다.</translation>
     </message>
     <message>
-        <source>"%1" is not a file.</source>
+        <source>&quot;%1&quot; is not a file.</source>
         <translation>“%1”: 파일이 아닙니다.</translation>
     </message>
     <message>
-        <source>"%1" is not a folder in the album.</source>
+        <source>&quot;%1&quot; is not a folder in the album.</source>
         <translation>“%1”: 앨범 안의 폴더가 아닙니다.</translation>
     </message>
     <message>
-        <source>"%1" is not in the album "%2".</source>
+        <source>&quot;%1&quot; is not in the album &quot;%2&quot;.</source>
         <translation>“%1”: 앨범 “%2”에 없습니다.</translation>
     </message>
     <message>
-        <source>"%1" is there already, so nothing was moved.</source>
+        <source>&quot;%1&quot; is there already, so nothing was moved.</source>
         <translation>“%1”: 이미 있어서 아무것도 옮기지 않았습니다.</translation>
     </message>
     <message>
-        <source>"%1" is there, so it stays on the list.</source>
+        <source>&quot;%1&quot; is there, so it stays on the list.</source>
         <translation>“%1”: 파일이 있으므로 목록에 남겨 둡니다.</translation>
     </message>
     <message>
-        <source>"%1" was not deleted, because it is not in the album "%2".</source>
+        <source>&quot;%1&quot; was not deleted, because it is not in the album &quot;%2&quot;.</source>
         <translation>“%1”: 앨범 “%2”에 없어서 지우지 않았습니다.</translation>
     </message>
     <message>
-        <source>"%1" was not imported: %2</source>
+        <source>&quot;%1&quot; was not imported: %2</source>
         <translation>“%1”: 가져오지 못했습니다. %2</translation>
     </message>
     <message>
@@ -1525,11 +1540,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: 쓸 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>%1 has a transform that cannot be read: "%2".</source>
+        <source>%1 has a transform that cannot be read: &quot;%2&quot;.</source>
         <translation>%1: 변환을 읽을 수 없습니다. “%2”.</translation>
     </message>
     <message>
-        <source>%1 in "%2"</source>
+        <source>%1 in &quot;%2&quot;</source>
         <translation>%1(“%2”)</translation>
     </message>
     <message>
@@ -1549,7 +1564,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: 계산할 수 있는 범위를 벗어납니다.</translation>
     </message>
     <message>
-        <source>%1 was "%2" in another copy; it is "%3" now.</source>
+        <source>%1 was &quot;%2&quot; in another copy; it is &quot;%3&quot; now.</source>
         <translation>%1: 다른 사본에는 “%2”였습니다. 지금은 “%3”입니다.</translation>
     </message>
     <message>
@@ -1577,7 +1592,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: 끝나지 않았고 소리가 들어 있지 않았습니다.</translation>
     </message>
     <message>
-        <source>%1 was not finished; what was recorded is in "%2".</source>
+        <source>%1 was not finished; what was recorded is in &quot;%2&quot;.</source>
         <translation>%1: 끝나지 않았습니다. 녹음된 것은 “%2”에 있습니다.</translation>
     </message>
     <message>
@@ -1587,10 +1602,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>A calibration sample is not a number; touch the marks again.</source>
-        <translation>보정 값이 숫자가 아닙니다. 표시를 다시 만지세요.</translation>
     </message>
     <message>
         <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
@@ -1613,7 +1624,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>녹음 목록의 %1: 파일 이름이 아니어서 뺐습니다.</translation>
     </message>
     <message>
-        <source>A tactile sheet is written as .pdf or .svg, not as "%1".</source>
+        <source>A tactile sheet is written as .pdf or .svg, not as &quot;%1&quot;.</source>
         <translation>촉각 인쇄물은 .pdf나 .svg로 저장합니다. “%1”(으)로는 저장할 수 없습니다.</translation>
     </message>
     <message>
@@ -1629,7 +1640,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>시스템의 다른 드라이버가 장치를 쓰고 있습니다: %1. 장치를 뽑았다가 다시 꽂으세요. 그래도 안 되면 커널에 hidraw 드라이버가 있어야 합니다.</translation>
     </message>
     <message>
-        <source>Another program is at work on "%1"; try again.</source>
+        <source>Another program is at work on &quot;%1&quot;; try again.</source>
         <translation>다른 프로그램이 “%1”에서 작업하고 있습니다. 다시 해 보세요.</translation>
     </message>
     <message>
@@ -1681,7 +1692,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>JPEG가 아닌 사진에는 라이브러리 %1(데비안: libopencv-imgcodecs406)이 필요한데 여기에 없습니다. 설치하거나 사진을 JPEG로 저장하세요.</translation>
     </message>
     <message>
-        <source>Qt's driver for SQLite is not installed; without it there is no album. On Debian it is the package libqt6sql6-sqlite.</source>
+        <source>Qt&apos;s driver for SQLite is not installed; without it there is no album. On Debian it is the package libqt6sql6-sqlite.</source>
         <translation>SQLite용 Qt 드라이버가 없어 앨범을 쓸 수 없습니다. 데비안에서는 libqt6sql6-sqlite 패키지입니다.</translation>
     </message>
     <message>
@@ -1689,7 +1700,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>안내의 강성과 범위는 모두 0보다 큰 숫자여야 합니다.</translation>
     </message>
     <message>
-        <source>The %1 "%2"</source>
+        <source>The %1 &quot;%2&quot;</source>
         <translation>%1 요소 “%2”</translation>
     </message>
     <message>
@@ -1701,11 +1712,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1 파일이 손상되었습니다.</translation>
     </message>
     <message>
-        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then "USB Input Device".</source>
+        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then &quot;USB Input Device&quot;.</source>
         <translation>장치의 드라이버가 맞지 않습니다: %1. 장치 관리자에서 ‘드라이버 업데이트’를 고른 다음 ‘USB 입력 장치’를 고르세요.</translation>
     </message>
     <message>
-        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then "WinUsb Device".</source>
+        <source>The %1 has the wrong driver. In the Device Manager choose Update driver, then &quot;WinUsb Device&quot;.</source>
         <translation>장치의 드라이버가 맞지 않습니다: %1. 장치 관리자에서 ‘드라이버 업데이트’를 고른 다음 ‘WinUsb 장치’를 고르세요.</translation>
     </message>
     <message>
@@ -1741,27 +1752,27 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>WebP 파일이 중간에 끊겨 사진의 일부가 없습니다.</translation>
     </message>
     <message>
-        <source>The album's index %1; it was set aside as "%2" and is made anew. The photographs are not touched by this.</source>
+        <source>The album&apos;s index %1; it was set aside as &quot;%2&quot; and is made anew. The photographs are not touched by this.</source>
         <translation>앨범 색인이 %1. 그 색인은 “%2”(으)로 치워 두고 새로 만듭니다. 사진은 그대로입니다.</translation>
     </message>
     <message>
-        <source>The album's index cannot be kept in "%1"; it is held in memory and made anew at every start: %2</source>
+        <source>The album&apos;s index cannot be kept in &quot;%1&quot;; it is held in memory and made anew at every start: %2</source>
         <translation>앨범 색인을 “%1”에 둘 수 없어 메모리에 두고 시작할 때마다 새로 만듭니다. %2</translation>
     </message>
     <message>
-        <source>The album's index cannot be made: %1.</source>
+        <source>The album&apos;s index cannot be made: %1.</source>
         <translation>앨범 색인을 만들 수 없습니다: %1.</translation>
     </message>
     <message>
-        <source>The album's index cannot be used: %1.</source>
+        <source>The album&apos;s index cannot be used: %1.</source>
         <translation>앨범 색인을 쓸 수 없습니다: %1.</translation>
     </message>
     <message>
-        <source>The album's index cannot grow: the disk is full.</source>
+        <source>The album&apos;s index cannot grow: the disk is full.</source>
         <translation>디스크가 가득 차서 앨범 색인이 커질 수 없습니다.</translation>
     </message>
     <message>
-        <source>The album's index is damaged; it is made anew when the album is opened next. The photographs are not touched by this.</source>
+        <source>The album&apos;s index is damaged; it is made anew when the album is opened next. The photographs are not touched by this.</source>
         <translation>앨범 색인이 손상되었습니다. 앨범을 다음에 열 때 새로 만듭니다. 사진은 그대로입니다.</translation>
     </message>
     <message>
@@ -1769,15 +1780,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>점자표 %1을(를) 찾지 못해 이름을 점자로 쓸 수 없습니다. liblouis-data 패키지를 설치하세요.</translation>
     </message>
     <message>
-        <source>The bundle "%1" cannot be used: %2</source>
+        <source>The bundle &quot;%1&quot; cannot be used: %2</source>
         <translation>묶음 “%1”: 쓸 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The bundle "%1" was not written: %2</source>
+        <source>The bundle &quot;%1&quot; was not written: %2</source>
         <translation>묶음 “%1”: 쓰지 못했습니다. %2</translation>
     </message>
     <message>
-        <source>The bundle cannot be unpacked, because "%1" is not empty.</source>
+        <source>The bundle cannot be unpacked, because &quot;%1&quot; is not empty.</source>
         <translation>“%1” 폴더가 비어 있지 않아 묶음을 풀 수 없습니다.</translation>
     </message>
     <message>
@@ -1789,15 +1800,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>보정이 표시에서 %1 mm 벗어났습니다. 허용은 %2 mm입니다. 다시 만지세요.</translation>
     </message>
     <message>
-        <source>The conflict copy "%1" cannot be read: %2</source>
+        <source>The conflict copy &quot;%1&quot; cannot be read: %2</source>
         <translation>충돌 사본 “%1”: 읽을 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The conflict copy "%1" could not be moved to the trash: %2</source>
+        <source>The conflict copy &quot;%1&quot; could not be moved to the trash: %2</source>
         <translation>충돌 사본 “%1”: 휴지통으로 옮길 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The date "%1" is in no calendar and is left out.</source>
+        <source>The date &quot;%1&quot; is in no calendar and is left out.</source>
         <translation>날짜 “%1”: 달력에 없는 날짜라서 뺐습니다.</translation>
     </message>
     <message>
@@ -1813,11 +1824,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>컴퓨터가 멈추어 장치를 껐습니다. 준비가 되면 다시 켜세요.</translation>
     </message>
     <message>
-        <source>The device with a force pad's ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
+        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
         <translation>힘 패드의 식별 번호를 가진 장치가 힘 패드처럼 응답하지 않습니다. 뽑았다가 다시 꽂으세요. 힘 패드가 아니면 다른 장치를 고르세요.</translation>
     </message>
     <message>
-        <source>The drawing cannot be saved as "%1": %2</source>
+        <source>The drawing cannot be saved as &quot;%1&quot;: %2</source>
         <translation>그림을 “%1”(으)로 저장할 수 없습니다. %2</translation>
     </message>
     <message>
@@ -1849,19 +1860,19 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>그림이 64 MB보다 커서 윤곽선 그림으로 쓸 수 없습니다.</translation>
     </message>
     <message>
-        <source>The drawing's %1 "%2" is not a length in mm, cm, in, pt, pc or px.</source>
+        <source>The drawing&apos;s %1 &quot;%2&quot; is not a length in mm, cm, in, pt, pc or px.</source>
         <translation>그림의 %1 값 “%2”: mm, cm, in, pt, pc, px로 된 길이가 아닙니다.</translation>
     </message>
     <message>
-        <source>The drawing's %1 is %2, but it must be larger than zero.</source>
+        <source>The drawing&apos;s %1 is %2, but it must be larger than zero.</source>
         <translation>그림의 %1 값이 %2입니다. 0보다 커야 합니다.</translation>
     </message>
     <message>
-        <source>The drawing's size is beyond what can be computed with.</source>
+        <source>The drawing&apos;s size is beyond what can be computed with.</source>
         <translation>그림이 계산할 수 없을 만큼 큽니다.</translation>
     </message>
     <message>
-        <source>The drawing's viewBox "%1" is not four numbers with a width and a height larger than zero.</source>
+        <source>The drawing&apos;s viewBox &quot;%1&quot; is not four numbers with a width and a height larger than zero.</source>
         <translation>그림의 viewBox “%1”: 너비와 높이가 0보다 큰 숫자 네 개가 아닙니다.</translation>
     </message>
     <message>
@@ -1881,7 +1892,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴의 너비가 %1픽셀뿐이라 윤곽선이 정확하기에는 너무 작습니다.</translation>
     </message>
     <message>
-        <source>The face of "%1" lies outside the photograph.</source>
+        <source>The face of &quot;%1&quot; lies outside the photograph.</source>
         <translation>“%1”의 얼굴이 사진 밖에 있습니다.</translation>
     </message>
     <message>
@@ -1889,31 +1900,31 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴이 모양이 다른 사진에 표시되어 있어 자리가 틀릴 수 있습니다.</translation>
     </message>
     <message>
-        <source>The file "%1" cannot be opened; you may not be allowed to read it.</source>
+        <source>The file &quot;%1&quot; cannot be opened; you may not be allowed to read it.</source>
         <translation>파일 “%1”: 열 수 없습니다. 읽을 권한이 없을 수 있습니다.</translation>
     </message>
     <message>
-        <source>The file "%1" cannot be read to its end.</source>
+        <source>The file &quot;%1&quot; cannot be read to its end.</source>
         <translation>파일 “%1”: 끝까지 읽을 수 없습니다.</translation>
     </message>
     <message>
-        <source>The file "%1" cannot be read.</source>
+        <source>The file &quot;%1&quot; cannot be read.</source>
         <translation>파일 “%1”: 읽을 수 없습니다.</translation>
     </message>
     <message>
-        <source>The file "%1" could not be read: there is not enough memory for it.</source>
+        <source>The file &quot;%1&quot; could not be read: there is not enough memory for it.</source>
         <translation>파일 “%1”: 메모리가 모자라 읽지 못했습니다.</translation>
     </message>
     <message>
-        <source>The file "%1" is called a photograph, but is none.</source>
+        <source>The file &quot;%1&quot; is called a photograph, but is none.</source>
         <translation>파일 “%1”: 사진 이름이지만 사진이 아닙니다.</translation>
     </message>
     <message>
-        <source>The file "%1" is in a folder that you are not allowed to open.</source>
+        <source>The file &quot;%1&quot; is in a folder that you are not allowed to open.</source>
         <translation>파일 “%1”: 열 권한이 없는 폴더에 있습니다.</translation>
     </message>
     <message>
-        <source>The file "%1" is larger than %2 MB; that is more than such a file may be.</source>
+        <source>The file &quot;%1&quot; is larger than %2 MB; that is more than such a file may be.</source>
         <translation>파일 “%1”: %2 MB보다 큽니다. 이런 파일로는 너무 큽니다.</translation>
     </message>
     <message>
@@ -1937,19 +1948,19 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진의 지문값</translation>
     </message>
     <message>
-        <source>The folder "%1" cannot be made: %2</source>
+        <source>The folder &quot;%1&quot; cannot be made: %2</source>
         <translation>폴더 “%1”: 만들 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The folder "%1" cannot be read: %2</source>
+        <source>The folder &quot;%1&quot; cannot be read: %2</source>
         <translation>폴더 “%1”: 읽을 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The folder "%1" is not there.</source>
+        <source>The folder &quot;%1&quot; is not there.</source>
         <translation>폴더 “%1”: 없습니다.</translation>
     </message>
     <message>
-        <source>The folder "%1" may not be opened by you.</source>
+        <source>The folder &quot;%1&quot; may not be opened by you.</source>
         <translation>폴더 “%1”: 열 권한이 없습니다.</translation>
     </message>
     <message>
@@ -1993,15 +2004,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>힘 패드가 잠시 컴퓨터에서 아무것도 받지 못해 모터를 껐습니다.</translation>
     </message>
     <message>
-        <source>The force pad's encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
+        <source>The force pad&apos;s encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
         <translation>힘 패드의 센서가 서로 맞지 않습니다. 줄이 느슨하거나 센서가 밀렸습니다. 손잡이를 표시에 놓고 기준점을 잡으세요.</translation>
     </message>
     <message>
-        <source>The force pad's motors are off.</source>
+        <source>The force pad&apos;s motors are off.</source>
         <translation>힘 패드의 모터가 꺼져 있습니다.</translation>
     </message>
     <message>
-        <source>The force pad's motors are too hot. It goes on by itself when they have cooled.</source>
+        <source>The force pad&apos;s motors are too hot. It goes on by itself when they have cooled.</source>
         <translation>힘 패드의 모터가 너무 뜨겁습니다. 식으면 저절로 다시 움직입니다.</translation>
     </message>
     <message>
@@ -2017,7 +2028,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>컴퓨터의 알림으로 가져오기가 끝났습니다: %1</translation>
     </message>
     <message>
-        <source>The import's list cannot be removed: %1</source>
+        <source>The import&apos;s list cannot be removed: %1</source>
         <translation>가져오기 목록을 지울 수 없습니다. %1</translation>
     </message>
     <message>
@@ -2029,11 +2040,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1의 언어</translation>
     </message>
     <message>
-        <source>The list of the import "%1" cannot be read; import its folder again, nothing comes twice.</source>
+        <source>The list of the import &quot;%1&quot; cannot be read; import its folder again, nothing comes twice.</source>
         <translation>가져오기 “%1”의 목록을 읽을 수 없습니다. 폴더를 다시 가져오세요. 두 번 들어오는 것은 없습니다.</translation>
     </message>
     <message>
-        <source>The list of what was deleted in "%1" cannot be read; its files are still there.</source>
+        <source>The list of what was deleted in &quot;%1&quot; cannot be read; its files are still there.</source>
         <translation>“%1”의 삭제 목록을 읽을 수 없습니다. 파일은 그대로 있습니다.</translation>
     </message>
     <message>
@@ -2041,15 +2052,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>두 좌표계의 변환이 평면을 선으로 눌러 거꾸로 할 수 없습니다.</translation>
     </message>
     <message>
-        <source>The mended contours "%1" cannot be taken away: %2</source>
+        <source>The mended contours &quot;%1&quot; cannot be taken away: %2</source>
         <translation>고친 윤곽선 “%1”: 치울 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The mended contours cannot be saved as "%1": %2</source>
+        <source>The mended contours cannot be saved as &quot;%1&quot;: %2</source>
         <translation>고친 윤곽선을 “%1”(으)로 저장할 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The mended contours in %1 cannot be used, and the program's own are taken: %2</source>
+        <source>The mended contours in %1 cannot be used, and the program&apos;s own are taken: %2</source>
         <translation>%1: 고친 윤곽선을 쓸 수 없어 프로그램의 윤곽선을 씁니다. %2</translation>
     </message>
     <message>
@@ -2073,39 +2084,39 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1의 사람</translation>
     </message>
     <message>
-        <source>The photograph "%1" cannot be read: %2</source>
+        <source>The photograph &quot;%1&quot; cannot be read: %2</source>
         <translation>사진 “%1”: 읽을 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The photograph "%1" cannot be read: you are not allowed to.</source>
+        <source>The photograph &quot;%1&quot; cannot be read: you are not allowed to.</source>
         <translation>사진 “%1”: 읽을 권한이 없습니다.</translation>
     </message>
     <message>
-        <source>The photograph "%1" is now "%2", but what belongs to it stayed behind: %3</source>
+        <source>The photograph &quot;%1&quot; is now &quot;%2&quot;, but what belongs to it stayed behind: %3</source>
         <translation>사진 “%1”: 이제 “%2”에 있지만 딸린 것은 남아 있습니다. %3</translation>
     </message>
     <message>
-        <source>The photograph "%1" says more of itself than any program writes; it was not read.</source>
+        <source>The photograph &quot;%1&quot; says more of itself than any program writes; it was not read.</source>
         <translation>사진 “%1”: 어떤 프로그램이 쓰는 것보다 정보가 많아 읽지 않았습니다.</translation>
     </message>
     <message>
-        <source>The photograph's EXIF is damaged.</source>
+        <source>The photograph&apos;s EXIF is damaged.</source>
         <translation>사진의 EXIF가 손상되었습니다.</translation>
     </message>
     <message>
-        <source>The photograph's IPTC is damaged.</source>
+        <source>The photograph&apos;s IPTC is damaged.</source>
         <translation>사진의 IPTC가 손상되었습니다.</translation>
     </message>
     <message>
-        <source>The photograph's XMP cannot be read: %1</source>
+        <source>The photograph&apos;s XMP cannot be read: %1</source>
         <translation>사진의 XMP를 읽을 수 없습니다. %1</translation>
     </message>
     <message>
-        <source>The photograph's XMP is damaged.</source>
+        <source>The photograph&apos;s XMP is damaged.</source>
         <translation>사진의 XMP가 손상되었습니다.</translation>
     </message>
     <message>
-        <source>The photograph's own metadata is damaged; what could be read of it counts.</source>
+        <source>The photograph&apos;s own metadata is damaged; what could be read of it counts.</source>
         <translation>사진에 든 정보가 손상되었습니다. 읽을 수 있는 것만 씁니다.</translation>
     </message>
     <message>
@@ -2153,31 +2164,31 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>지구에 없는 위치라서 뺐습니다.</translation>
     </message>
     <message>
-        <source>The recording "%1"</source>
+        <source>The recording &quot;%1&quot;</source>
         <translation>녹음 “%1”</translation>
     </message>
     <message>
-        <source>The recording "%1" can only be played from its beginning.</source>
+        <source>The recording &quot;%1&quot; can only be played from its beginning.</source>
         <translation>녹음 “%1”: 처음부터만 재생할 수 있습니다.</translation>
     </message>
     <message>
-        <source>The recording "%1" cannot be listed twice.</source>
+        <source>The recording &quot;%1&quot; cannot be listed twice.</source>
         <translation>녹음 “%1”: 목록에 두 번 넣을 수 없습니다.</translation>
     </message>
     <message>
-        <source>The recording "%1" cannot be listed: that is no name of a file that XML can hold.</source>
+        <source>The recording &quot;%1&quot; cannot be listed: that is no name of a file that XML can hold.</source>
         <translation>녹음 “%1”: XML에 담을 수 없는 파일 이름이라 목록에 넣을 수 없습니다.</translation>
     </message>
     <message>
-        <source>The recording "%1" cannot be played: %2</source>
+        <source>The recording &quot;%1&quot; cannot be played: %2</source>
         <translation>녹음 “%1”: 재생할 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The recording "%1" cannot be used: %2</source>
+        <source>The recording &quot;%1&quot; cannot be used: %2</source>
         <translation>녹음 “%1”: 쓸 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The recording "%1" is kept, but the photograph's list could not be written: %2</source>
+        <source>The recording &quot;%1&quot; is kept, but the photograph&apos;s list could not be written: %2</source>
         <translation>녹음 “%1”: 보관했지만 사진의 목록에 쓰지 못했습니다. %2</translation>
     </message>
     <message>
@@ -2209,31 +2220,31 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>짧은 설명</translation>
     </message>
     <message>
-        <source>The sidecar "%1" cannot be read: %2</source>
+        <source>The sidecar &quot;%1&quot; cannot be read: %2</source>
         <translation>사이드카 “%1”: 읽을 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The sidecar "%1" could not be written: %2</source>
+        <source>The sidecar &quot;%1&quot; could not be written: %2</source>
         <translation>사이드카 “%1”: 쓰지 못했습니다. %2</translation>
     </message>
     <message>
-        <source>The sidecar of "%1" could not be written: another program is busy there.</source>
+        <source>The sidecar of &quot;%1&quot; could not be written: another program is busy there.</source>
         <translation>“%1”의 사이드카: 다른 프로그램이 쓰고 있어 쓰지 못했습니다.</translation>
     </message>
     <message>
-        <source>The sidecar of "%1" was changed in two places at once; it holds both now, and the copy "%2" is in the trash.</source>
+        <source>The sidecar of &quot;%1&quot; was changed in two places at once; it holds both now, and the copy &quot;%2&quot; is in the trash.</source>
         <translation>“%1”의 사이드카: 두 곳에서 동시에 바뀌었습니다. 이제 둘 다 들어 있고, 사본 “%2”은(는) 휴지통에 있습니다.</translation>
     </message>
     <message>
-        <source>The sound of "%1" is not whole. %2</source>
+        <source>The sound of &quot;%1&quot; is not whole. %2</source>
         <translation>“%1”의 소리가 온전하지 않습니다. %2</translation>
     </message>
     <message>
-        <source>The sound of the video "%1" does not come along: %2</source>
+        <source>The sound of the video &quot;%1&quot; does not come along: %2</source>
         <translation>동영상 “%1”의 소리는 함께 오지 않습니다. %2</translation>
     </message>
     <message>
-        <source>The sound of the video in "%1" does not come along: %2</source>
+        <source>The sound of the video in &quot;%1&quot; does not come along: %2</source>
         <translation>“%1” 안 동영상의 소리는 함께 오지 않습니다. %2</translation>
     </message>
     <message>
@@ -2245,11 +2256,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>시스템이 이 프로그램에 작업을 나눌 자리를 주지 않습니다. 다른 프로그램을 닫으세요.</translation>
     </message>
     <message>
-        <source>The system watches only a part of the album's folders; changes by other programs in the others are noticed %1 seconds later.</source>
+        <source>The system watches only a part of the album&apos;s folders; changes by other programs in the others are noticed %1 seconds later.</source>
         <translation>시스템이 앨범 폴더의 일부만 지켜봅니다. 나머지에서 다른 프로그램이 바꾼 것은 %1초 늦게 알게 됩니다.</translation>
     </message>
     <message>
-        <source>The tactile sheet cannot be saved as "%1": %2</source>
+        <source>The tactile sheet cannot be saved as &quot;%1&quot;: %2</source>
         <translation>촉각 인쇄물을 “%1”(으)로 저장할 수 없습니다. %2</translation>
     </message>
     <message>
@@ -2273,11 +2284,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>파일 %1: 이미 있습니다. 기록에 다른 이름을 고르세요.</translation>
     </message>
     <message>
-        <source>There is no braille for the language "%1"; en, de and ko there is.</source>
+        <source>There is no braille for the language &quot;%1&quot;; en, de and ko there is.</source>
         <translation>언어 “%1”의 점자는 없습니다. en, de, ko가 있습니다.</translation>
     </message>
     <message>
-        <source>There is no device "%1" now. See that it is plugged in; "touchphoto-lab devices" lists what is there.</source>
+        <source>There is no device &quot;%1&quot; now. See that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
         <translation>지금 장치 “%1”이(가) 없습니다. 꽂혀 있는지 보세요. “touchphoto-lab devices”가 있는 장치를 알려 줍니다.</translation>
     </message>
     <message>
@@ -2285,11 +2296,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 사진에 %1번 얼굴이 없습니다. 얼굴 수는 %2입니다.</translation>
     </message>
     <message>
-        <source>There is no file "%1".</source>
+        <source>There is no file &quot;%1&quot;.</source>
         <translation>파일 “%1”: 없습니다.</translation>
     </message>
     <message>
-        <source>There is no file or folder "%1".</source>
+        <source>There is no file or folder &quot;%1&quot;.</source>
         <translation>“%1”: 그런 파일이나 폴더가 없습니다.</translation>
     </message>
     <message>
@@ -2297,7 +2308,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 얼굴에는 그릴 선이 없습니다.</translation>
     </message>
     <message>
-        <source>There is no photograph "%1".</source>
+        <source>There is no photograph &quot;%1&quot;.</source>
         <translation>사진 “%1”: 없습니다.</translation>
     </message>
     <message>
@@ -2305,7 +2316,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>내보낼 사진이 없습니다.</translation>
     </message>
     <message>
-        <source>There is no recording "%1" on "%2".</source>
+        <source>There is no recording &quot;%1&quot; on &quot;%2&quot;.</source>
         <translation>“%2”에 녹음 “%1”이(가) 없습니다.</translation>
     </message>
     <message>
@@ -2313,7 +2324,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>그런 파일이 없습니다.</translation>
     </message>
     <message>
-        <source>There is no unfinished import "%1".</source>
+        <source>There is no unfinished import &quot;%1&quot;.</source>
         <translation>끝나지 않은 가져오기 “%1”이(가) 없습니다.</translation>
     </message>
     <message>
@@ -2321,7 +2332,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 사진을 열 메모리가 모자랍니다.</translation>
     </message>
     <message>
-        <source>There is nothing of the name "%1" in the trash.</source>
+        <source>There is nothing of the name &quot;%1&quot; in the trash.</source>
         <translation>휴지통에 “%1”(이)라는 것이 없습니다.</translation>
     </message>
     <message>
@@ -2381,7 +2392,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>다른 프로그램이 쓴 것이 서로 다릅니다: %1. 다른 것은 사본에 있습니다.</translation>
     </message>
     <message>
-        <source>What the photograph "%1" says of itself cannot be read.</source>
+        <source>What the photograph &quot;%1&quot; says of itself cannot be read.</source>
         <translation>사진 “%1”: 사진에 든 정보를 읽을 수 없습니다.</translation>
     </message>
     <message>
@@ -2389,7 +2400,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>Windows가 이 프로그램이 장치를 쓰지 못하게 합니다: %1. 뽑았다가 다시 꽂으세요. 그래도 안 되면 그 장치를 쓰는 다른 프로그램을 닫으세요.</translation>
     </message>
     <message>
-        <source>You are not allowed to read the photograph "%1".</source>
+        <source>You are not allowed to read the photograph &quot;%1&quot;.</source>
         <translation>사진 “%1”: 읽을 권한이 없습니다.</translation>
     </message>
     <message>
@@ -2509,11 +2520,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>소리가 없습니다.</translation>
     </message>
     <message>
-        <source>it holds "%1", which is not a plain file.</source>
+        <source>it holds &quot;%1&quot;, which is not a plain file.</source>
         <translation>일반 파일이 아닌 “%1”이(가) 들어 있습니다.</translation>
     </message>
     <message>
-        <source>it holds "%1", which would lie outside the album.</source>
+        <source>it holds &quot;%1&quot;, which would lie outside the album.</source>
         <translation>앨범 밖에 놓일 “%1”이(가) 들어 있습니다.</translation>
     </message>
     <message>
@@ -2573,7 +2584,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1시간보다 깁니다.</translation>
     </message>
     <message>
-        <source>it is longer than a minute, so it is a film and not the photograph's.</source>
+        <source>it is longer than a minute, so it is a film and not the photograph&apos;s.</source>
         <translation>1분보다 길어서 사진의 소리가 아니라 영화입니다.</translation>
     </message>
     <message>
@@ -2637,7 +2648,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>어떤 프로그램도 읽지 못할 만큼 커집니다.</translation>
     </message>
     <message>
-        <source>it would become too large ("%1").</source>
+        <source>it would become too large (&quot;%1&quot;).</source>
         <translation>너무 커집니다(“%1”).</translation>
     </message>
     <message>
@@ -2761,7 +2772,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>소리를 전혀 해독할 수 없습니다.</translation>
     </message>
     <message>
-        <source>of the recording "%1"</source>
+        <source>of the recording &quot;%1&quot;</source>
         <translation>녹음 “%1”</translation>
     </message>
     <message>
@@ -2817,7 +2828,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>디스크에 문제가 있습니다.</translation>
     </message>
     <message>
-        <source>the face of "%1"</source>
+        <source>the face of &quot;%1&quot;</source>
         <translation>“%1”의 얼굴</translation>
     </message>
     <message>
@@ -2889,7 +2900,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>같은 이름의 파일이 이미 있습니다.</translation>
     </message>
     <message>
-        <source>there is no folder "%1".</source>
+        <source>there is no folder &quot;%1&quot;.</source>
         <translation>폴더 “%1”이(가) 없습니다.</translation>
     </message>
     <message>
@@ -2947,6 +2958,22 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>you are not allowed to write there.</source>
         <translation>거기에 쓸 권한이 없습니다.</translation>
+    </message>
+    <message>
+        <source>A calibration sample is no place; touch the marks again.</source>
+        <translation>보정에 쓸 수 없는 측정값이 있습니다. 표시를 다시 누르세요.</translation>
+    </message>
+    <message>
+        <source>The calibration could not be kept: %1</source>
+        <translation>보정을 저장하지 못했습니다: %1</translation>
+    </message>
+    <message>
+        <source>Too many touches do not fit together. Touch the marks again with the finger in the device, and with no other.</source>
+        <translation>서로 맞지 않는 누름이 너무 많습니다. 손가락을 장치에 넣고, 그 손가락만으로 표시를 다시 누르세요.</translation>
+    </message>
+    <message>
+        <source>the device has no name to keep it by.</source>
+        <translation>저장할 때 쓸 장치 이름이 없습니다.</translation>
     </message>
 </context>
 <context>
@@ -3095,7 +3122,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The album&apos;s folders stay; it can be taken back</source>
         <translation>앨범의 폴더는 그대로 남으며, 되돌릴 수 있습니다</translation>
     </message>
-<message>
+    <message>
         <source>Force device</source>
         <translation>힘 장치</translation>
     </message>
@@ -3768,6 +3795,93 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>tp::DeviceSettings</name>
+    <message>
+        <source>%1, over USB (HID)</source>
+        <translation>%1, USB (HID) 연결</translation>
+    </message>
+    <message>
+        <source>%1, over USB (bulk)</source>
+        <translation>%1, USB (벌크) 연결</translation>
+    </message>
+    <message>
+        <source>None: sound, and a drawn finger</source>
+        <translation>없음: 소리와 화면의 손가락</translation>
+    </message>
+    <message>
+        <source>%1, not plugged in</source>
+        <translation>%1, 연결되지 않음</translation>
+    </message>
+    <message>
+        <source>Calibrated: misses by %1 millimetres on average.</source>
+        <translation>보정됨: 평균 %1밀리미터 어긋납니다.</translation>
+    </message>
+    <message>
+        <source>Not calibrated. It may stand beside the screen; to lie on it, it must be calibrated.</source>
+        <translation>보정되지 않았습니다. 화면 옆에 두고 쓸 수 있습니다. 화면 위에 올려놓으려면 보정해야 합니다.</translation>
+    </message>
+    <message>
+        <source>No force device is plugged in. Plug one in; it is found by itself.</source>
+        <translation>연결된 힘 장치가 없습니다. 장치를 꽂으면 저절로 찾습니다.</translation>
+    </message>
+    <message>
+        <source>No force device is chosen. Choose one above.</source>
+        <translation>힘 장치를 고르지 않았습니다. 위에서 고르세요.</translation>
+    </message>
+    <message>
+        <source>The strongest force, %1 newtons: to the right, then to the left. Escape ends it.</source>
+        <translation>가장 강한 힘, %1뉴턴입니다. 오른쪽으로, 그다음 왼쪽으로 당깁니다. Escape 키로 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>Calibration. The device lies on the screen; put a finger into it, so that it touches the screen. Escape ends it. %1</source>
+        <translation>보정을 시작합니다. 장치를 화면 위에 놓고, 손가락을 장치에 넣어 화면에 닿게 하세요. Escape 키로 끝냅니다. %1</translation>
+    </message>
+    <message>
+        <source>That was the strongest force.</source>
+        <translation>가장 강한 힘이었습니다.</translation>
+    </message>
+    <message>
+        <source>Touch the top left corner and keep still until I speak.</source>
+        <translation>왼쪽 위 모서리를 누르고 제가 말할 때까지 가만히 계세요.</translation>
+    </message>
+    <message>
+        <source>Now the top right corner.</source>
+        <translation>이제 오른쪽 위 모서리입니다.</translation>
+    </message>
+    <message>
+        <source>Now the bottom right corner.</source>
+        <translation>이제 오른쪽 아래 모서리입니다.</translation>
+    </message>
+    <message>
+        <source>Now the bottom left corner.</source>
+        <translation>이제 왼쪽 아래 모서리입니다.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>바뀐 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that the device does not slip on the screen, keep still at each corner, and calibrate again.</source>
+        <translation>보정 결과가 누른 자리와 평균 %1밀리미터 어긋납니다. 최대 %2까지 허용됩니다. 장치가 화면에서 미끄러지지 않게 하고, 모서리마다 가만히 있으면서 다시 보정하세요.</translation>
+    </message>
+    <message>
+        <source>The device and the screen do not move alike. Calibrate again with the finger in the device, and no other on the screen.</source>
+        <translation>장치와 화면의 움직임이 서로 맞지 않습니다. 손가락을 장치에 넣고, 다른 손가락은 화면에서 떼고 다시 보정하세요.</translation>
+    </message>
+    <message>
+        <source>Calibrated. It misses by %1 millimetres on average, and is kept for this device.</source>
+        <translation>보정했습니다. 평균 %1밀리미터 어긋나며, 이 장치의 보정값으로 저장했습니다.</translation>
+    </message>
+    <message>
+        <source>Calibration ended. Nothing was changed.</source>
+        <translation>보정을 끝냈습니다. 바뀐 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>Stopped. The force is off.</source>
+        <translation>멈췄습니다. 힘이 꺼졌습니다.</translation>
+    </message>
+</context>
+<context>
     <name>tp::ExploreSession</name>
     <message>
         <source>Tour ended.</source>
@@ -3956,12 +4070,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>장치로 손가락을 움직이세요.</translation>
     </message>
     <message numerus="yes">
-        <source>%1: %2 o'clock, %n millimetre(s).</source>
+        <source>%1: %2 o&apos;clock, %n millimetre(s).</source>
         <translation>
             <numerusform>%1: %2시 방향, %n밀리미터.</numerusform>
         </translation>
     </message>
-<message>
+    <message>
         <source>The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its true size.</source>
         <translation>사진이 화면에서 너무 작거나 커서 보이는 자리에서 느낄 수 없습니다. 장치는 원래 크기로 느끼게 합니다.</translation>
     </message>
@@ -5143,7 +5257,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1 더 녹음할 수 있습니다.</translation>
     </message>
     <message>
-        <source>What was recorded is kept as "%1" and will be stored later, because %2</source>
+        <source>What was recorded is kept as &quot;%1&quot; and will be stored later, because %2</source>
         <translation>녹음한 것은 “%1”(으)로 남겨 두었고 나중에 저장합니다. %2</translation>
     </message>
     <message>
@@ -5448,7 +5562,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
         <translation>색인은 TouchPhoto가 끝날 때 버려지고, 다음에 시작할 때 사진에서 새로 만들어집니다.</translation>
     </message>
-<message>
+    <message>
         <source>the force device</source>
         <translation>힘 장치</translation>
     </message>
@@ -5624,292 +5738,4 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>잘랐습니다. 남은 길이: %1. 되돌리기로 나머지를 되살릴 수 있습니다.</translation>
     </message>
 </context>
-<context><name>CalibrationView</name><message>
-        <source>Calibration</source>
-        <translation>보정</translation>
-    </message>
-    <message>
-        <source>End the calibration</source>
-        <translation>보정 끝내기</translation>
-    </message>
-    <message>
-        <source>Nothing is changed. Key: Escape</source>
-        <translation>아무것도 바뀌지 않습니다. 키: Escape</translation>
-    </message>
-</context><context><name>tp::DeviceSettings</name><message>
-        <source>%1, over USB (HID)</source>
-        <translation>%1, USB (HID) 연결</translation>
-    </message>
-    <message>
-        <source>%1, over USB (bulk)</source>
-        <translation>%1, USB (벌크) 연결</translation>
-    </message>
-    <message>
-        <source>None: sound, and a drawn finger</source>
-        <translation>없음: 소리와 화면의 손가락</translation>
-    </message>
-    <message>
-        <source>%1, not plugged in</source>
-        <translation>%1, 연결되지 않음</translation>
-    </message>
-    <message>
-        <source>Calibrated: misses by %1 millimetres on average.</source>
-        <translation>보정됨: 평균 %1밀리미터 어긋납니다.</translation>
-    </message>
-    <message>
-        <source>Not calibrated. It may stand beside the screen; to lie on it, it must be calibrated.</source>
-        <translation>보정되지 않았습니다. 화면 옆에 두고 쓸 수 있습니다. 화면 위에 올려놓으려면 보정해야 합니다.</translation>
-    </message>
-    <message>
-        <source>No force device is plugged in. Plug one in; it is found by itself.</source>
-        <translation>연결된 힘 장치가 없습니다. 장치를 꽂으면 저절로 찾습니다.</translation>
-    </message>
-    <message>
-        <source>No force device is chosen. Choose one above.</source>
-        <translation>힘 장치를 고르지 않았습니다. 위에서 고르세요.</translation>
-    </message>
-    <message>
-        <source>The strongest force, %1 newtons: to the right, then to the left. Escape ends it.</source>
-        <translation>가장 강한 힘, %1뉴턴입니다. 오른쪽으로, 그다음 왼쪽으로 당깁니다. Escape 키로 끝냅니다.</translation>
-    </message>
-    <message>
-        <source>Calibration. The device lies on the screen; put a finger into it, so that it touches the screen. Escape ends it. %1</source>
-        <translation>보정을 시작합니다. 장치를 화면 위에 놓고, 손가락을 장치에 넣어 화면에 닿게 하세요. Escape 키로 끝냅니다. %1</translation>
-    </message>
-    <message>
-        <source>That was the strongest force.</source>
-        <translation>가장 강한 힘이었습니다.</translation>
-    </message>
-    <message>
-        <source>Touch the top left corner and keep still until I speak.</source>
-        <translation>왼쪽 위 모서리를 누르고 제가 말할 때까지 가만히 계세요.</translation>
-    </message>
-    <message>
-        <source>Now the top right corner.</source>
-        <translation>이제 오른쪽 위 모서리입니다.</translation>
-    </message>
-    <message>
-        <source>Now the bottom right corner.</source>
-        <translation>이제 오른쪽 아래 모서리입니다.</translation>
-    </message>
-    <message>
-        <source>Now the bottom left corner.</source>
-        <translation>이제 왼쪽 아래 모서리입니다.</translation>
-    </message>
-    <message>
-        <source>Nothing was changed.</source>
-        <translation>바뀐 것은 없습니다.</translation>
-    </message>
-    <message>
-        <source>The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that the device does not slip on the screen, keep still at each corner, and calibrate again.</source>
-        <translation>보정 결과가 누른 자리와 평균 %1밀리미터 어긋납니다. 최대 %2까지 허용됩니다. 장치가 화면에서 미끄러지지 않게 하고, 모서리마다 가만히 있으면서 다시 보정하세요.</translation>
-    </message>
-    <message>
-        <source>The device and the screen do not move alike. Calibrate again with the finger in the device, and no other on the screen.</source>
-        <translation>장치와 화면의 움직임이 서로 맞지 않습니다. 손가락을 장치에 넣고, 다른 손가락은 화면에서 떼고 다시 보정하세요.</translation>
-    </message>
-    <message>
-        <source>Calibrated. It misses by %1 millimetres on average, and is kept for this device.</source>
-        <translation>보정했습니다. 평균 %1밀리미터 어긋나며, 이 장치의 보정값으로 저장했습니다.</translation>
-    </message>
-    <message>
-        <source>Calibration ended. Nothing was changed.</source>
-        <translation>보정을 끝냈습니다. 바뀐 것은 없습니다.</translation>
-    </message>
-    <message>
-        <source>Stopped. The force is off.</source>
-        <translation>멈췄습니다. 힘이 꺼졌습니다.</translation>
-    </message>
-</context><context><name>tp::Problems</name><message>
-        <source>The force was switched off for a moment, because a measurement was not a number.</source>
-        <translation>측정값이 숫자가 아니어서 힘을 잠시 껐습니다.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the finger is outside the area that the device reaches. Move it back.</source>
-        <translation>손가락이 장치가 닿는 범위 밖에 있어 힘이 꺼졌습니다. 다시 안으로 옮기세요.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the finger moves too fast. Move slowly and it comes back.</source>
-        <translation>손가락이 너무 빨리 움직여 힘이 꺼졌습니다. 천천히 움직이면 다시 켜집니다.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the device has switched its motors off to be safe. It comes back when the device is ready.</source>
-        <translation>장치가 안전을 위해 모터를 꺼서 힘이 꺼졌습니다. 장치가 준비되면 다시 켜집니다.</translation>
-    </message>
-    <message>
-        <source>The force is off, because the device does not say where the finger is.</source>
-        <translation>장치가 손가락의 위치를 알려 주지 않아 힘이 꺼졌습니다.</translation>
-    </message>
-    <message>
-        <source>The force is off for a moment, because this computer was too busy to guide the finger.</source>
-        <translation>컴퓨터가 너무 바빠 손가락을 이끌 수 없어서 힘이 잠시 꺼졌습니다.</translation>
-    </message>
-    <message>
-        <source>The device was switched off, because this computer stood still. Start it again when you are ready.</source>
-        <translation>컴퓨터가 멈추어 장치를 껐습니다. 준비가 되면 다시 켜세요.</translation>
-    </message>
-    <message>
-        <source>The device was switched off, because it no longer answers. Check its cable and start it again.</source>
-        <translation>장치가 더는 응답하지 않아 껐습니다. 케이블을 확인하고 다시 켜세요.</translation>
-    </message>
-    <message>
-        <source>No face was found in this picture.</source>
-        <translation>이 사진에서 얼굴을 찾지 못했습니다.</translation>
-    </message>
-    <message>
-        <source>The picture is empty.</source>
-        <translation>사진이 비어 있습니다.</translation>
-    </message>
-    <message>
-        <source>The picture is not in 8-bit colour.</source>
-        <translation>사진이 8비트 색상이 아닙니다.</translation>
-    </message>
-    <message>
-        <source>The search for faces was stopped.</source>
-        <translation>얼굴 찾기를 멈췄습니다.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the left edge of the picture.</source>
-        <translation>얼굴이 사진의 왼쪽 가장자리에서 잘려 있습니다.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the right edge of the picture.</source>
-        <translation>얼굴이 사진의 오른쪽 가장자리에서 잘려 있습니다.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the top edge of the picture.</source>
-        <translation>얼굴이 사진의 위쪽 가장자리에서 잘려 있습니다.</translation>
-    </message>
-    <message>
-        <source>The face is cut off at the bottom edge of the picture.</source>
-        <translation>얼굴이 사진의 아래쪽 가장자리에서 잘려 있습니다.</translation>
-    </message>
-    <message>
-        <source>The right eye may be covered, so its contour may be wrong.</source>
-        <translation>오른쪽 눈이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The left eye may be covered, so its contour may be wrong.</source>
-        <translation>왼쪽 눈이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The mouth may be covered, so its contour may be wrong.</source>
-        <translation>입이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The outline may be covered, so its contour may be wrong.</source>
-        <translation>얼굴 윤곽이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The edge of the right eye is faint, so its contour may be wrong.</source>
-        <translation>오른쪽 눈의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The edge of the left eye is faint, so its contour may be wrong.</source>
-        <translation>왼쪽 눈의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The edge of the mouth is faint, so its contour may be wrong.</source>
-        <translation>입의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The edge of the outline is faint, so its contour may be wrong.</source>
-        <translation>얼굴 윤곽의 경계가 흐려 윤곽선이 틀릴 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>This picture could not be worked on. It may be too large for this computer.</source>
-        <translation>이 사진을 처리할 수 없습니다. 이 컴퓨터에 너무 큰 사진일 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>You may not use the force pad yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
-        <translation>아직 힘 패드를 쓸 권한이 없습니다. resources/udev/70-touchphoto.rules 파일을 /etc/udev/rules.d에 복사한 다음 장치를 뽑았다가 다시 꽂으세요.</translation>
-    </message>
-    <message>
-        <source>Windows does not let this program use the force pad. Unplug it and plug it in again; if that does not help, close other programs that use it.</source>
-        <translation>Windows가 이 프로그램의 힘 패드 사용을 허용하지 않습니다. 뽑았다가 다시 꽂으세요. 그래도 안 되면 힘 패드를 쓰는 다른 프로그램을 닫으세요.</translation>
-    </message>
-    <message>
-        <source>macOS does not let this program use the force pad. Allow it under System Settings, Privacy &amp; Security, Input Monitoring, and start it again.</source>
-        <translation>macOS가 이 프로그램의 힘 패드 사용을 허용하지 않습니다. 시스템 설정, 개인정보 보호 및 보안, 입력 모니터링에서 허용한 다음 프로그램을 다시 시작하세요.</translation>
-    </message>
-    <message>
-        <source>Another driver of the system holds the force pad. Unplug the device and plug it in again; if that does not help, its kernel must have the hidraw driver.</source>
-        <translation>시스템의 다른 드라이버가 힘 패드를 잡고 있습니다. 장치를 뽑았다가 다시 꽂으세요. 그래도 안 되면 커널에 hidraw 드라이버가 있어야 합니다.</translation>
-    </message>
-    <message>
-        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then "USB Input Device".</source>
-        <translation>힘 패드의 드라이버가 맞지 않습니다. 장치 관리자에서 드라이버 업데이트를 고른 다음 "USB 입력 장치"를 고르세요.</translation>
-    </message>
-    <message>
-        <source>Another driver holds the force pad. Remove the driver that its maker installed and start this computer again.</source>
-        <translation>다른 드라이버가 힘 패드를 잡고 있습니다. 제조사가 설치한 드라이버를 지우고 컴퓨터를 다시 시작하세요.</translation>
-    </message>
-    <message>
-        <source>Another driver of the system holds the force pad and does not let go of it. Unplug the device, unload that driver and plug the device in again.</source>
-        <translation>시스템의 다른 드라이버가 힘 패드를 잡고 놓지 않습니다. 장치를 뽑고 그 드라이버를 내린 다음 장치를 다시 꽂으세요.</translation>
-    </message>
-    <message>
-        <source>The force pad has the wrong driver. In the Device Manager choose Update driver, then "WinUsb Device".</source>
-        <translation>힘 패드의 드라이버가 맞지 않습니다. 장치 관리자에서 드라이버 업데이트를 고른 다음 "WinUsb 장치"를 고르세요.</translation>
-    </message>
-    <message>
-        <source>Another program uses the force pad. Close that program and try again.</source>
-        <translation>다른 프로그램이 힘 패드를 쓰고 있습니다. 그 프로그램을 닫고 다시 해 보세요.</translation>
-    </message>
-    <message>
-        <source>The force pad was unplugged. Plug it in again.</source>
-        <translation>힘 패드가 뽑혔습니다. 다시 꽂으세요.</translation>
-    </message>
-    <message>
-        <source>The force pad could not be opened. Unplug it, plug it in again and try once more.</source>
-        <translation>힘 패드를 열 수 없습니다. 뽑았다가 다시 꽂고 한 번 더 해 보세요.</translation>
-    </message>
-    <message>
-        <source>The force pad does not know where its knob is. Put the knob on its mark and home the pad.</source>
-        <translation>힘 패드가 손잡이의 위치를 모릅니다. 손잡이를 표시에 맞추고 패드의 기준점을 잡으세요.</translation>
-    </message>
-    <message>
-        <source>The force pad's encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
-        <translation>힘 패드의 측정값이 서로 어긋납니다. 줄이 느슨하거나 미끄러졌습니다. 손잡이를 표시에 맞추고 패드의 기준점을 잡으세요.</translation>
-    </message>
-    <message>
-        <source>The force pad's motors are too hot. It goes on by itself when they have cooled.</source>
-        <translation>힘 패드의 모터가 너무 뜨겁습니다. 식으면 저절로 다시 움직입니다.</translation>
-    </message>
-    <message>
-        <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
-        <translation>힘 패드의 모터에 전류가 너무 많이 흘렀습니다. 손잡이를 막는 것이 없는지 살펴보세요.</translation>
-    </message>
-    <message>
-        <source>The force pad heard nothing from this computer for a moment and switched its motors off.</source>
-        <translation>힘 패드가 잠시 컴퓨터의 신호를 받지 못해 모터를 껐습니다.</translation>
-    </message>
-    <message>
-        <source>The force pad's motors are off.</source>
-        <translation>힘 패드의 모터가 꺼져 있습니다.</translation>
-    </message>
-    <message>
-        <source>The device with a force pad's ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
-        <translation>힘 패드의 식별 번호를 가진 장치가 힘 패드처럼 답하지 않습니다. 뽑았다가 다시 꽂으세요. 힘 패드가 아니라면 다른 장치를 고르세요.</translation>
-    </message>
-    <message>
-        <source>The force pad did not say which places it reaches. Unplug it and plug it in again.</source>
-        <translation>힘 패드가 닿을 수 있는 범위를 알려 주지 않았습니다. 뽑았다가 다시 꽂으세요.</translation>
-    </message>
-    <message>
-        <source>force pad</source>
-        <translation>힘 패드</translation>
-    </message>
-    <message>
-        <source>A calibration sample is no place; touch the marks again.</source>
-        <translation>보정에 쓸 수 없는 측정값이 있습니다. 표시를 다시 누르세요.</translation>
-    </message>
-    <message>
-        <source>Calibration needs at least three marks that do not lie on one line; touch more marks.</source>
-        <translation>보정하려면 한 줄에 놓이지 않은 표시가 세 개 이상 필요합니다. 표시를 더 누르세요.</translation>
-    </message>
-    <message>
-        <source>Too many touches do not fit together. Touch the marks again with the finger in the device, and with no other.</source>
-        <translation>서로 맞지 않는 누름이 너무 많습니다. 손가락을 장치에 넣고, 그 손가락만으로 표시를 다시 누르세요.</translation>
-    </message>
-</context></TS>
+</TS>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/devices/device_desk.hpp"
 
-#include "app/devices/device_words.hpp"
+#include "audio/sentences/sentences.hpp"
 #include "device/calibration_file.hpp"
 
 #include <QMetaObject>
@@ -54,13 +54,13 @@ void DeviceDesk::open(const ListedDevice& listed) {
         open->listed = listed;
         QString problem;
         if (Result<std::unique_ptr<ForceDevice>> made = make(listed.name); !made) {
-            problem = device_words(made.error());
+            problem = in_persons_language(made.error());
         } else {
             open->device = std::move(made).value();
             if (Result<Capabilities> can = open->device->open())
                 open->can = std::move(can).value();
             else
-                problem = device_words(can.error());
+                problem = in_persons_language(can.error());
         }
         if (!file.empty())
             open->calibration = kept_calibration(file, key_of(listed).toStdString());

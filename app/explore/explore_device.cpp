@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The device of an ExploreSession: found, opened and given back while the page is in sight.
 #include "app/explore/explore_session.hpp"
+#include "audio/sentences/sentences.hpp"
 
 #include <utility>
 
@@ -12,7 +13,7 @@ constexpr double most_stretch = 1.5;  ///< 0.2 N/mm becomes 0.45 N/mm, for which
 } // namespace
 
 QString ExploreSession::faultSentence() const {
-    const QString why = faults_.shown() == Fault::motors_off ? device_words(servo_.complaint()) : QString();
+    const QString why = faults_.shown() == Fault::motors_off ? in_persons_language(servo_.complaint()) : QString();
     return why.isEmpty() ? fault_words(faults_.shown()) : why;
 }
 
@@ -50,6 +51,20 @@ void ExploreSession::sheetLies(double left, double top, double scale) {
         return;
     const Vec2 middle = Vec2(left, -top) + scale * 0.5 * Vec2(frame_.width_mm, -frame_.height_mm);
     screen_to_surface_ = {glm::dmat2(1.0 / scale), -middle / scale};
+    sheet_settles_.start();
+}
+
+/// A device that lies on the screen feels the sheet where it lies now: it is opened anew with the new map.
+void ExploreSession::follow_sheet() {
+    const bool still = device_sheet_ && device_sheet_->linear == screen_to_surface_.linear &&
+                       device_sheet_->offset == screen_to_surface_.offset;
+    if (!here_ || !servo_.real() || !device_sheet_ || still)
+        return;
+    const bool on = engaged();
+    leave_device();
+    if (on)
+        servo_.engage();
+    want_device();
 }
 
 /// Device → surface for a device that lies on the screen; nothing where the sheet is drawn so small or large that its
@@ -69,7 +84,8 @@ void ExploreSession::use_device(OpenDevice& open) {
     ServoSettings servo = settings_.device_servo;
     const std::optional<Affine> calibrated = open.calibration ? on_the_sheet(*open.calibration) : std::nullopt;
     servo.device_to_surface = calibrated.value_or(middle_on_middle(open.can));
-    device_about_ = device_words(open.listed.about);
+    device_sheet_ = open.calibration ? std::optional(screen_to_surface_) : std::nullopt;
+    device_about_ = in_persons_language(open.listed.about);
     device_was_at_ = {};
     faults_ = {}; // what was told of another, or before it was plugged in again, is told anew
     desk_.watch(false);

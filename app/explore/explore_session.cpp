@@ -20,6 +20,7 @@ namespace tp {
 
 namespace {
 constexpr int poll_ms = 16;
+constexpr int sheet_settles_ms = 300; ///< a window that is moved or made larger tells of each step
 constexpr double breath_s = 0.3; ///< between a feature's name and its tour
 
 Rect around(const Rect& a, const Rect& b) { return {glm::min(a.min, b.min), glm::max(a.max, b.max)}; }
@@ -39,6 +40,9 @@ ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
     connect(&desk_, &DeviceDesk::opened, this,
             [this](const std::shared_ptr<OpenDevice>& open) { use_device(*open); });
     connect(&desk_, &DeviceDesk::refused, this, &ExploreSession::device_refused);
+    sheet_settles_.setSingleShot(true);
+    sheet_settles_.setInterval(sheet_settles_ms);
+    connect(&sheet_settles_, &QTimer::timeout, this, &ExploreSession::follow_sheet);
     timer_.setInterval(poll_ms);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &ExploreSession::poll);

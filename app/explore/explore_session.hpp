@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/devices/device_desk.hpp"
-#include "app/devices/device_words.hpp"
+#include "app/devices/fault_words.hpp"
 #include "app/explore/clock_guide.hpp"
 #include "app/explore/dwell.hpp"
 #include "app/explore/fault_watch.hpp"
@@ -151,7 +151,7 @@ public:
     /// The page goes out of sight: its sounds, its speech and its force end; nothing is told until `enter`.
     Q_INVOKABLE void leave();
     /// Where the sheet's top left corner lies on the screen, mm from the screen's (x right, y down), and how many real
-    /// millimetres each of the sheet's is there. A calibrated device follows it when it is opened next.
+    /// millimetres each of the sheet's is there. A calibrated device follows it once it lies still.
     Q_INVOKABLE void sheetLies(double left, double top, double scale);
     /// Asks to go where one came from.
     Q_INVOKABLE void back() { emit backAsked(); }
@@ -252,6 +252,7 @@ private:
     std::optional<Affine> on_the_sheet(const Calibration& calibration) const;
     void device_refused(const QString& sentence);
     void device_gone();
+    void follow_sheet();
 
     // the hand
     void poll();
@@ -316,6 +317,8 @@ private:
     bool force_wanted_ = true;       ///< when it comes back into sight
 
     Affine screen_to_surface_;     ///< mm
+    QTimer sheet_settles_;         ///< since it was last told to lie elsewhere
+    std::optional<Affine> device_sheet_; ///< screen_to_surface_ as a calibrated device in use follows it
     QString device_about_;         ///< of the one that moves the finger
     std::string refused_;          ///< name of the one that could not be opened; it is not asked again by itself
     bool device_expected_ = false; ///< the person has just come: a device that is there gets the force at once

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/settings/device_settings.hpp"
 
-#include "app/devices/device_words.hpp"
+#include "app/devices/fault_words.hpp"
+#include "audio/sentences/sentences.hpp"
 #include "core/geometry/calibration.hpp"
 #include "core/guidance/haptic_scene.hpp"
 #include "device/calibration_file.hpp"
@@ -45,7 +46,7 @@ const ListedDevice* DeviceSettings::serving() const {
 }
 
 QString DeviceSettings::name_of(const ListedDevice& device) const {
-    const QString name = (device_words(device.about) + ' ' + QString::fromStdString(device.serial_number)).trimmed();
+    const QString name = (in_persons_language(device.about) + ' ' + QString::fromStdString(device.serial_number)).trimmed();
     if (device.interface == "hid")
         return tr("%1, over USB (HID)").arg(name);
     if (device.interface == "bulk")
@@ -152,7 +153,7 @@ void DeviceSettings::poll() {
     else if (faulty_from_ < 0.0)
         faulty_from_ = time;
     if (seen.fault != Fault::none && (disables(seen.fault) || time - faulty_from_ >= fault_lasts_s)) {
-        const QString why = seen.fault == Fault::motors_off ? device_words(drive_->device().complaint()) : QString();
+        const QString why = seen.fault == Fault::motors_off ? in_persons_language(drive_->device().complaint()) : QString();
         return end(why.isEmpty() ? fault_words(seen.fault) : why, Priority::fault);
     }
     if (doing_ == Doing::calibrating && seen.fault == Fault::none)
@@ -223,7 +224,7 @@ QString DeviceSettings::result() {
     const Result<Calibration> found = steps_->calibration();
     const QString as_before = tr("Nothing was changed.");
     if (!found)
-        return device_words(found.error()) + ' ' + as_before;
+        return in_persons_language(found.error()) + ' ' + as_before;
     if (found->residual_mm > most_residual_mm)
         return tr("The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that "
                   "the device does not slip on the screen, keep still at each corner, and calibrate again.")

@@ -298,6 +298,12 @@ private slots:
         QVERIFY(std::abs(bench.socket.force().x) < 1e-9);
         QVERIFY(bench.socket.strongest() < 1.0 + 1e-9);
         QTRY_VERIFY(std::abs(bench.session.force().x() - 0.8) < 0.01);
+        // The window is moved by 5 mm to the right: what lies under the handle lies 6.25 mm further left on the sheet.
+        bench.session.sheetLies(25.0, 10.0, 0.8);
+        QTRY_VERIFY(std::abs(bench.session.finger().x() - (finger.x() - 6.25)) < 1e-6);
+        QVERIFY(std::abs(bench.session.finger().y() - finger.y()) < 1e-6);
+        QVERIFY(bench.session.engaged());
+        QCOMPARE(bench.socket.opened(), 2);
     }
 
     void a_picture_too_small_on_the_screen_is_felt_in_its_true_size() {

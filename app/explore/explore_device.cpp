@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The device of an ExploreSession: found, opened and given back while the page is in sight.
 #include "app/explore/explore_session.hpp"
+
 #include "audio/sentences/sentences.hpp"
 
 #include <utility>

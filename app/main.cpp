@@ -38,7 +38,7 @@ std::vector<tp::FoundDevice> force_devices() {
     std::vector<tp::FoundDevice> found;
     for (const tp::ListedDevice& device : tp::list_devices())
         if (!device.interface.empty()) // the simulated one is always there
-            found.push_back({in_persons_language(device.about), QString::fromStdString(device.serial_number)});
+            found.push_back({tp::in_persons_language(device.about), QString::fromStdString(device.serial_number)});
     return found;
 }
 

@@ -26,7 +26,8 @@ using Strict = SentencePattern::Strict;
 constexpr int deepest = 4;         ///< a sentence in a sentence in …
 constexpr int most_sentences = 16; ///< one after the other, that are told apart
 
-/// A name and a reason behind it, "%1: %2": believed where one of them is known, and after everything else.
+/// A name and a reason behind it, "%1: %2": believed where one of them is known, the name is no sentence, and after
+/// everything else.
 bool says_nothing(const SentencePattern& pattern) { return std::strcmp(pattern.source(), "%1: %2") == 0; }
 
 QString translated(const char* source) { return QCoreApplication::translate("Sentence", source); }
@@ -82,9 +83,11 @@ private:
             if (!pattern.may_fit(text) || (strict == Strict::yes && says_nothing(pattern)))
                 continue;
             letters_left_ -= 2 * text.size();
-            if (const auto places = pattern.places_in(text, strict))
-                if (auto all = filled(pattern, *places, depth))
-                    return all;
+            const auto places = pattern.places_in(text, strict);
+            if (!places || (says_nothing(pattern) && next_sentence(places->front(), 0) >= 0))
+                continue;
+            if (auto all = filled(pattern, *places, depth))
+                return all;
         }
         return std::nullopt;
     }

@@ -17,6 +17,7 @@
 
 #include <initializer_list>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -61,6 +62,11 @@ QString some_word(QRandomGenerator& random) {
     for (int i = random.bounded(1, 9); i > 0; --i)
         word += QChar(u'α' + random.bounded(20));
     return word;
+}
+
+template <typename T>
+const T& one_of(std::span<const T> all, QRandomGenerator& random) {
+    return all[random.bounded(static_cast<quint32>(all.size()))];
 }
 
 /// The sentence with a word in each place.
@@ -183,9 +189,8 @@ private slots:
         for (int round = 0; round < 3000; ++round) {
             QString text;
             for (int i = random.bounded(1, 14); i > 0; --i)
-                text += random.bounded(3) == 0 ? made(sentence_list()[random.bounded(static_cast<int>(sentence_list().size()))],
-                                                      random, words)
-                                               : pieces[random.bounded(static_cast<int>(std::size(pieces)))];
+                text += random.bounded(3) == 0 ? made(one_of(sentence_list(), random), random, words)
+                                               : one_of(std::span<const QString>(pieces), random);
             const std::string complaint = test::complaint_about_sentence(text.toStdString());
             QVERIFY2(complaint.empty(), qPrintable(text + ": " + QString::fromStdString(complaint)));
         }

@@ -15,7 +15,7 @@ Item {
     signal chosen(int letter)
 
     implicitHeight: Math.ceil(letters.length / columns) * (cell + 6) - 6
-    activeFocusOnTab: letters.length > 0
+    activeFocusOnTab: letters.length > 0 || activeFocus // Qt lets no item leave the order while it has the keyboard
     Accessible.role: Accessible.Grouping
     Accessible.name: label
     Accessible.focusable: true

@@ -12,7 +12,8 @@ class ImportPace {
 public:
     /// `fraction` done, 0–1; `now_s` by a clock that began with the work. Whether to speak now.
     bool due(double fraction, double now_s) {
-        const int quarter = static_cast<int>(std::floor(4.0 * std::clamp(fraction, 0.0, 1.0)));
+        const double known = std::isnan(fraction) ? 0.0 : std::clamp(fraction, 0.0, 1.0);
+        const int quarter = static_cast<int>(std::floor(4.0 * known));
         const bool further = quarter > told_quarter_ && quarter < 4; // its end is told by the report
         const double silent_s = now_s - told_s_;
         if (silent_s < shortest_silence_s || (!further && silent_s < longest_silence_s))

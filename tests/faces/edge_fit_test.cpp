@@ -6,6 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <array>
 #include <functional>
 #include <numbers>
 
@@ -28,14 +29,18 @@ constexpr EdgeLook valley_look{{0.0, 20.0, 0.0, 20.0}, {}, 0.02, 2.0};
 cv::Mat painted(cv::Size size, const Height& edge, const std::function<double(double)>& grey,
                 double blur = 0.0, double noise = 0.0) {
     cv::Mat picture(size, CV_32F), out;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
+    for (int x = 0; x < size.width; ++x) {
+        std::array<double, oversampling> heights;
+        for (int u = 0; u < oversampling; ++u)
+            heights[static_cast<std::size_t>(u)] = edge(x + (u + 0.5) / oversampling);
+        for (int y = 0; y < size.height; ++y) {
             double sum = 0.0;
             for (int v = 0; v < oversampling; ++v)
-                for (int u = 0; u < oversampling; ++u)
-                    sum += grey(y + (v + 0.5) / oversampling - edge(x + (u + 0.5) / oversampling));
+                for (const double height : heights)
+                    sum += grey(y + (v + 0.5) / oversampling - height);
             picture.at<float>(y, x) = static_cast<float>(sum / (oversampling * oversampling));
         }
+    }
     if (blur > 0.0)
         cv::GaussianBlur(picture, picture, {}, blur);
     if (noise > 0.0) {
@@ -109,15 +114,15 @@ private slots:
         QFETCH(double, most_px);
         const int width = static_cast<int>(0.5 * unit_px), height = static_cast<int>(0.4 * unit_px);
         Miss worst;
-        for (double shift : {0.0, 0.23, 0.5, 0.81})
+        for (double shift : {0.0, 0.23, 0.5, 0.81}) {
+            const Height edge = arch(0.1 * unit_px, 0.3 * unit_px, 0.25 * unit_px + shift, 0.05 * unit_px);
+            const cv::Mat picture = painted({width, height}, edge, step, blur, noise);
             for (double start : {-0.03, 0.01, 0.025}) {
-                const Height edge =
-                    arch(0.1 * unit_px, 0.3 * unit_px, 0.25 * unit_px + shift, 0.05 * unit_px);
-                const cv::Mat picture = painted({width, height}, edge, step, blur, noise);
                 const Points line = along(edge, 0.1 * unit_px, 0.4 * unit_px, start * unit_px);
                 const Miss found = miss(on_edge(picture, line, down, unit_px, step_look), edge);
                 worst = {std::max(worst.mean, found.mean), std::max(worst.most, found.most)};
             }
+        }
         qInfo("mean %.3f px, most %.3f px", worst.mean, worst.most);
         QVERIFY2(worst.mean <= most_px, qPrintable(QString::number(worst.mean)));
     }

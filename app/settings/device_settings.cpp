@@ -235,7 +235,7 @@ QString DeviceSettings::result() {
                   "on the screen.") +
                ' ' + as_before;
     if (const std::string why = keep_calibration(setup_.access.calibrations, key_.toStdString(), *found); !why.empty())
-        return QString::fromStdString(why);
+        return in_persons_language(why);
     return tr("Calibrated. It misses by %1 millimetres on average, and is kept for this device.")
         .arg(in_millimetres(found->residual_mm));
 }

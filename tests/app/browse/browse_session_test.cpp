@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/album/index/sql_connection.hpp"
 #include "browse_bench.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <filesystem>
+#include <optional>
 
 using namespace tp;
 using namespace tp::testing;
@@ -483,6 +485,8 @@ private slots:
             const fs::path fresh = bench.drawn.photo("fresh.jpg", "2026-09-09T09:09:09");
             bench.drawn.preferences.change(
                 [&](Choices& choices) { choices.last_photo = QString::fromStdString(fresh.string()); });
+            SqlConnection index = SqlConnection::to_file(bench.drawn.folder / "cache" / "album.sqlite");
+            std::optional<SqlTransaction> scan_waits(index);
             bench.drawn.album =
                 std::make_unique<OpenAlbum>(bench.drawn.folder / "cache", bench.drawn.preferences);
             bench.session =
@@ -491,6 +495,7 @@ private slots:
             QCOMPARE(bench.session->placeText(), QString("1 of 5")); // what the index knows meanwhile
             if (goes_on)
                 bench.session->next();
+            scan_waits.reset();
             QVERIFY(bench.drawn.scanned());
             QTRY_COMPARE(bench.session->count(), 6);
             QCOMPARE(bench.session->placeText(), QString(goes_on ? "2 of 6" : "6 of 6"));

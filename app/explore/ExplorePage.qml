@@ -9,7 +9,6 @@ FocusScope {
     id: page
 
     required property ExploreSession session
-    property var announcer: null // where the page is a window of its own
     readonly property string help: panel.help
     readonly property bool wide: width > 1.15 * height && width >= 640 * Theme.textScale
     readonly property bool tight: !wide && height > 0 && height < 640 * Theme.textScale // the surface scrolls with the rest
@@ -94,7 +93,6 @@ FocusScope {
             id: panel
             session: page.session
             holdsSurface: page.tight
-            alone: page.announcer !== null
             Layout.fillHeight: true
             Layout.fillWidth: !page.wide
             Layout.preferredWidth: page.wide ? Math.min(380 * Theme.textScale, 0.5 * page.width) : -1
@@ -119,6 +117,4 @@ FocusScope {
         target: dialog.item
         function onChosen(file) { page.session.open(file) }
     }
-
-    TpNotification { announcer: page.announcer }
 }

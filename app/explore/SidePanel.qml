@@ -13,7 +13,6 @@ TpScroll {
     readonly property alias help: keys.text
     property bool holdsSurface: false   // on a small page the touch surface scrolls with the rest …
     readonly property alias slot: slot  // … and lies here, never so high that there is no room left to scroll by
-    property bool alone: true // else the window has a place for what was said
     signal openAsked
 
     component Pair: RowLayout {
@@ -54,14 +53,6 @@ TpScroll {
         color: panel.session.featureName === "" ? Theme.quiet : Theme.accent
         Accessible.name: panel.session.featureName === "" ? qsTr("Under the finger: nothing")
                                                           : qsTr("Under the finger: %1").arg(panel.session.featureName)
-    }
-    TpStatus {
-        width: parent.width
-        height: Math.max(implicitHeight, 3.8 * Theme.textSize)
-        visible: panel.alone
-        text: panel.session.sentence
-        textFormat: Text.PlainText
-        color: panel.session.state === ExploreSession.Problem ? Theme.accent : Theme.text
     }
     TpStatus {
         width: parent.width

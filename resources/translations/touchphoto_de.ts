@@ -4107,13 +4107,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
-    <name>tp::ExploreWindow</name>
-    <message>
-        <source>%1 – TouchPhoto</source>
-        <translation>%1 – TouchPhoto</translation>
-    </message>
-</context>
-<context>
     <name>tp::ExtractionWords</name>
     <message>
         <source>One face.</source>

@@ -4081,13 +4081,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
-    <name>tp::ExploreWindow</name>
-    <message>
-        <source>%1 – TouchPhoto</source>
-        <translation>%1 – TouchPhoto</translation>
-    </message>
-</context>
-<context>
     <name>tp::ExtractionWords</name>
     <message>
         <source>One face.</source>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/explore/explore_window.hpp"
+#include "app/controls/notification_announcer.hpp"
+#include "app/explore/explore_module.hpp"
 #include "explore_bench.hpp"
+#include "page_window.hpp"
 
 #include <QAccessible>
 #include <QCoreApplication>
@@ -19,18 +21,11 @@
 #include <QtGlobal>
 
 #include <memory>
+#include <optional>
 
 using namespace tp;
 
 namespace {
-
-QStringList warnings;
-
-void remember_warnings(QtMsgType type, const QMessageLogContext&, const QString& text) {
-    const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("Using QCharRef");
-    if ((type == QtWarningMsg || type == QtCriticalMsg) && !of_the_test_machine)
-        warnings << text;
-}
 
 struct Page {
     RecordingVoice voice;
@@ -38,14 +33,10 @@ struct Page {
     Narrator narrator{voice, announcer};
     ExploreSounds sounds;
     ExploreSession session{narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings()};
-    ExploreWindow window{session, announcer};
+    PageWindow window{"Explore/ExplorePage.qml", &session};
 
-    Page() {
-        session.show(drawn_photo());
-        window.show();
-        window.requestActivate();
-    }
-    bool exposed() { return QTest::qWaitForWindowExposed(&window); }
+    Page() { session.show(drawn_photo()); }
+    bool exposed() { return window.exposed(); }
 
     QQuickItem* surface() const { return window.rootObject()->findChild<QQuickItem*>("surface"); }
     /// Sheet frame → window.
@@ -72,24 +63,6 @@ void set_text_scale(QQuickView& window, double scale) {
     const std::unique_ptr<QObject> done(component.create());
 }
 
-/// Every interface below `root`, in reading order.
-void collect(QAccessibleInterface* root, QList<QAccessibleInterface*>& into) {
-    if (root == nullptr || root->state().invisible)
-        return;
-    into << root;
-    for (int i = 0; i < root->childCount(); ++i)
-        collect(root->child(i), into);
-}
-
-QAccessibleInterface* named(QQuickWindow& window, const QString& name) {
-    QList<QAccessibleInterface*> all;
-    collect(QAccessible::queryAccessibleInterface(&window), all);
-    for (QAccessibleInterface* one : all)
-        if (one->text(QAccessible::Name) == name)
-            return one;
-    return nullptr;
-}
-
 } // namespace
 
 class ExplorePageTest : public QObject {
@@ -97,16 +70,14 @@ class ExplorePageTest : public QObject {
 private slots:
     void initTestCase() {
         QAccessible::setActive(true);
-        qInstallMessageHandler(remember_warnings);
+        register_explore();
     }
-    void init() { warnings.clear(); }
-    void cleanup() { QCOMPARE(warnings, QStringList()); } // QML warnings above all
+    void init() { warnings_.emplace(); }
+    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); } // QML's above all
 
     void it_loads_and_shows_the_photograph_and_the_lines() {
         Page page;
         QVERIFY(page.exposed());
-        QCOMPARE(page.window.status(), QQuickView::Ready);
-        QCOMPARE(page.window.title(), QString("drawn.png – TouchPhoto"));
         const QImage picture = page.window.grabWindow();
         QSet<QRgb> colours;
         for (int y = 0; y < picture.height(); y += 3)
@@ -121,10 +92,9 @@ private slots:
         Narrator narrator(voice, announcer);
         ExploreSounds sounds;
         ExploreSession session(narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings());
-        ExploreWindow window(session, announcer);
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        QVERIFY(named(window, "No photograph yet. Press O, or drop one here.") != nullptr);
+        PageWindow window("Explore/ExplorePage.qml", &session);
+        QVERIFY(window.exposed());
+        QVERIFY(window.named("No photograph yet. Press O, or drop one here.") != nullptr);
     }
 
     void it_loads_on_a_tall_window() {
@@ -212,7 +182,7 @@ private slots:
         QTest::mouseMove(&page.window, page.pixel(on + QPointF(0.0, -12.0)));
         QTest::mouseMove(&page.window, page.pixel(on));
         QTRY_COMPARE(page.voice.said(), QStringList("left eye"));
-        QVERIFY(named(page.window, "Under the finger: left eye") != nullptr);
+        QVERIFY(page.window.named("Under the finger: left eye") != nullptr);
     }
 
     void arrow_keys_move_the_hand() {
@@ -302,7 +272,7 @@ private slots:
         QCOMPARE(page.voice.said().back(), QString("Zoomed out to the whole face."));
         QTest::keyClick(&page.window, Qt::Key_T);
         QVERIFY(page.session.touring());
-        QVERIFY(named(page.window, "End the tour") != nullptr);
+        QVERIFY(page.window.named("End the tour") != nullptr);
         QTest::keyClick(&page.window, Qt::Key_T);
         QVERIFY(!page.session.touring());
         QTest::keyClick(&page.window, Qt::Key_G);
@@ -355,7 +325,7 @@ private slots:
     void a_screen_reader_zooms_and_chooses_a_guide() {
         Page page;
         QVERIFY(page.exposed());
-        QAccessibleActionInterface* surface = named(page.window, "Touch surface")->actionInterface();
+        QAccessibleActionInterface* surface = page.window.named("Touch surface")->actionInterface();
         QVERIFY(surface->actionNames().contains(QAccessibleActionInterface::increaseAction()));
         surface->doAction(QAccessibleActionInterface::increaseAction());
         QCOMPARE(page.voice.said().back(), QString("Zoomed to the eyes."));
@@ -363,12 +333,12 @@ private slots:
         QCOMPARE(page.voice.said().back(), QString("Zoomed out to the whole face."));
         surface->doAction(QAccessibleActionInterface::pressAction());
         QVERIFY(page.voice.said().back().startsWith("The face. "));
-        named(page.window, "Zoom in")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(page.window.press("Zoom in"));
         QCOMPARE(page.voice.said().back(), QString("Zoomed to the eyes."));
-        named(page.window, "Guide: Sonar")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(page.window.press("Guide: Sonar"));
         QCOMPARE(page.sounds.preferences.choices().guide, Choices::Guide::sonar);
-        QVERIFY(named(page.window, "Guide: Sonar")->state().checked);
-        named(page.window, "Tour of the face")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(page.window.named("Guide: Sonar")->state().checked);
+        QVERIFY(page.window.press("Tour of the face"));
         QVERIFY(page.session.touring());
     }
 
@@ -376,12 +346,11 @@ private slots:
         Page page;
         page.session.show(drawn_photo(2, {"Anna", "Tom"}));
         QVERIFY(page.exposed());
-        QCOMPARE(page.window.title(), QString("Anna and Tom – TouchPhoto"));
-        QVERIFY(named(page.window, "Anna and Tom") != nullptr);
-        QAccessibleInterface* eye = named(page.window, "left eye of Tom");
+        QVERIFY(page.window.named("Anna and Tom") != nullptr);
+        QAccessibleInterface* eye = page.window.named("left eye of Tom");
         QVERIFY(eye != nullptr);
         QCOMPARE(eye->parent()->text(QAccessible::Name), QString("Tom"));
-        named(page.window, "Tom")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(page.window.press("Tom"));
         QCOMPARE(page.voice.said().back(), QString("Zoomed to Tom."));
     }
 
@@ -389,10 +358,10 @@ private slots:
         Page page;
         QVERIFY(page.exposed());
         page.session.open_file("/nowhere/at all.jpg");
-        QVERIFY(named(page.window, "Looking for faces…") != nullptr);
+        QCOMPARE(page.session.sentence(), QString("Looking for faces…"));
         QTRY_COMPARE_WITH_TIMEOUT(page.session.state(), ExploreSession::State::Problem, 30000);
         QVERIFY(page.voice.said().back().contains("at all.jpg"));
-        QVERIFY(named(page.window, page.voice.said().back()) != nullptr);
+        QCOMPARE(page.session.sentence(), page.voice.said().back());
         page.session.show(drawn_photo());
         QTest::keyClick(&page.window, Qt::Key_Tab);
         QCOMPARE(page.voice.said().back(), QString("left eye"));
@@ -401,10 +370,8 @@ private slots:
     void everything_that_can_be_operated_has_a_name() {
         Page page;
         QVERIFY(page.exposed());
-        QList<QAccessibleInterface*> all;
-        collect(QAccessible::queryAccessibleInterface(&page.window), all);
         int operable = 0;
-        for (QAccessibleInterface* one : all) {
+        for (QAccessibleInterface* one : PageWindow::everything(page.window)) {
             const QStringList actions =
                 one->actionInterface() != nullptr ? one->actionInterface()->actionNames() : QStringList();
             const bool counts =
@@ -422,22 +389,20 @@ private slots:
                                  "Next feature", "Strongest force", "Guide: None", "Guide: Sonar",
                                  "Guide: Clock voice", "Guide: Both", "Voice", "Open photograph…", "Touch surface", "face", "left eye",
                                  "right eye", "lips", "face outline", "drawn.png"})
-            QVERIFY2(named(page.window, name) != nullptr, name);
+            QVERIFY2(page.window.named(name) != nullptr, name);
     }
 
     void a_screen_reader_presses_features_and_buttons() {
         Page page;
         QVERIFY(page.exposed());
-        named(page.window, "lips")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(page.window.press("lips"));
         QCOMPARE(page.voice.said().back(), QString("lips"));
-        named(page.window, "Guided tour")
-            ->actionInterface()
-            ->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(page.window.press("Guided tour"));
         QVERIFY(page.session.touring());
-        QVERIFY(named(page.window, "End the tour") != nullptr);
-        named(page.window, "Stop")->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+        QVERIFY(page.window.named("End the tour") != nullptr);
+        QVERIFY(page.window.press("Stop"));
         QVERIFY(!page.session.touring());
-        QVERIFY(named(page.window, "Force on") != nullptr);
+        QVERIFY(page.window.named("Force on") != nullptr);
     }
 
     void with_the_voice_off_a_screen_reader_is_told() {
@@ -462,6 +427,9 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(page.session.state(), ExploreSession::State::Problem, 30000);
         QVERIFY(page.session.sentence().contains("dropped.jpg"));
     }
+
+private:
+    std::optional<Warnings> warnings_;
 };
 
 QTEST_MAIN(ExplorePageTest)

@@ -10,10 +10,6 @@
 using namespace tp;
 namespace fs = std::filesystem;
 
-#define NEEDS_PORTRAITS()                                                                                    \
-    if (!portraits::present())                                                                               \
-    QSKIP("needs ../shared/faces: portraits of people are not part of the repository")
-
 namespace {
 
 std::vector<fs::path> every(int stride, const char* set) {
@@ -64,6 +60,21 @@ private slots:
               qPrintable(set), one, pictures, problems, alarms, below);
         QVERIFY(one >= pictures * 97 / 100);
         QVERIFY(alarms <= below / 50);
+    }
+
+    void drawn_pictures_have_no_face() {
+        FaceExtractor faces = std::move(FaceExtractor::create()).value();
+        cv::RNG random(2);
+        int alarms = 0, pictures = 0;
+        for (int i = 0; i < 12; ++i) {
+            const cv::Size size(random.uniform(300, 1400), random.uniform(300, 1000));
+            for (const cv::Mat& picture : drawn::without_faces(random, size)) {
+                ++pictures;
+                alarms += !faces.extract(picture).faces.empty();
+            }
+        }
+        qInfo("%d false alarms in %d drawn pictures", alarms, pictures);
+        QCOMPARE(alarms, 0);
     }
 
     /// On their side and on their head, and nothing in the file about it.

@@ -3,6 +3,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <vector>
+
 /// Pictures without a face.
 namespace drawn {
 
@@ -58,6 +60,13 @@ inline cv::Mat shapes(cv::RNG& random, cv::Size size, int count, int largest) {
         }
     }
     return picture;
+}
+
+/// One of each kind, of any content.
+inline std::vector<cv::Mat> without_faces(cv::RNG& random, cv::Size size) {
+    const int grain = random.uniform(20, 90);
+    return {noise(random, size), clouds(random, size, grain), gradient(random, size),
+            shapes(random, size, 30, 300), shapes(random, size, 300, 80)};
 }
 
 } // namespace drawn

@@ -13,6 +13,11 @@
 #include <string>
 #include <vector>
 
+/// Skips a test, by name, where they are missing.
+#define NEEDS_PORTRAITS()                                                                                    \
+    if (!portraits::present())                                                                               \
+    QSKIP("needs ../shared/faces: portraits of people are not part of the repository")
+
 /// Photographs of people that lie beside the repository, not in it.
 namespace portraits {
 

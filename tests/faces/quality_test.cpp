@@ -14,10 +14,6 @@
 
 using namespace tp;
 
-#define NEEDS_PORTRAITS()                                                                                    \
-    if (!portraits::present())                                                                               \
-    QSKIP("needs ../shared/faces: portraits of people are not part of the repository")
-
 namespace {
 
 /// Ranks, equal values sharing theirs.

@@ -12,6 +12,7 @@
 #include <deque>
 #include <linux/usbdevice_fs.h>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -97,6 +98,8 @@ public:
         {
             const std::lock_guard lock(mutex_);
             gone_ = true;
+            seen_.released += static_cast<long>(holders_.size()); // the kernel's own deed
+            holders_.clear();
         }
         umockdev_testbed_uevent(bed_, "/sys/devices/pci0000:00/usb1/1-1", "remove");
     }
@@ -214,7 +217,7 @@ private:
         int error = 0;
         {
             const std::lock_guard lock(mutex_);
-            error = handle(request, argument, data);
+            error = handle(client, request, argument, data);
         }
         if (error == EAGAIN) // the node of a mocked device is always ready: without a rest libusb would spin
             std::this_thread::sleep_for(std::chrono::microseconds(200));
@@ -225,7 +228,7 @@ private:
     }
 
     /// 0 or an errno.
-    int handle(gulong request, UMockdevIoctlData* argument, UMockdevIoctlData* data) {
+    int handle(UMockdevIoctlClient* client, gulong request, UMockdevIoctlData* argument, UMockdevIoctlData* data) {
         if (request == USBDEVFS_REAPURB || request == USBDEVFS_REAPURBNDELAY)
             return collect(data);
         if (gone_)
@@ -243,14 +246,14 @@ private:
             if (behaviour_.kernel_driver)
                 ++seen_.detached;
             behaviour_.kernel_driver = false;
-            ++seen_.claimed;
-            return 0;
+            return claim(client);
         case USBDEVFS_CLAIMINTERFACE:
             if (behaviour_.busy || behaviour_.kernel_driver)
                 return EBUSY;
-            ++seen_.claimed;
-            return 0;
+            return claim(client);
         case USBDEVFS_RELEASEINTERFACE:
+            if (holders_.erase(client) == 0)
+                return EINVAL; // of one that was unplugged, where another is plugged in now
             ++seen_.released;
             return 0;
         case USBDEVFS_IOCTL:
@@ -281,6 +284,12 @@ private:
         default:
             return ENOTTY;
         }
+    }
+
+    int claim(UMockdevIoctlClient* client) {
+        holders_.insert(client);
+        ++seen_.claimed;
+        return 0;
     }
 
     int submit(UMockdevIoctlData* urb) {
@@ -383,6 +392,7 @@ private:
     std::deque<std::vector<std::uint8_t>> packets_; ///< that the pad has to send
     Behaviour behaviour_;
     Seen seen_;
+    std::set<const UMockdevIoctlClient*> holders_; ///< opened it and claimed its interface
     bool halted_in_ = false;
     bool halted_out_ = false;
     bool gone_ = false;

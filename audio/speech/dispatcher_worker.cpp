@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/dispatcher_worker.hpp"
 
+#include "audio/speech/language_runs.hpp"
+
 #include <QDeadlineTimer>
 #include <QProcess>
 #include <QString>
@@ -104,8 +106,19 @@ bool DispatcherWorker::open() {
 }
 
 void DispatcherWorker::say(quint64 id, const QString& text) {
-    send({"SPEAK\r\n", id});
-    send({ssip_text(text.toStdString()), id});
+    const std::vector<LanguageRun> runs =
+        own_language_.isEmpty() ? std::vector<LanguageRun>{{text, {}}} : language_runs(text, own_language_);
+    said_ = id;
+    left_ = runs.size();
+    for (const LanguageRun& run : runs) {
+        const bool foreign = run.language != own_language_;
+        if (foreign)
+            use_voice_of(run.language);
+        send({"SPEAK\r\n", id});
+        send({ssip_text(run.text.toStdString()), id});
+        if (foreign)
+            use_voice_of(own_language_);
+    }
 }
 
 void DispatcherWorker::silence() { send({"CANCEL SELF\r\n"}); }
@@ -115,6 +128,11 @@ void DispatcherWorker::use_rate(double rate) {
 }
 
 void DispatcherWorker::use_language(const QString& language) {
+    own_language_ = language;
+    use_voice_of(language);
+}
+
+void DispatcherWorker::use_voice_of(const QString& language) {
     send({"SET SELF LANGUAGE " + language.toStdString() + "\r\n"});
 }
 
@@ -180,7 +198,8 @@ void DispatcherWorker::take_event(const SsipReply& event) {
     if (event.code != event_end && event.code != event_cancelled)
         return;
     messages_.erase(found);
-    ended(id);
+    if (id == said_ && --left_ == 0)
+        ended(id);
 }
 
 void DispatcherWorker::hang_up() {

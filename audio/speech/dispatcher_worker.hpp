@@ -6,6 +6,7 @@
 
 #include <QSocketNotifier>
 
+#include <cstddef>
 #include <deque>
 #include <map>
 #include <memory>
@@ -14,7 +15,9 @@
 namespace tp {
 
 /// speech-dispatcher, by its own protocol: it speaks within a tenth of a second. Qt's plugin for it first asks for every
-/// voice of every language, which takes seconds. One that does not run is started, as its own library would.
+/// voice of every language, which takes seconds, and its own library waits in every call for an answer: one that hangs could
+/// not be left behind. One that does not run is started, as that library would. Names in other scripts are spoken by a voice
+/// of their language (language_runs.hpp).
 class DispatcherWorker final : public SpeechWorker {
     Q_OBJECT
 public:
@@ -35,6 +38,7 @@ private:
     void use_rate(double rate) override;
     void use_language(const QString& language) override;
 
+    void use_voice_of(const QString& language);
     bool connected();
     bool started();
     void send(Command command);
@@ -51,6 +55,9 @@ private:
     SsipReader reader_;
     std::deque<Command> commands_; ///< the first one is being answered
     std::map<std::string, quint64> messages_; ///< its numbers of texts that it has not ended yet, and ours
+    QString own_language_;
+    quint64 said_ = 0;     ///< the text given last, and
+    std::size_t left_ = 0; ///< its parts that have not ended
 };
 
 } // namespace tp

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QLocalServer>
 #include <QLocalSocket>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QStringList>
 #include <QTemporaryDir>
@@ -98,6 +99,22 @@ private slots:
         QTRY_COMPARE(bench.finished.size(), 1);
         QCOMPARE(bench.finished[0][0].toULongLong(), quint64(7));
         QVERIFY(bench.failed.isEmpty());
+    }
+
+    void a_name_in_another_script_is_spoken_in_its_language() {
+        Bench bench;
+        bench.worker.set_language("de");
+        bench.worker.speak(7, QString::fromUtf8("Anna und Иван, im Garten."));
+        QTRY_COMPARE(bench.dispatcher.texts, QStringList({"Anna und ", QString::fromUtf8("Иван, "), "im Garten."}));
+        QTRY_COMPARE(bench.dispatcher.commands.filter(QRegularExpression("LANGUAGE|SPEAK")).join('|'),
+                     QString("SET SELF LANGUAGE de|SPEAK|SET SELF LANGUAGE ru|SPEAK|SET SELF LANGUAGE de|SPEAK"));
+        for (int part = 1; part <= 3; ++part) {
+            QVERIFY(bench.finished.isEmpty());
+            bench.dispatcher.tell(part, 701, "BEGIN");
+            bench.dispatcher.tell(part, 702, "END");
+        }
+        QTRY_COMPARE(bench.finished.size(), 1);
+        QCOMPARE(bench.finished[0][0].toULongLong(), quint64(7));
     }
 
     void a_late_end_of_a_cancelled_text_does_not_end_the_next() {

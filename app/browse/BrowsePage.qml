@@ -14,8 +14,6 @@ FocusScope {
     readonly property bool ready: session.state === BrowseSession.Ready
 
     focus: true
-    LayoutMirroring.enabled: Qt.application.layoutDirection === Qt.RightToLeft
-    LayoutMirroring.childrenInherit: true
 
     function focusOnWhatIsShown() {
         if (listing)

@@ -16,6 +16,7 @@ Column {
         height: Math.max(heading.implicitHeight, place.implicitHeight)
         TpHeading {
             id: heading
+            anchors.left: parent.left
             width: parent.width - (place.visible ? place.width + Theme.gap : 0)
             text: words.session.title
             textFormat: Text.PlainText

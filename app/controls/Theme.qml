@@ -13,6 +13,8 @@ QtObject {
     property real textScale: 1.0
     property bool motion: true
 
+    readonly property bool mirrored: Qt.application.layoutDirection === Qt.RightToLeft
+
     function pick(dark, light, yellow) { return scheme === Theme.Light ? light : scheme === Theme.YellowOnBlack ? yellow : dark }
 
     readonly property color ground: pick("#0e1217", "#ffffff", "#000000")

@@ -19,6 +19,7 @@ Column {
         text: choice.label
         font.pixelSize: Theme.smallSize
         color: Theme.quiet
+        horizontalAlignment: Text.AlignLeft
         wrapMode: Text.Wrap
         Accessible.ignored: true
     }

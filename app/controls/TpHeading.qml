@@ -7,6 +7,7 @@ Text {
     font.bold: true
     color: Theme.text
     wrapMode: Text.WordWrap
+    horizontalAlignment: Text.AlignLeft
     Accessible.role: Accessible.Heading
     Accessible.name: text
 }

@@ -22,9 +22,10 @@ Item {
     Accessible.onPressAction: board.chosen(board.current)
     onLettersChanged: current = Math.max(0, Math.min(current, letters.length - 1))
 
+    function columnAt(column) { return Theme.mirrored ? columns - 1 - column : column }
     function at(x, y) {
-        const column = Math.floor(x / (cell + 6)), letter = Math.floor(y / (cell + 6)) * columns + column
-        return x >= 0 && y >= 0 && column < columns && letter < letters.length ? letter : -1
+        const column = columnAt(Math.floor(x / (cell + 6))), letter = Math.floor(y / (cell + 6)) * columns + column
+        return x >= 0 && y >= 0 && column >= 0 && column < columns && letter < letters.length ? letter : -1
     }
     function go(letter) {
         if (letter < 0 || letter >= letters.length)
@@ -35,8 +36,8 @@ Item {
     Keys.onPressed: (event) => {
         event.accepted = true
         switch (event.key) {
-        case Qt.Key_Left: board.go(board.current - 1); break
-        case Qt.Key_Right: board.go(board.current + 1); break
+        case Qt.Key_Left: board.go(board.current - (Theme.mirrored ? -1 : 1)); break
+        case Qt.Key_Right: board.go(board.current + (Theme.mirrored ? -1 : 1)); break
         case Qt.Key_Up: board.current >= board.columns ? board.go(board.current - board.columns) : event.accepted = false; break
         case Qt.Key_Down: board.current + board.columns < board.letters.length ? board.go(board.current + board.columns)
                                                                               : event.accepted = false; break
@@ -55,7 +56,7 @@ Item {
             required property string modelData
             readonly property bool under: area.held && area.letter === index
 
-            x: (index % board.columns) * (board.cell + 6)
+            x: board.columnAt(index % board.columns) * (board.cell + 6)
             y: Math.floor(index / board.columns) * (board.cell + 6)
             width: board.cell
             height: board.cell

@@ -56,6 +56,7 @@ TpPressable {
                 font.pixelSize: row.large ? 1.4 * Theme.headingSize : Theme.textSize
                 font.bold: row.selected
                 color: Theme.text
+                horizontalAlignment: Text.AlignLeft
                 wrapMode: Text.Wrap
                 textFormat: Text.PlainText
                 Accessible.ignored: true
@@ -66,6 +67,7 @@ TpPressable {
                 text: row.detail
                 font.pixelSize: row.large ? Theme.textSize : Theme.smallSize
                 color: Theme.quiet
+                horizontalAlignment: Text.AlignLeft
                 wrapMode: Text.Wrap
                 textFormat: Text.PlainText
                 Accessible.ignored: true

@@ -22,6 +22,7 @@ Item {
         text: progress.valueText === "" ? progress.label : progress.label + ": " + progress.valueText
         font.pixelSize: Theme.smallSize
         color: Theme.text
+        horizontalAlignment: Text.AlignLeft
         wrapMode: Text.Wrap
         Accessible.ignored: true
     }
@@ -33,6 +34,7 @@ Item {
         border.width: 1
         border.color: Theme.edge
         Rectangle {
+            anchors.left: parent.left
             width: Math.max(parent.height, Math.min(1, progress.fraction) * parent.width)
             height: parent.height
             radius: parent.radius

@@ -41,6 +41,7 @@ T.Slider {
             text: control.label
             font.pixelSize: Theme.smallSize
             color: Theme.text
+            horizontalAlignment: Text.AlignLeft
             wrapMode: Text.Wrap
             Accessible.ignored: true
         }
@@ -60,7 +61,8 @@ T.Slider {
             radius: 3
             color: Theme.ground
             Rectangle {
-                width: control.visualPosition * parent.width
+                anchors.left: parent.left
+                width: control.position * parent.width
                 height: parent.height
                 radius: 3
                 color: Theme.accent

@@ -5,6 +5,7 @@ Text {
     font.pixelSize: Theme.textSize
     color: Theme.text
     wrapMode: Text.WordWrap
+    horizontalAlignment: Text.AlignLeft // with the page, whatever is written
     Accessible.role: Accessible.StaticText
     Accessible.name: text
 }

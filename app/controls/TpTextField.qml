@@ -36,6 +36,7 @@ FocusScope {
         text: field.label
         font.pixelSize: Theme.smallSize
         color: Theme.quiet
+        horizontalAlignment: Text.AlignLeft
         wrapMode: Text.Wrap
         Accessible.ignored: true
     }

@@ -31,15 +31,17 @@ T.Switch {
     contentItem: Text {
         id: label
         text: control.text
-        rightPadding: control.indicator.width + 16
+        rightPadding: control.mirrored ? 0 : control.indicator.width + 16
+        leftPadding: control.mirrored ? control.indicator.width + 16 : 0
         font.pixelSize: Theme.textSize
         color: Theme.text
+        horizontalAlignment: Text.AlignLeft
         verticalAlignment: Text.AlignVCenter
         wrapMode: Text.WordWrap
         Accessible.ignored: true
     }
     indicator: Rectangle {
-        x: control.width - width - control.padding
+        x: control.mirrored ? control.padding : control.width - width - control.padding
         y: (control.height - height) / 2
         width: 2 * control.thick - 4
         height: control.thick
@@ -48,7 +50,7 @@ T.Switch {
         border.width: 2
         border.color: control.checked ? Theme.accent : Theme.edge
         Rectangle {
-            x: control.checked ? parent.width - width - 5 : 5
+            x: control.checked !== control.mirrored ? parent.width - width - 5 : 5
             anchors.verticalCenter: parent.verticalCenter
             width: control.thick - 10
             height: width

@@ -46,7 +46,7 @@ FocusScope {
         objectName: "surface"
         session: page.session
         focus: true
-        x: page.margin
+        x: page.wide && Theme.mirrored ? page.width - page.margin - width : page.margin
         y: page.margin
         width: (page.wide ? 0.56 * page.width : page.width - page.margin) - page.margin
         height: page.wide ? Math.min(implicitHeight, (page.plotsBeside ? 0.5 : 1) * (page.height - 2 * page.margin))
@@ -66,9 +66,9 @@ FocusScope {
     TpScroll {
         id: panel
         objectName: "panel"
-        x: page.wide ? surface.x + surface.width : 0
+        x: page.wide && !Theme.mirrored ? surface.x + surface.width : 0
         y: page.wide ? 0 : surface.y + surface.height
-        width: page.width - x
+        width: page.wide ? page.width - page.margin - surface.width : page.width
         height: page.height - y
         margin: page.margin
 

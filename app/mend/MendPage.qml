@@ -36,7 +36,7 @@ FocusScope {
     MendSurface {
         objectName: "surface"
         session: page.session
-        x: 2 * Theme.gap
+        x: page.wide && Theme.mirrored ? page.side + 4 * Theme.gap : 2 * Theme.gap
         y: 2 * Theme.gap
         width: (page.wide ? page.width - page.side - 2 * Theme.gap : page.width) - 4 * Theme.gap
         height: (page.wide ? page.height : 0.52 * page.height) - 4 * Theme.gap
@@ -44,7 +44,7 @@ FocusScope {
     }
     MendPanel {
         session: page.session
-        x: page.wide ? page.width - page.side - 2 * Theme.gap : 2 * Theme.gap
+        x: page.wide && !Theme.mirrored ? page.width - page.side - 2 * Theme.gap : 2 * Theme.gap
         y: page.wide ? 2 * Theme.gap : 0.52 * page.height
         width: page.wide ? page.side : page.width - 4 * Theme.gap
         height: page.height - y - 2 * Theme.gap

@@ -73,6 +73,7 @@ TpScroll {
         columns: 4
         spacing: 6
         visible: panel.there
+        LayoutMirroring.enabled: false // they point to where they lie
         Repeater {
             model: [{ sign: "←", name: qsTr("Move left"), x: -1, y: 0 }, { sign: "→", name: qsTr("Move right"), x: 1, y: 0 },
                     { sign: "↑", name: qsTr("Move up"), x: 0, y: -1 }, { sign: "↓", name: qsTr("Move down"), x: 0, y: 1 }]

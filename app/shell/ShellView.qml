@@ -24,7 +24,7 @@ FocusScope {
     }
 
     focus: true
-    LayoutMirroring.enabled: Qt.application.layoutDirection === Qt.RightToLeft
+    LayoutMirroring.enabled: Theme.mirrored
     LayoutMirroring.childrenInherit: true
 
     // A page has the first word about Escape, and none about the keys that hold everywhere.

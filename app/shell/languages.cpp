@@ -21,6 +21,8 @@ QString of_the_system() {
 
 } // namespace
 
+Languages::Languages() : mirrored_(QGuiApplication::isRightToLeft()) {}
+
 Languages::~Languages() { forget(); }
 
 void Languages::forget() {
@@ -49,7 +51,7 @@ void Languages::use(const QString& wanted) {
     const QLocale system = QLocale::system();
     const QLocale locale = system.name().startsWith(code) ? system : QLocale(code);
     QLocale::setDefault(locale);
-    QGuiApplication::setLayoutDirection(locale.textDirection());
+    QGuiApplication::setLayoutDirection(mirrored_ ? Qt::RightToLeft : locale.textDirection());
 }
 
 } // namespace tp

@@ -13,6 +13,7 @@ namespace tp {
 /// The languages that the program can speak, and the one that it speaks now.
 class Languages {
 public:
+    Languages();
     ~Languages();
 
     /// Installs the texts of `wanted` ("de"; empty: the system's language, English where there is none of it) and makes
@@ -26,6 +27,7 @@ private:
 
     std::vector<std::unique_ptr<QTranslator>> translators_;
     QString current_;
+    bool mirrored_; ///< whatever the language: Qt's option -reverse, to look at it without one that is written so
 };
 
 } // namespace tp

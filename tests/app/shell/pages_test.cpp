@@ -4,9 +4,13 @@
 
 #include <QColor>
 #include <QFile>
+#include <QGuiApplication>
+#include <QRect>
 #include <QRegularExpression>
 #include <QTranslator>
 #include <QUrl>
+
+#include <utility>
 
 using namespace tp;
 
@@ -30,6 +34,17 @@ public:
 void settle(WholeProgram& whole) {
     QTRY_VERIFY_WITH_TIMEOUT(!whole.program->album().scanning(), 60000);
     QTest::qWait(50);
+}
+
+/// Whether it belongs to what is seen of the world, which has the same right and left for everybody.
+bool shows_a_place(const QQuickItem& item) {
+    const QStringList arrows{"←", "→", "↑", "↓"};
+    if (arrows.contains(item.property("text").toString()))
+        return true;
+    for (const QQuickItem* one = item.parentItem(); one != nullptr; one = one->parentItem())
+        if (one->objectName() == "surface")
+            return true;
+    return false;
 }
 
 } // namespace
@@ -69,6 +84,55 @@ private slots:
             const QStringList tabbed = PageWindow::tab_order(*whole.window);
             QVERIFY2(!tabbed.contains("no way round"), qPrintable(page + ": " + tabbed.join(", ")));
         }
+    }
+
+    void written_from_right_to_left_every_page_is_the_other_way_round_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<double>("text");
+        QTest::newRow("wide") << QSize(1280, 800) << 1.0;
+        QTest::newRow("tall, large text") << QSize(800, 1280) << 2.0;
+    }
+    /// But for what shows a place or a time: surfaces, and the arrows and handles that go with them.
+    void written_from_right_to_left_every_page_is_the_other_way_round() {
+        QFETCH(QSize, size);
+        QFETCH(double, text);
+        const Warnings warnings;
+        Choices choices = WholeProgram::asked();
+        choices.text_scale = text;
+        const auto places = [&](Qt::LayoutDirection direction) {
+            QGuiApplication::setLayoutDirection(direction);
+            WholeProgram whole(choices);
+            whole.window->resize(size);
+            whole.window->show();
+            whole.window->requestActivate();
+            if (!QTest::qWaitForWindowExposed(whole.window.get()))
+                qFatal("no window");
+            QList<std::pair<QString, QRect>> all; // page and name, and where it lies
+            for (const QString& page : every_page) {
+                whole.shell().open(page);
+                settle(whole);
+                for (QAccessibleInterface* one : PageWindow::everything(*whole.window))
+                    if (const QQuickItem* item = PageWindow::tab_stop(one); item != nullptr && !shows_a_place(*item))
+                        all << std::pair(page + ": " + one->text(QAccessible::Name),
+                                         item->mapRectToScene({0, 0, item->width(), item->height()}).toRect());
+            }
+            return all;
+        };
+        const auto back = qScopeGuard([] { QGuiApplication::setLayoutDirection(Qt::LeftToRight); });
+        const auto usual = places(Qt::LeftToRight), mirrored = places(Qt::RightToLeft);
+        QCOMPARE(mirrored.size(), usual.size());
+        QVERIFY(usual.size() > 60);
+        int moved = 0;
+        for (qsizetype i = 0; i < usual.size(); ++i) {
+            const QRect before = usual[i].second, after = mirrored[i].second;
+            QCOMPARE(mirrored[i].first, usual[i].first);
+            const QRect expected(size.width() - before.x() - before.width(), before.y(), before.width(), before.height());
+            QVERIFY2(expected.adjusted(-1, -1, 1, 1).contains(after) && after.adjusted(-1, -1, 1, 1).contains(expected),
+                     qPrintable(QString("%1 is %2 px from the left and %3 px wide, mirrored %4 and %5")
+                                    .arg(usual[i].first).arg(before.x()).arg(before.width()).arg(after.x()).arg(after.width())));
+            moved += after.x() != before.x();
+        }
+        QVERIFY(moved > 20);
     }
 
     void escape_leads_home_from_everywhere() {

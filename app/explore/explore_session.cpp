@@ -322,7 +322,10 @@ void ExploreSession::zoom_to(const Subject& subject) {
         return tellProblem(tr("This part is too small in the picture to zoom to it."));
     }
     build(false);
-    tell(zoom_sentence(), Priority::touch);
+    tracker_.set(-1);
+    const int here = FeatureTracker().follow(servo_.felt(), felt_place());
+    set_feature(here); // told with the zoom, which it would cut short a moment later
+    tell(here < 0 ? zoom_sentence() : tr("%1 %2.").arg(zoom_sentence(), at_the_start(label_of(here))), Priority::touch);
 }
 
 void ExploreSession::zoomIn() {

@@ -3808,6 +3808,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>No folder was chosen.</source>
         <translation>Es wurde kein Ordner gewählt.</translation>
     </message>
+    <message>
+        <source>A recording is being made. Finish it first.</source>
+        <translation>Es wird gerade aufgenommen. Beenden Sie erst die Aufnahme.</translation>
+    </message>
 </context>
 <context>
     <name>tp::DescriptionCare</name>
@@ -4104,6 +4108,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its true size.</source>
         <translation>Das Bild ist auf dem Bildschirm zu klein oder zu groß, um dort gefühlt zu werden, wo es zu sehen ist. Das Gerät fühlt es in seiner wahren Größe.</translation>
+    </message>
+    <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2.</translation>
     </message>
 </context>
 <context>
@@ -5742,6 +5750,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>%1 It is saved.</source>
         <translation>%1 Gespeichert.</translation>
+    </message>
+    <message>
+        <source>The album is still being changed. Try again in a moment.</source>
+        <translation>Das Album wird noch geändert. Versuchen Sie es gleich noch einmal.</translation>
     </message>
 </context>
 <context>

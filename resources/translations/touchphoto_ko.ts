@@ -3786,6 +3786,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>No folder was chosen.</source>
         <translation>폴더를 고르지 않았습니다.</translation>
     </message>
+    <message>
+        <source>A recording is being made. Finish it first.</source>
+        <translation>녹음하는 중입니다. 먼저 녹음을 끝내세요.</translation>
+    </message>
 </context>
 <context>
     <name>tp::DescriptionCare</name>
@@ -4078,6 +4082,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its true size.</source>
         <translation>사진이 화면에서 너무 작거나 커서 보이는 자리에서 느낄 수 없습니다. 장치는 원래 크기로 느끼게 합니다.</translation>
+    </message>
+    <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2.</translation>
     </message>
 </context>
 <context>
@@ -5702,6 +5710,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>%1 It is saved.</source>
         <translation>%1 저장되었습니다.</translation>
+    </message>
+    <message>
+        <source>The album is still being changed. Try again in a moment.</source>
+        <translation>앨범을 아직 바꾸는 중입니다. 잠시 후에 다시 해 보세요.</translation>
     </message>
 </context>
 <context>

@@ -114,19 +114,6 @@ class Page:
         heard = sorted({f"{n.getRoleName()} \"{n.name}\"" for n in self.everything()})
         raise AssertionError(f"\"{name}\" never appeared; there are: " + ", ".join(heard))
 
-    def await_beginning(self, words):
-        """The first thing whose name begins so."""
-        end = time.monotonic() + PATIENCE
-        while time.monotonic() < end:
-            for node in self.everything():
-                try:
-                    if node.name.startswith(words):
-                        return node
-                except Exception:  # it went away while we were looking
-                    continue
-            time.sleep(0.1)
-        raise AssertionError(f"nothing that begins with \"{words}\" ever appeared")
-
     def act(self, node, wanted="press"):
         actions = node.queryAction()
         for i in range(actions.nActions):

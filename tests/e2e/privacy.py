@@ -210,13 +210,13 @@ class Page(unittest.TestCase):
     """The page with its voice on, operated by an accessibility client."""
 
     def explore(self, page):
-        page.await_name("One face. Eyes, mouth and outline can be felt.")
+        page.await_name(desk.SAID + "One face. Eyes, mouth and outline can be felt.")
         page.press("left eye")
         page.await_name("Under the finger: left eye")
         page.press("Guided tour")
-        page.await_name("Tour finished.")
+        page.await_name(desk.SAID + "Tour finished.")
         page.press("Where am I?")
-        page.await_beginning("The face. On the left eye, at its ")
+        page.await_name(desk.SAID + "The face. On the left eye, at its …")
         page.press("Stop")
         page.press("Force on")
 

@@ -398,7 +398,7 @@ private slots:
         QTRY_COMPARE(bench.session.feature(), 4);
         QVERIFY(!bench.session.zoomed());
         const QStringList wanted{"Zoomed to Tom.", "Zoomed to the eyes of Tom.", "Zoomed to the mouth of Tom.",
-                                 "Zoomed out to all 2 face(s)."};
+                                 "Zoomed out to all 2 face(s). Left eye of Tom."};
         for (const QString& sentence : wanted) {
             bench.session.zoomIn();
             QCOMPARE(bench.said(), sentence);
@@ -410,7 +410,7 @@ private slots:
         bench.session.zoomOut();
         QCOMPARE(bench.said(), QString("Zoomed to Anna."));
         bench.session.zoomOut();
-        QCOMPARE(bench.said(), QString("Zoomed out to all 2 face(s)."));
+        QCOMPARE(bench.said(), QString("Zoomed out to all 2 face(s). Left eye of Tom."));
         bench.sounds.hears(Earcon::ready);
         bench.session.zoomOut();
         QCOMPARE(bench.said(), QString("This is the whole picture."));

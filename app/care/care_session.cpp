@@ -12,6 +12,7 @@
 #include <QUrl>
 
 #include <system_error>
+#include <utility>
 
 namespace tp {
 
@@ -44,6 +45,11 @@ CareSession::CareSession(OpenAlbum& album, Narrator& narrator, EarconPlayer& ear
         teller_.answer(tr("No folder was chosen."));
     });
     connect(&take_, &Take::begins, &listening_, &Listening::stop);
+    const auto go_on = [this] {
+        if (!take_.running() && when_recorded_)
+            std::exchange(when_recorded_, nullptr)();
+    };
+    connect(&take_, &Take::changed, this, go_on, Qt::QueuedConnection); // the take has asked for its own step by then
 }
 
 CareSession::~CareSession() { leave(); }
@@ -128,21 +134,37 @@ void CareSession::closePhoto() {
 void CareSession::deletePhoto() {
     if (!photo_.is_open())
         return;
-    stop();
     const PhotoPlace place = photo_.place();
-    photo_.change(
-        place, [](AlbumKeeper& keeper, const fs::path& photo) { return keeper.delete_photo(photo); },
-        [this, place](const QString& problem) {
-            if (!problem.isEmpty()) {
-                teller_.problem(problem);
-                return;
-            }
-            gone_ = place.photo;
-            if (photo_.place().photo == place.photo)
-                photo_.close();
-            teller_.did(Earcon::deleted,
-                        tr("Deleted: %1. Undo brings it back.").arg(CareWords::file_name(place.photo)));
-        });
+    closePhoto(); // so that nothing more is begun with it
+    when_recorded([this, place] {
+        photo_.change(
+            place, [](AlbumKeeper& keeper, const fs::path& photo) { return keeper.delete_photo(photo); },
+            [this, place](const QString& problem) {
+                if (!problem.isEmpty()) {
+                    teller_.problem(problem);
+                    if (!photo_.is_open())
+                        photo_.open(place);
+                    return;
+                }
+                gone_ = place.photo;
+                teller_.did(Earcon::deleted,
+                            tr("Deleted: %1. Undo brings it back.").arg(CareWords::file_name(place.photo)));
+            });
+    });
+}
+
+void CareSession::when_recorded(std::function<void()> then) {
+    stop();
+    if (take_.running())
+        when_recorded_ = std::move(then);
+    else
+        then();
+}
+
+bool CareSession::records() {
+    if (take_.running())
+        teller_.problem(tr("A recording is being made. Finish it first."));
+    return take_.running();
 }
 
 void CareSession::step_taken_back(bool back, const QString& what, const QString& problem) {
@@ -171,10 +193,14 @@ void CareSession::step_taken_back(bool back, const QString& what, const QString&
 }
 
 void CareSession::undo() {
+    if (records())
+        return;
     steps_.undo([this](const QString& problem) { step_taken_back(true, steps_.next_redo(), problem); });
 }
 
 void CareSession::redo() {
+    if (records())
+        return;
     steps_.redo([this](const QString& problem) { step_taken_back(false, steps_.next_undo(), problem); });
 }
 

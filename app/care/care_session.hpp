@@ -25,6 +25,7 @@
 #include <QtQml/qqmlregistration.h>
 
 #include <filesystem>
+#include <functional>
 
 namespace tp {
 
@@ -118,6 +119,10 @@ private:
     void choose(Choosing what);
     void folder_chosen(const QString& folder);
     QString language() const;
+    /// Ends what sounds; once a recording that is being made lies on the disk, or at once.
+    void when_recorded(std::function<void()> then);
+    /// True, and said, while a recording is being made: what it belongs to must stay where it is.
+    bool records();
     void step_taken_back(bool back, const QString& what, const QString& problem);
 
     OpenAlbum& album_;
@@ -137,6 +142,7 @@ private:
     Take take_;
     Trimming trimming_;
     DescriptionCare descriptions_;
+    std::function<void()> when_recorded_; ///< empty: nothing waits
     std::filesystem::path gone_; ///< the photograph that was deleted last, to be opened when it comes back
 };
 

@@ -34,6 +34,8 @@ public:
 
     bool is_open() const { return place_.keeper != nullptr; }
     const PhotoPlace& place() const { return place_; }
+    /// A step is being taken back or done again, after which it may lie elsewhere.
+    bool may_move() const { return steps_.steps_back(); }
     /// As read last; empty until it was read for the first time.
     const PhotoRecord& record() const { return record_; }
 

@@ -51,18 +51,26 @@ void KeeperSteps::use(AlbumKeeper& keeper) {
             keeper, [](AlbumKeeper&) { return std::string{}; }, [](const QString&) {});
 }
 
+void KeeperSteps::step_back(Step step, Then then) {
+    ++stepping_back_;
+    begin(*last_, std::move(step), [this, then = std::move(then)](const QString& problem) {
+        --stepping_back_;
+        then(problem);
+    });
+}
+
 void KeeperSteps::undo(Then then) {
     if (last_ == nullptr)
         then(tr("There is nothing to undo."));
     else
-        begin(*last_, [](AlbumKeeper& keeper) { return keeper.history().undo(); }, std::move(then));
+        step_back([](AlbumKeeper& keeper) { return keeper.history().undo(); }, std::move(then));
 }
 
 void KeeperSteps::redo(Then then) {
     if (last_ == nullptr)
         then(tr("There is nothing to do again."));
     else
-        begin(*last_, [](AlbumKeeper& keeper) { return keeper.history().redo(); }, std::move(then));
+        step_back([](AlbumKeeper& keeper) { return keeper.history().redo(); }, std::move(then));
 }
 
 } // namespace tp

@@ -34,6 +34,8 @@ public:
 
     /// Something is being done or waits to be.
     bool busy() const { return waiting_ > 0; }
+    /// One of them is undo() or redo().
+    bool steps_back() const { return stepping_back_ > 0; }
     /// What undo() and redo() would be about, in words; empty: nothing.
     const QString& next_undo() const { return next_undo_; }
     const QString& next_redo() const { return next_redo_; }
@@ -46,10 +48,12 @@ signals:
 
 private:
     void begin(AlbumKeeper& keeper, Step step, Then then);
+    void step_back(Step step, Then then);
 
     QThreadPool pool_; ///< of one thread
     AlbumKeeper* last_ = nullptr;
     int waiting_ = 0;
+    int stepping_back_ = 0;
     QString next_undo_, next_redo_;
 };
 

@@ -139,6 +139,10 @@ void Take::begin(const RecordingLabel& label, const std::string& instead_of) {
         teller_.problem(tr("The recorder is still at work. Try again in a moment."));
         return;
     }
+    if (photo_.may_move()) {
+        teller_.problem(tr("The album is still being changed. Try again in a moment."));
+        return;
+    }
     emit begins();
     teller_.silence();
     running_ = true;

@@ -183,6 +183,52 @@ private slots:
         QCOMPARE(bench.session->recordings()->chosen(), 0);
     }
 
+    void a_photograph_that_is_deleted_takes_the_recording_that_is_being_made_along() {
+        CareBench bench;
+        bench.open("a.jpg");
+        bench.session->take()->start();
+        bench.hear(1.0);
+        bench.session->deletePhoto();
+        QVERIFY(!bench.session->photoOpen());
+        CARE_TRY_COMPARE(bench.last_said(), QString("Deleted: a.jpg. Undo brings it back."));
+        QVERIFY(bench.rests());
+        QVERIFY(!std::filesystem::exists(bench.photo("a.jpg")));
+        QVERIFY(!std::filesystem::exists(tags_folder(bench.photo("a.jpg"))));
+        bench.session->undo();
+        CARE_TRY_VERIFY(bench.session->photoOpen());
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.record().tags.size(), std::size_t{1});
+        QCOMPARE(bench.record().tags[0].duration_s, 1.0);
+    }
+
+    void nothing_is_taken_back_under_a_recording_and_none_begins_meanwhile() {
+        CareBench bench;
+        bench.open("a.jpg");
+        bench.session->deletePhoto();
+        QVERIFY(bench.rests());
+        bench.session->undo();
+        CARE_TRY_VERIFY(bench.session->photoOpen());
+        QVERIFY(bench.rests());
+        bench.session->redo();
+        bench.session->take()->start();
+        QVERIFY(!bench.session->take()->running());
+        QCOMPARE(bench.last_said(), QString("The album is still being changed. Try again in a moment."));
+        QVERIFY(bench.rests());
+        QVERIFY(!bench.session->photoOpen());
+        bench.session->undo();
+        CARE_TRY_VERIFY(bench.session->photoOpen());
+        QVERIFY(bench.rests());
+        bench.session->take()->start();
+        bench.hear(1.0);
+        bench.session->undo();
+        bench.session->redo();
+        QCOMPARE(bench.last_said(), QString("A recording is being made. Finish it first."));
+        bench.session->take()->finish();
+        CARE_TRY_VERIFY(!bench.session->take()->running());
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.record().tags.size(), std::size_t{1});
+    }
+
     void a_pause_is_left_out() {
         CareBench bench;
         bench.open("a.jpg");

@@ -50,12 +50,22 @@ FocusScope {
             loader.focus = shown
             if (shown) {
                 current = loader
-                loader.forceActiveFocus()
-                const focused = view.Window.activeFocusItem
-                if (focused !== null && !focused.activeFocusOnTab) // the keyboard begins at the page's first control
-                    focused.nextItemInFocusChain(true).forceActiveFocus(Qt.TabFocusReason)
+                giveKeyboard()
             }
         }
+    }
+    function giveKeyboard() {
+        current.forceActiveFocus()
+        const focused = view.Window.activeFocusItem
+        if (focused !== null && !focused.activeFocusOnTab) // the keyboard begins at the page's first control
+            focused.nextItemInFocusChain(true).forceActiveFocus(Qt.TabFocusReason)
+    }
+    // A page may hide or take away what has the keyboard: then nobody would hear Escape.
+    readonly property Item keyboard: Window.activeFocusItem
+    onKeyboardChanged: Qt.callLater(keepKeyboard)
+    function keepKeyboard() {
+        if (current !== null && keyboard !== null && keyboard === Window.contentItem)
+            giveKeyboard()
     }
     Component.onCompleted: show()
     Connections {

@@ -150,6 +150,25 @@ private slots:
         }
     }
 
+    void a_lost_keyboard_comes_back_to_the_page() {
+        const Warnings warnings;
+        WholeProgram whole;
+        whole.window->show();
+        whole.window->requestActivate();
+        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        for (const QString& page : every_page) {
+            whole.shell().open(page);
+            settle(whole);
+            whole.window->rootObject()->setFocus(false);
+            QVERIFY(whole.window->activeFocusItem() == whole.window->contentItem());
+            QTRY_VERIFY2(whole.window->activeFocusItem() != whole.window->contentItem(), qPrintable(page));
+            QVERIFY2(whole.window->activeFocusItem()->activeFocusOnTab(), qPrintable(page));
+            for (int i = 0; i < 4 && !whole.shell().home(); ++i)
+                QTest::keyClick(whole.window.get(), Qt::Key_Escape);
+            QVERIFY2(whole.shell().home(), qPrintable(page));
+        }
+    }
+
     void alt_and_left_goes_back_whatever_a_page_does_with_arrows() {
         const Warnings warnings;
         WholeProgram whole;

@@ -41,8 +41,9 @@ void ExploreSession::moveTo(double x, double y) {
 }
 
 void ExploreSession::handGone() {
-    if (servo_.real())
+    if (servo_.real() || finger_down_)
         return;
+    hand_kind_ = Hand::away;
     moved_at_ = -1e9;
     lift();
 }

@@ -221,7 +221,7 @@ signals:
     void backAsked();
 
 private:
-    enum class Hand { pointing, touching };
+    enum class Hand { pointing, touching, away };
 
     // the photograph and what of it is felt
     void become(State state);
@@ -257,7 +257,10 @@ private:
     // the hand
     void poll();
     Vec2 felt_place() const;
-    bool lifted() const { return !servo_.real() && hand_kind_ == Hand::touching && !finger_down_; }
+    /// Nobody's hand is on the surface: what rests there is not told.
+    bool lifted() const {
+        return !servo_.real() && (hand_kind_ == Hand::away || (hand_kind_ == Hand::touching && !finger_down_));
+    }
     bool grabs(Vec2 to);
     void lift();
     void perform(TouchGestures::Gesture gesture);

@@ -295,6 +295,27 @@ private slots:
         QVERIFY(bench.sounds.vibration.pulses.size() > pulses);
     }
 
+    void a_mouse_that_leaves_the_surface_is_silent_until_it_comes_back() {
+        Bench bench;
+        bench.sounds.hears(Earcon::ready);
+        const QPointF eye = bench.by(left_eye, 5.0, 3.0);
+        bench.session.touchDown(eye.x(), eye.y());
+        bench.time += 1.0;
+        const auto enters = [&] { return bench.sounds.hears(Earcon::face_entered); };
+        QVERIFY(QTest::qWaitFor(enters));
+        bench.session.handGone();
+        bench.voice.clear();
+        for (int i = 0; i < 5; ++i) {
+            bench.time += 1.0;
+            QTest::qWait(50); // some polls
+            QVERIFY(!enters());
+        }
+        QCOMPARE(bench.voice.said(), QStringList());
+        bench.session.moveTo(eye.x(), eye.y() - 0.5);
+        bench.time += 1.0;
+        QVERIFY(QTest::qWaitFor(enters));
+    }
+
     void where_am_i_is_answered_everywhere() {
         Bench bench(1, {"Anna"});
         bench.down(bench.by(left_eye, 0.0, 6.0));

@@ -15,7 +15,7 @@ Column {
 
     spacing: Theme.gap
 
-    TpHeading { width: parent.width; text: qsTr("What is felt") }
+    TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("What is felt") }
     TpChoice {
         objectName: "scene"
         width: parent.width
@@ -33,7 +33,7 @@ Column {
         onClicked: controls.openAsked()
     }
 
-    TpHeading { width: parent.width; text: qsTr("Guidance") }
+    TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Guidance") }
     TpChoice {
         objectName: "law"
         width: parent.width
@@ -74,7 +74,7 @@ Column {
         label: qsTr("Spacing of vertices")
     }
 
-    TpHeading { width: parent.width; text: qsTr("Servo") }
+    TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Servo") }
     LabSlider { width: parent.width; session: controls.session; key: "maxForce"; enabled: controls.free; label: qsTr("Strongest force") }
     LabSlider { width: parent.width; session: controls.session; key: "lineDamping"; enabled: controls.free; label: qsTr("Damping across a line") }
     LabToggle { width: parent.width; session: controls.session; key: "energyObserver"; enabled: controls.free; text: qsTr("Energy observer") }
@@ -86,7 +86,7 @@ Column {
         text: qsTr("Limits of a real device")
     }
 
-    TpHeading { width: parent.width; text: qsTr("Device") }
+    TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Device") }
     TpChoice {
         objectName: "device"
         width: parent.width
@@ -123,7 +123,7 @@ Column {
         }
     }
 
-    TpHeading { width: parent.width; text: qsTr("Faults of the simulated device") }
+    TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Faults of the simulated device") }
     LabSlider {
         width: parent.width
         session: controls.session
@@ -150,7 +150,7 @@ Column {
         onClicked: controls.session.hang()
     }
 
-    TpHeading { width: parent.width; text: qsTr("All parameters") }
+    TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("All parameters") }
     TpButton {
         objectName: "undo"
         width: parent.width
@@ -168,7 +168,7 @@ Column {
         onClicked: controls.session.reset()
     }
 
-    TpHeading { width: parent.width; text: qsTr("Files") }
+    TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Files") }
     TpText {
         width: parent.width
         text: qsTr("In %1").arg(controls.session.folder)

@@ -91,7 +91,7 @@ FocusScope {
             onSwitched: (on) => page.session.setEarcons(on)
         }
 
-        TpHeading { width: parent.width; text: qsTr("What it looks like") }
+        TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("What it looks like") }
         TpChoice {
             objectName: "theme"
             width: parent.width
@@ -125,7 +125,7 @@ FocusScope {
             onPicked: (index) => page.session.chooseUser(index)
         }
 
-        TpHeading { width: parent.width; text: qsTr("What is felt") }
+        TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("What is felt") }
         TpSlider {
             objectName: "maxForce"
             width: parent.width
@@ -199,7 +199,7 @@ FocusScope {
             onSwitched: (on) => page.session.setIrises(on)
         }
 
-        TpHeading { width: parent.width; text: qsTr("Folders of the album") }
+        TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Folders of the album") }
         TpText {
             width: parent.width
             visible: page.session.folders.length === 0
@@ -233,7 +233,7 @@ FocusScope {
             onClicked: page.session.addFolder()
         }
 
-        TpHeading { width: parent.width; text: qsTr("What is stored about me") }
+        TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("What is stored about me") }
         Repeater {
             model: page.session.stored
             delegate: TpText {
@@ -249,7 +249,7 @@ FocusScope {
             onClicked: page.session.discardIndex()
         }
 
-        TpHeading { width: parent.width; text: qsTr("All settings") }
+        TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("All settings") }
         TpButton {
             objectName: "undo"
             width: parent.width

@@ -7,14 +7,12 @@
 #include <QColor>
 #include <QCoreApplication>
 #include <QEvent>
-#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QPointingDevice>
 #include <QQmlComponent>
 #include <QQuickItem>
 #include <QQuickView>
 #include <QRectF>
-#include <QScopeGuard>
 #include <QSet>
 #include <QSignalSpy>
 #include <QTest>
@@ -306,14 +304,6 @@ private slots:
                     page.window.activeFocusItem()->property("text").toString() == "Ben");
         page.key(Qt::Key_Return);
         QCOMPARE(page.session->title(), QString("Ben"));
-    }
-
-    void right_to_left_the_buttons_are_on_the_left() {
-        Page page;
-        QVERIFY(page.ready());
-        QGuiApplication::setLayoutDirection(Qt::RightToLeft);
-        const auto left_to_right = qScopeGuard([] { QGuiApplication::setLayoutDirection(Qt::LeftToRight); });
-        QTRY_VERIFY(page.item("panel")->mapToScene({0, 0}).x() < page.item("pane")->mapToScene({0, 0}).x());
     }
 
     void a_search_by_keys_alone() {

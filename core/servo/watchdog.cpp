@@ -7,8 +7,13 @@ namespace tp {
 
 bool Watchdog::write(const SafeForce& force, double now) noexcept {
     last_beat_.store(now, std::memory_order_release);
-    if (halted() || !enter())
-        return true; // the watchdog has the device; the chain hears of it through take_share_left and halted
+    if (halted())
+        return true; // the chain hears of it through halted, and of what the watchdog did through take_share_left
+    if (!enter()) {
+        if (now - watch_entered_.load(std::memory_order_acquire) > limits_.stall_after)
+            halt();
+        return true;
+    }
     last_force_ = force;
     const bool delivered = device_.write(force);
     leave();
@@ -23,6 +28,12 @@ void Watchdog::rearm(double now) noexcept {
     halted_.store(false, std::memory_order_release);
 }
 
+void Watchdog::halt() noexcept {
+    halted_.store(true, std::memory_order_release);
+    share_.store(0.0, std::memory_order_release);
+    device_.halt();
+}
+
 void Watchdog::check(double now) noexcept {
     const double beat = last_beat_.load(std::memory_order_acquire);
     if (beat < 0.0 || halted())
@@ -31,11 +42,10 @@ void Watchdog::check(double now) noexcept {
     if (late <= 0.0)
         return;
     if (now - beat > limits_.stall_after) {
-        halted_.store(true, std::memory_order_release);
-        share_.store(0.0, std::memory_order_release);
-        device_.halt();
+        halt();
         return;
     }
+    watch_entered_.store(now, std::memory_order_release);
     if (!enter())
         return;
     const double share = std::clamp(1.0 - late / limits_.ramp, 0.0, share_.load(std::memory_order_relaxed));

@@ -14,7 +14,8 @@ namespace tp {
 /// `ramp`; when it is older than `stall_after`, it halts the device, also where the loop hangs inside the
 /// device's own write. What the watchdog writes is the last safe force made smaller, never another.
 ///
-/// Neither side waits for the other: whoever finds the device in use leaves it alone for this time.
+/// Neither side waits for the other: whoever finds the device in use leaves it alone for this time. Where the watchdog
+/// itself hangs inside the device's write for longer than `stall_after`, the loop halts the device.
 class Watchdog {
 public:
     struct Limits {
@@ -39,6 +40,7 @@ public:
     void check(double now) noexcept;
 
 private:
+    void halt() noexcept;
     bool enter() noexcept { return !busy_.exchange(true, std::memory_order_acquire); }
     void leave() noexcept { busy_.store(false, std::memory_order_release); }
 
@@ -46,6 +48,7 @@ private:
     Limits limits_;
     std::atomic<bool> busy_{false};
     std::atomic<double> last_beat_{-1.0}; ///< s; negative before the first
+    std::atomic<double> watch_entered_{0.0}; ///< s; when the watchdog last took the device, or was about to
     std::atomic<double> share_{1.0};      ///< of last_force_ that is on the device
     std::atomic<bool> halted_{false};
     SafeForce last_force_; ///< only whoever has entered

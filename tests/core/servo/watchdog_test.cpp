@@ -3,6 +3,7 @@
 #include "core/servo/watchdog.hpp"
 #include "device_double.hpp"
 
+#include <QScopeGuard>
 #include <QTest>
 
 #include <thread>
@@ -127,10 +128,31 @@ private slots:
         loop.start();
         QTRY_VERIFY_WITH_TIMEOUT(loop.snapshot().ticks > 20, 20000);
         device.hang = true;
+        const auto over = qScopeGuard([&] { device.hang = false; });
         QTRY_VERIFY_WITH_TIMEOUT(device.halted.load(), 20000);
         QVERIFY(device.inside);
         device.hang = false;
         QTRY_COMPARE_WITH_TIMEOUT(loop.snapshot().fault, Fault::stalled, 20000);
+    }
+
+    void a_watchdog_that_hangs_in_its_own_write_is_halted_by_the_loop() {
+        HangingDevice device;
+        Watchdog watchdog(device, {});
+        QVERIFY(watchdog.write(SafeForce{}, 0.0));
+        device.hang = true;
+        std::thread watch([&] { watchdog.check(0.010); });
+        const auto over = qScopeGuard([&] {
+            device.hang = false;
+            watch.join();
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(device.inside.load(), 20000);
+        for (const double now : {0.011, 0.030, 0.059}) {
+            QVERIFY(watchdog.write(SafeForce{}, now));
+            QVERIFY(!device.halted && !watchdog.halted());
+        }
+        QVERIFY(watchdog.write(SafeForce{}, 0.061));
+        QVERIFY(device.halted && watchdog.halted());
+        QCOMPARE(watchdog.take_share_left(), 0.0);
     }
 
     void makes_forces_smaller_and_never_larger() {

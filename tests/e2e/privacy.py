@@ -210,7 +210,7 @@ class Page(unittest.TestCase):
     """The page with its voice on, operated by an accessibility client."""
 
     def explore(self, page):
-        page.await_name(desk.SAID + "One face. Eyes, mouth and outline can be felt.")
+        page.await_name("left eye", page.atspi.ROLE_PUSH_BUTTON)
         page.press("left eye")
         page.await_name("Under the finger: left eye")
         page.press("Guided tour")

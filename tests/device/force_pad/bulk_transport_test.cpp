@@ -154,8 +154,10 @@ private slots:
         UsbPadBed::Behaviour silent;
         silent.silent = true;
         bed.behave(silent);
-        bench.until([&] { return bench.loop->snapshot().fault == Fault::stale_input; }); // what is on its way comes first
-        QVERIFY(bench.loop->snapshot().force() == Vec2(0.0));
+        bench.until([&] { // what is on its way comes first; then the force is let go
+            const ServoSnapshot seen = bench.loop->snapshot();
+            return seen.fault == Fault::stale_input && seen.force() == Vec2(0.0);
+        });
         bed.behave({});
         bench.until([&] { return bench.loop->snapshot().fault == Fault::none; });
     }

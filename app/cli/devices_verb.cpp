@@ -114,12 +114,10 @@ int home(const QStringList& words) {
     auto made = device_named(line.arguments().first().toStdString());
     if (!made)
         return refused(made.error());
-    auto* const pad = dynamic_cast<ForcePad*>(made.value().get());
-    if (pad == nullptr)
-        return refused("This device needs no homing.");
-    if (const auto can = pad->open(); !can)
+    ForceDevice& device = *made.value();
+    if (const auto can = device.open(); !can)
         return refused(can.error());
-    const auto homed = pad->home();
+    const auto homed = device.home();
     return homed ? exit_done : refused(homed.error());
 }
 

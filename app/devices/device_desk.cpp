@@ -47,9 +47,12 @@ void DeviceDesk::look() {
     });
 }
 
-void DeviceDesk::open(const ListedDevice& listed) {
+void DeviceDesk::open(const ListedDevice& device) { begin(device, false); }
+void DeviceDesk::home(const ListedDevice& device) { begin(device, true); }
+
+void DeviceDesk::begin(const ListedDevice& listed, bool homes) {
     opening_ = true;
-    pool_.start([this, wish = ++wish_, listed, make = access_.make, file = access_.calibrations] {
+    pool_.start([this, homes, wish = ++wish_, listed, make = access_.make, file = access_.calibrations] {
         auto open = std::make_shared<OpenDevice>();
         open->listed = listed;
         QString problem;
@@ -62,16 +65,24 @@ void DeviceDesk::open(const ListedDevice& listed) {
             else
                 problem = in_persons_language(can.error());
         }
+        if (homes) {
+            if (problem.isEmpty())
+                if (const Result<bool> homed = open->device->home(); !homed)
+                    problem = in_persons_language(homed.error());
+            open->device.reset();
+        }
         if (!file.empty())
             open->calibration = kept_calibration(file, key_of(listed).toStdString());
-        QMetaObject::invokeMethod(this, [this, wish, problem, open] {
+        QMetaObject::invokeMethod(this, [this, homes, wish, problem, open] {
             if (wish != wish_)
                 return pool_.start([open] { open->device.reset(); }); // giving it back may wait
             opening_ = false;
-            if (problem.isEmpty())
-                emit opened(open);
-            else
+            if (!problem.isEmpty())
                 emit refused(problem);
+            else if (homes)
+                emit homed();
+            else
+                emit opened(open);
         });
     });
 }

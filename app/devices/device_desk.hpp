@@ -42,6 +42,8 @@ public:
     bool knows() const { return knows_; }
     /// Opens it; `opened` or `refused` follows. One that is being opened already is not wanted any more.
     void open(const ListedDevice& device);
+    /// Opens it, homes it (ForceDevice::home) and gives it back; `homed` or `refused` follows.
+    void home(const ListedDevice& device);
     /// What is being opened is not wanted any more.
     void cancel();
     bool opening() const { return opening_; }
@@ -52,11 +54,13 @@ signals:
     /// There was a look, and `there` is new.
     void looked();
     void opened(std::shared_ptr<tp::OpenDevice> device);
+    void homed();
     /// A sentence for a person, with what to do.
     void refused(const QString& sentence);
 
 private:
     void look();
+    void begin(const ListedDevice& device, bool homes);
 
     DeviceAccess access_;
     std::vector<ListedDevice> there_;

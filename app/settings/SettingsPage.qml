@@ -161,6 +161,14 @@ FocusScope {
             onClicked: page.session.devices.calibrate()
         }
         TpButton {
+            objectName: "home"
+            width: parent.width
+            visible: page.session.devices.there
+            text: qsTr("Home the device")
+            hint: qsTr("Put its handle on the mark first, and leave it there")
+            onClicked: page.session.devices.home()
+        }
+        TpButton {
             objectName: "tryForce"
             width: parent.width
             visible: page.session.devices.there

@@ -31,6 +31,7 @@ DeviceSettings::DeviceSettings(Narrator& narrator, Preferences& preferences, Set
     connect(&preferences_, &Preferences::changed, this, &DeviceSettings::changed);
     connect(&desk_, &DeviceDesk::looked, this, &DeviceSettings::changed);
     connect(&desk_, &DeviceDesk::opened, this, [this](const std::shared_ptr<OpenDevice>& open) { opened(*open); });
+    connect(&desk_, &DeviceDesk::homed, this, [this] { end(tr("The device is homed: it knows where its handle is.")); });
     connect(&desk_, &DeviceDesk::refused, this,
             [this](const QString& sentence) { end(sentence, Priority::fault); });
 }
@@ -110,11 +111,15 @@ void DeviceSettings::begin(Doing what) {
     key_ = key_of(*device);
     const ListedDevice wish = *device;
     desk_.watch(false);
-    desk_.open(wish);
+    if (what == Doing::homing)
+        desk_.home(wish);
+    else
+        desk_.open(wish);
 }
 
 void DeviceSettings::tryForce() { begin(Doing::trying); }
 void DeviceSettings::calibrate() { begin(Doing::calibrating); }
+void DeviceSettings::home() { begin(Doing::homing); }
 
 void DeviceSettings::opened(OpenDevice& open) {
     drive_ = std::make_unique<DeviceDrive>(std::move(open.device), open.can,

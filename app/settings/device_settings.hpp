@@ -70,6 +70,8 @@ public:
     /// Pulls the finger with the strongest force to the right, then to the left, 2.5 s in all.
     Q_INVOKABLE void tryForce();
     Q_INVOKABLE void calibrate();
+    /// The handle stands on its mark: the device counts from there.
+    Q_INVOKABLE void home();
     /// Where the area to be touched lies on the screen, mm from its top left corner, x right, y down.
     Q_INVOKABLE void areaLies(double left, double top, double width, double height);
     /// A finger is there, in the same frame.
@@ -82,7 +84,7 @@ signals:
     void changed();
 
 private:
-    enum class Doing { nothing, opening, trying, calibrating };
+    enum class Doing { nothing, opening, trying, calibrating, homing };
 
     double now() const;
     const ListedDevice* serving() const;

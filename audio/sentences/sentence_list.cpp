@@ -242,6 +242,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "There is nothing to do again."),
     QT_TRANSLATE_NOOP("Sentence", "There is nothing to undo."),
     QT_TRANSLATE_NOOP("Sentence", "This could not be done, because the computer reports: %1"),
+    QT_TRANSLATE_NOOP("Sentence", "This device needs no homing."),
     QT_TRANSLATE_NOOP("Sentence", "This is a compressed drawing (svgz); save it as plain SVG."),
     QT_TRANSLATE_NOOP("Sentence", "This is a folder, not a picture."),
     QT_TRANSLATE_NOOP("Sentence", "This is no recording of a force device, or one of a later version of TouchPhoto."),

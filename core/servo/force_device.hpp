@@ -71,6 +71,9 @@ public:
     /// It reads, but has switched its motors off by itself; it obeys again once it was given no force and nothing
     /// keeps it from that. The servo's thread.
     virtual bool motors_off() const noexcept { return false; }
+    /// A person has put the handle on its mark, and it counts from there. An open device, before anything ticks: it may
+    /// wait for an answer.
+    virtual Result<bool> home() { return Error{"This device needs no homing."}; }
     /// Why it has done so and what to do, for a person; empty where there is nothing to say. Any thread.
     virtual std::string complaint() const { return {}; }
 };

@@ -42,8 +42,7 @@ public:
     bool lost() const noexcept override;
     bool motors_off() const noexcept override;
 
-    /// Tells an open pad that its knob stands on the mark. Before the servo ticks: it waits for the answer.
-    Result<bool> home();
+    Result<bool> home() override;
     /// Sends what the mailbox holds, if anything is new in it.
     void deliver() noexcept;
     std::string complaint() const override;

@@ -2001,7 +2001,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The force pad could not be homed. See that it is plugged in, and try again.</source>
-        <translation>Das Kraftpad konnte seinen Nullpunkt nicht finden. Sehen Sie nach, ob es angesteckt ist, und versuchen Sie es noch einmal.</translation>
+        <translation>Der Nullpunkt des Kraftpads konnte nicht gesetzt werden. Sehen Sie nach, ob es angesteckt ist, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The force pad did not say which places it reaches. Unplug it and plug it in again.</source>
@@ -2009,7 +2009,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The force pad does not know where its knob is. Put the knob on its mark and home the pad.</source>
-        <translation>Das Kraftpad weiß nicht, wo sein Knopf ist. Setzen Sie den Knopf auf seine Marke und lassen Sie das Pad seinen Nullpunkt suchen.</translation>
+        <translation>Das Kraftpad weiß nicht, wo sein Knopf ist. Setzen Sie den Knopf auf seine Marke, und setzen Sie dann den Nullpunkt des Geräts.</translation>
     </message>
     <message>
         <source>The force pad heard nothing from this computer for a moment and switched its motors off.</source>
@@ -2017,7 +2017,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The force pad&apos;s encoders contradict each other: a cable is slack, or one has slipped. Put the knob on its mark and home the pad.</source>
-        <translation>Die Geber des Kraftpads widersprechen sich: Ein Seil ist schlaff, oder einer ist verrutscht. Setzen Sie den Knopf auf seine Marke und lassen Sie das Pad seinen Nullpunkt suchen.</translation>
+        <translation>Die Geber des Kraftpads widersprechen sich: Ein Seil ist schlaff, oder einer ist verrutscht. Setzen Sie den Knopf auf seine Marke, und setzen Sie dann den Nullpunkt des Geräts.</translation>
     </message>
     <message>
         <source>The force pad&apos;s motors are off.</source>
@@ -2987,6 +2987,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>the device has no name to keep it by.</source>
         <translation>das Gerät hat keinen Namen, unter dem sie gespeichert werden kann.</translation>
     </message>
+    <message>
+        <source>This device needs no homing.</source>
+        <translation>Dieses Gerät braucht keinen Nullpunkt.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -3157,6 +3161,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The device pulls to the right and to the left for less than three seconds. Escape ends it</source>
         <translation>Das Gerät zieht weniger als drei Sekunden lang nach rechts und nach links. Escape beendet es</translation>
+    </message>
+    <message>
+        <source>Home the device</source>
+        <translation>Nullpunkt des Geräts setzen</translation>
+    </message>
+    <message>
+        <source>Put its handle on the mark first, and leave it there</source>
+        <translation>Stellen Sie erst seinen Griff auf die Marke und lassen Sie ihn dort</translation>
     </message>
 </context>
 <context>
@@ -3905,6 +3917,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Stopped. The force is off.</source>
         <translation>Angehalten. Die Kraft ist aus.</translation>
+    </message>
+    <message>
+        <source>The device is homed: it knows where its handle is.</source>
+        <translation>Der Nullpunkt ist gesetzt: Das Gerät weiß jetzt, wo sein Griff ist.</translation>
     </message>
 </context>
 <context>

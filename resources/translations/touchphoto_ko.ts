@@ -2975,6 +2975,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>the device has no name to keep it by.</source>
         <translation>저장할 때 쓸 장치 이름이 없습니다.</translation>
     </message>
+    <message>
+        <source>This device needs no homing.</source>
+        <translation>이 장치는 기준점을 맞출 필요가 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -3145,6 +3149,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The device pulls to the right and to the left for less than three seconds. Escape ends it</source>
         <translation>장치가 3초가 안 되는 동안 오른쪽과 왼쪽으로 당깁니다. Escape 키로 끝냅니다</translation>
+    </message>
+    <message>
+        <source>Home the device</source>
+        <translation>장치 기준점 맞추기</translation>
+    </message>
+    <message>
+        <source>Put its handle on the mark first, and leave it there</source>
+        <translation>먼저 손잡이를 표시 위에 놓고 그대로 두세요</translation>
     </message>
 </context>
 <context>
@@ -3883,6 +3895,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Stopped. The force is off.</source>
         <translation>멈췄습니다. 힘이 꺼졌습니다.</translation>
+    </message>
+    <message>
+        <source>The device is homed: it knows where its handle is.</source>
+        <translation>기준점을 맞추었습니다. 이제 장치가 손잡이의 위치를 압니다.</translation>
     </message>
 </context>
 <context>

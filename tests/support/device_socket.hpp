@@ -39,6 +39,8 @@ public:
         const std::lock_guard lock(state_->mutex);
         state_->complaint = std::move(why);
     }
+    /// It was told that its handle stands on the mark.
+    bool homed() const { return state_->homed; }
     /// N, what is on its handle now.
     Vec2 force() const {
         const std::lock_guard lock(state_->mutex);
@@ -82,6 +84,7 @@ private:
         std::string complaint;
         std::atomic<bool> plugged{false};
         std::atomic<bool> in_use{false};
+        std::atomic<bool> homed{false};
         std::atomic<int> looks{0};
         std::atomic<int> opened{0};
         std::atomic<int> tried{0};
@@ -124,6 +127,12 @@ private:
             return true;
         }
         void halt() noexcept override {}
+        Result<bool> home() override {
+            if (!state_->plugged)
+                return Error{"The force pad could not be homed. See that it is plugged in, and try again."};
+            state_->homed = true;
+            return true;
+        }
         void stop() noexcept override {
             if (!open_)
                 return;

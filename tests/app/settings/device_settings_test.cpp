@@ -93,6 +93,30 @@ private slots:
         QVERIFY(bench.socket.strongest() < 0.6 + 1e-9);
     }
 
+    void a_device_is_homed_and_given_back() {
+        Bench bench;
+        bench.devices().home();
+        QCOMPARE(bench.voice.said().back(), QString("No force device is plugged in. Plug one in; it is found by itself."));
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.has_device());
+        bench.devices().home();
+        QTRY_VERIFY(bench.said("The device is homed: it knows where its handle is."));
+        QVERIFY(bench.socket.homed() && !bench.socket.in_use());
+        QVERIFY(bench.socket.strongest() == 0.0);
+        bench.voice.clear();
+        QTRY_VERIFY(bench.has_device());
+        bench.socket.unplug(); // since the last look
+        bench.devices().home();
+        QTRY_VERIFY(!bench.voice.said().isEmpty());
+        QTRY_VERIFY(bench.said("could not be homed") || bench.said("No force device is plugged in."));
+        bench.voice.clear();
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.has_device());
+        bench.socket.refuse("Another program uses the force pad.");
+        bench.devices().home();
+        QTRY_VERIFY(bench.said("Another program uses the force pad."));
+    }
+
     void escape_ends_it() {
         Bench bench;
         bench.socket.plug_in();

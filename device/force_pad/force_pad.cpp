@@ -3,7 +3,6 @@
 
 #include "device/force_pad/pad_frames.hpp"
 
-#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@ namespace {
 constexpr int most_reports = 64;           ///< that one read drains
 constexpr unsigned older_of_a_restart = 8; ///< PROTOCOL.md
 constexpr std::uint64_t motors_bit = std::uint64_t{1} << 32;
+constexpr std::uint64_t motors_stopped = 0; ///< no force, motors off
 
 std::uint64_t packed(const pad::ForceFrame& force) {
     return static_cast<std::uint16_t>(force.x_mn) |
@@ -31,25 +31,14 @@ pad::ForceFrame unpacked(std::uint64_t mail) {
 
 } // namespace
 
-void ForcePad::Line::send(std::uint32_t turn_now) noexcept {
-    sent = turn_now;
-    pad::ForceFrame force = unpacked(mail.load(std::memory_order_acquire));
+bool ForcePad::Line::send(std::uint64_t message) noexcept {
+    pad::ForceFrame force = unpacked(message);
     force.sequence = ++sequence;
-    if (!transport->write(pad::encode(force)))
-        lost.store(true, std::memory_order_release);
+    return transport->write(pad::encode(force));
 }
 
-void ForcePad::Line::write_until_quit() noexcept {
-    while (!lost.load(std::memory_order_acquire)) {
-        turn.wait(sent, std::memory_order_acquire);
-        send(turn.load(std::memory_order_acquire));
-        if (quit.load(std::memory_order_acquire) && turn.load(std::memory_order_acquire) == sent)
-            break;
-    }
-    ended.store(true, std::memory_order_release);
-}
-
-ForcePad::ForcePad(Opener opener, Writer writer) : opener_(std::move(opener)), writer_(writer) {}
+ForcePad::ForcePad(Opener opener, LatestWriter::Thread thread)
+    : opener_(std::move(opener)), thread_(thread) {}
 
 ForcePad::~ForcePad() { stop(); }
 
@@ -83,6 +72,7 @@ Result<Capabilities> ForcePad::open() {
     Result<std::unique_ptr<ReportTransport>> opened = opener_();
     if (!opened.ok())
         return Error{opened.error()};
+    writer_.reset();
     line_ = std::make_shared<Line>();
     line_->transport = std::move(opened).value();
     heard_ = false;
@@ -119,8 +109,8 @@ Result<Capabilities> ForcePad::open() {
     open_ = made.ok();
     if (!open_)
         line_->transport.reset();
-    else if (writer_ == Writer::own_thread)
-        thread_ = std::thread([line = line_] { line->write_until_quit(); });
+    else
+        writer_ = std::make_unique<LatestWriter>(line_, thread_);
     return made;
 }
 
@@ -164,7 +154,7 @@ std::optional<DeviceState> ForcePad::read(double now) noexcept {
         if (got == ReportTransport::Got::nothing)
             break;
         if (got == ReportTransport::Got::lost)
-            line_->lost.store(true, std::memory_order_release);
+            writer_->lose();
         else if (got == ReportTransport::Got::odd)
             bad_frames_.fetch_add(1, std::memory_order_relaxed);
         else
@@ -176,55 +166,33 @@ std::optional<DeviceState> ForcePad::read(double now) noexcept {
     return state_;
 }
 
-void ForcePad::post(std::uint64_t mail) noexcept {
-    line_->mail.store(mail, std::memory_order_release);
-    line_->turn.fetch_add(1, std::memory_order_release);
-    line_->turn.notify_one();
-}
-
 bool ForcePad::write(const SafeForce& force) noexcept {
     if (!open_ || lost())
         return false;
-    post(packed(force_frame(force)));
+    writer_->post(packed(force_frame(force)));
     return true;
 }
 
 void ForcePad::halt() noexcept {
-    if (line_)
-        post(0);
+    if (writer_)
+        writer_->post(motors_stopped);
 }
 
 void ForcePad::deliver() noexcept {
-    if (!open_ || lost())
-        return;
-    const std::uint32_t turn = line_->turn.load(std::memory_order_acquire);
-    if (turn != line_->sent)
-        line_->send(turn);
+    if (open_)
+        writer_->deliver();
 }
 
 void ForcePad::stop() noexcept {
     if (!open_)
         return;
-    post(0); // before quit: a writer that sees quit has sent this, or still will
-    line_->quit.store(true, std::memory_order_release);
-    post(0); // wakes a writer that has sent the first and not seen quit
-    if (thread_.joinable()) {
-        for (int i = 0; i < 1000 && !line_->ended.load(std::memory_order_acquire); ++i)
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        if (!line_->ended.load(std::memory_order_acquire)) {
-            thread_.detach(); // it holds the line itself, and the pad's watchdog has taken the force away
-            open_ = false;
-            return;
-        }
-        thread_.join();
-    } else {
-        deliver();
-    }
     open_ = false;
-    line_->transport.reset();
+    if (writer_->end(motors_stopped)) // one that hangs keeps the transport; the pad's watchdog has taken the
+                                      // force away
+        line_->transport.reset();
 }
 
-bool ForcePad::lost() const noexcept { return line_ && line_->lost.load(std::memory_order_acquire); }
+bool ForcePad::lost() const noexcept { return writer_ && writer_->lost(); }
 
 bool ForcePad::motors_off() const noexcept {
     return heard_ && (status_.load(std::memory_order_relaxed) & pad::status::armed) == 0;

@@ -3,31 +3,25 @@
 
 #include "core/servo/force_device.hpp"
 #include "device/force_pad/report_transport.hpp"
+#include "device/latest_writer.hpp"
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
-#include <thread>
 
 namespace tp {
 
 /// A force pad (PROTOCOL.md) behind the port of the servo.
 ///
 /// Reading never waits: what has arrived is drained and the newest state kept. Writing hands the force to a
-/// writer by a mailbox that holds only the latest, because a transport's write can stall for milliseconds to
-/// seconds; the writer sends one frame for each time the servo wrote, never by itself, so that a servo that
-/// stands still starves the pad's watchdog too.
+/// LatestWriter.
 class ForcePad final : public ForceDevice {
 public:
-    enum class Writer {
-        own_thread,
-        caller, ///< deliver() is the writer's step; for simulated time
-    };
     using Opener = std::function<Result<std::unique_ptr<ReportTransport>>()>;
 
-    explicit ForcePad(Opener opener, Writer writer = Writer::own_thread);
+    explicit ForcePad(Opener opener, LatestWriter::Thread thread = LatestWriter::Thread::own);
     ~ForcePad() override;
     ForcePad(const ForcePad&) = delete;
     ForcePad& operator=(const ForcePad&) = delete;
@@ -43,37 +37,29 @@ public:
     bool motors_off() const noexcept override;
 
     Result<bool> home() override;
-    /// Sends what the mailbox holds, if anything is new in it.
+    /// The writer's step, for LatestWriter::Thread::caller.
     void deliver() noexcept;
     std::string complaint() const override;
     /// Frames since open that were broken, repeated or older than one before. Any thread.
     std::uint64_t bad_frames() const noexcept { return bad_frames_.load(std::memory_order_relaxed); }
 
 private:
-    /// What the writer shares with the rest; it outlives the pad where the writer hangs.
-    struct Line {
+    /// What the writer shares with the rest.
+    struct Line final : LatestWriter::Sink {
         std::unique_ptr<ReportTransport> transport;
-        std::atomic<std::uint64_t> mail{0}; ///< x, y in mN and whether the motors are on, packed
-        std::atomic<std::uint32_t> turn{0}; ///< counts what was put into the mailbox
-        std::atomic<bool> quit{false};
-        std::atomic<bool> ended{false};
-        std::atomic<bool> lost{false};
-        std::uint32_t sent = 0; ///< turn that was sent last; only the writer
         std::uint16_t sequence = 0;
 
-        void send(std::uint32_t turn_now) noexcept;
-        void write_until_quit() noexcept;
+        bool send(std::uint64_t message) noexcept override;
     };
-    void post(std::uint64_t mail) noexcept;
     void take(const pad::Frame& frame) noexcept;
     template <typename Answer>
     bool ask(pad::Frame question, Answer& answer, std::uint8_t page = 0);
 
     Opener opener_;
-    Writer writer_;
-    std::shared_ptr<Line> line_; ///< stays until the next open, for halt() from anywhere
+    LatestWriter::Thread thread_;
+    std::shared_ptr<Line> line_;
+    std::unique_ptr<LatestWriter> writer_; ///< stays until the next open, for halt() from anywhere
     bool open_ = false;
-    std::thread thread_;
     std::atomic<std::uint16_t> status_{0};
     std::atomic<std::uint64_t> bad_frames_{0};
 

@@ -118,7 +118,7 @@ private slots:
             SimulatedLink link(model, 1, seed);
             link.troubles.drop = 0.2;
             link.troubles.garble = 0.2;
-            ForcePad device(lend(link), ForcePad::Writer::caller);
+            ForcePad device(lend(link), LatestWriter::Thread::caller);
             const Result<Capabilities> can = device.open();
             QVERIFY2(can.ok(), can.error().c_str());
             QCOMPARE(can.value().workspace.size(), std::size_t(4));
@@ -132,7 +132,7 @@ private slots:
             link.troubles.mute = trouble == 0;
             link.troubles.garble = trouble == 1 ? 1.0 : 0.0;
             link.troubles.odd = trouble == 2 ? 1.0 : 0.0;
-            ForcePad device(lend(link), ForcePad::Writer::caller);
+            ForcePad device(lend(link), LatestWriter::Thread::caller);
             const Result<Capabilities> can = device.open();
             QVERIFY(!can.ok());
             QVERIFY(can.error().find("does not answer like a force pad") != std::string::npos);
@@ -215,7 +215,7 @@ private slots:
                 states.push_back(state);
             }
         } script;
-        ForcePad device(lend(script), ForcePad::Writer::caller);
+        ForcePad device(lend(script), LatestWriter::Thread::caller);
         QVERIFY(device.open().ok());
         script.say(500, 1000);
         script.say(499, 9000);

@@ -35,7 +35,7 @@ inline ForcePad::Opener lend(ReportTransport& transport) {
 struct PadBench {
     ModelPad model;
     SimulatedLink link;
-    ForcePad device{lend(link), ForcePad::Writer::caller};
+    ForcePad device{lend(link), LatestWriter::Thread::caller};
     VirtualClock clock;
     Capabilities can;
     std::unique_ptr<ServoLoop> loop;

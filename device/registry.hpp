@@ -12,18 +12,17 @@ namespace tp {
 
 /// A device that can be used now.
 struct ListedDevice {
-    std::string name;  ///< "simulated", or "pad:" and the serial number; what device_named takes
+    std::string name;  ///< "simulated", or as PluggedDevice has it ("pad:TP-0001"); what device_named takes
     std::string about; ///< as a person is told
     std::string serial_number;
-    std::string interface; ///< "hid" or "bulk", by which it is used now; empty for the simulated device
+    std::string interface; ///< "hid", "bulk"…: by which it is used now; empty for the simulated device
 };
 
-/// The simulated device first, then what is plugged in, each once: a force pad is used over HID, and over its
-/// bulk interface where HID does not show it or does not let it be opened. Any thread; it may wait for another.
+/// The simulated device first, then what is plugged in, each once. Any thread; it may wait for another.
 std::vector<ListedDevice> list_devices();
 
-/// A device by its name, not yet open. An error where there is none of that name now. Any thread, as open() of the
-/// device.
+/// A device by its name, not yet open. An error where there is none of that name now. Any thread, as open()
+/// of the device.
 Result<std::unique_ptr<ForceDevice>> device_named(const std::string& name);
 
 } // namespace tp

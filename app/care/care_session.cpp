@@ -46,8 +46,9 @@ CareSession::CareSession(OpenAlbum& album, Narrator& narrator, EarconPlayer& ear
     });
     connect(&take_, &Take::begins, &listening_, &Listening::stop);
     const auto go_on = [this] {
-        if (!take_.running() && when_recorded_)
-            std::exchange(when_recorded_, nullptr)();
+        if (!take_.running())
+            for (const auto& each : std::exchange(when_recorded_, {}))
+                each();
     };
     connect(&take_, &Take::changed, this, go_on, Qt::QueuedConnection); // the take has asked for its own step by then
 }
@@ -156,12 +157,12 @@ void CareSession::deletePhoto() {
 void CareSession::when_recorded(std::function<void()> then) {
     stop();
     if (take_.running())
-        when_recorded_ = std::move(then);
+        when_recorded_.push_back(std::move(then));
     else
         then();
 }
 
-bool CareSession::records() {
+bool CareSession::refused_while_recording() {
     if (take_.running())
         teller_.problem(tr("A recording is being made. Finish it first."));
     return take_.running();
@@ -193,13 +194,13 @@ void CareSession::step_taken_back(bool back, const QString& what, const QString&
 }
 
 void CareSession::undo() {
-    if (records())
+    if (refused_while_recording())
         return;
     steps_.undo([this](const QString& problem) { step_taken_back(true, steps_.next_redo(), problem); });
 }
 
 void CareSession::redo() {
-    if (records())
+    if (refused_while_recording())
         return;
     steps_.redo([this](const QString& problem) { step_taken_back(false, steps_.next_undo(), problem); });
 }

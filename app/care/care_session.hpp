@@ -26,6 +26,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 namespace tp {
 
@@ -122,7 +123,7 @@ private:
     /// Ends what sounds; once a recording that is being made lies on the disk, or at once.
     void when_recorded(std::function<void()> then);
     /// True, and said, while a recording is being made: what it belongs to must stay where it is.
-    bool records();
+    bool refused_while_recording();
     void step_taken_back(bool back, const QString& what, const QString& problem);
 
     OpenAlbum& album_;
@@ -142,7 +143,7 @@ private:
     Take take_;
     Trimming trimming_;
     DescriptionCare descriptions_;
-    std::function<void()> when_recorded_; ///< empty: nothing waits
+    std::vector<std::function<void()>> when_recorded_; ///< what waits, in order
     std::filesystem::path gone_; ///< the photograph that was deleted last, to be opened when it comes back
 };
 

@@ -201,6 +201,20 @@ private slots:
         QCOMPARE(bench.record().tags[0].duration_s, 1.0);
     }
 
+    void two_photographs_deleted_while_a_recording_is_stored_are_both_gone() {
+        CareBench bench({"a.jpg", "b.jpg"});
+        bench.open("a.jpg");
+        bench.session->take()->start();
+        bench.hear(1.0);
+        bench.session->deletePhoto();
+        bench.session->open_photo(bench.photo("b.jpg"));
+        QVERIFY(bench.session->take()->running());
+        bench.session->deletePhoto();
+        CARE_TRY_VERIFY(!std::filesystem::exists(bench.photo("a.jpg")));
+        CARE_TRY_VERIFY(!std::filesystem::exists(bench.photo("b.jpg")));
+        QVERIFY(bench.rests());
+    }
+
     void nothing_is_taken_back_under_a_recording_and_none_begins_meanwhile() {
         CareBench bench;
         bench.open("a.jpg");

@@ -28,7 +28,7 @@ Column {
     TpButton {
         width: parent.width
         enabled: controls.free
-        text: qsTr("Open a photograph")
+        text: qsTr("Open a photograph…")
         hint: qsTr("Key: O. One can be dropped on the page too")
         onClicked: controls.openAsked()
     }

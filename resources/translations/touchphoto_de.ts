@@ -497,8 +497,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Szene</translation>
     </message>
     <message>
-        <source>Open a photograph</source>
-        <translation>Ein Foto öffnen</translation>
+        <source>Open a photograph…</source>
+        <translation>Ein Foto öffnen…</translation>
     </message>
     <message>
         <source>Key: O. One can be dropped on the page too</source>

@@ -493,8 +493,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>장면</translation>
     </message>
     <message>
-        <source>Open a photograph</source>
-        <translation>사진 열기</translation>
+        <source>Open a photograph…</source>
+        <translation>사진 열기…</translation>
     </message>
     <message>
         <source>Key: O. One can be dropped on the page too</source>

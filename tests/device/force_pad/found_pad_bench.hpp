@@ -5,6 +5,7 @@
 #include "device/force_pad/force_pad.hpp"
 #include "device/force_pad/found_pad.hpp"
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -49,6 +50,18 @@ struct FoundPadBench {
         loop->tick();
         while (wait_for_answer && answered() == before) // CTest ends a test that waits for ever
             std::this_thread::yield();
+    }
+    /// Until a pad that has fallen silent is stale and its force let go; how many ticks that took since the last of its
+    /// frames, which may have been on its way.
+    int ticks_until_let_go() {
+        int ticks = 0;
+        for (ServoSnapshot seen; seen.fault != Fault::stale_input || seen.force() != Vec2(0.0); seen = loop->snapshot()) {
+            const long before = answered();
+            tick(false);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            ticks = answered() == before ? ticks + 1 : 0;
+        }
+        return ticks;
     }
 };
 

@@ -199,14 +199,7 @@ private slots:
             bench.tick(true);
         QVERIFY(bench.loop->snapshot().gain == 1.0);
         bed.behave(Bed::Behaviour::silent);
-        const auto let_go = [&] { // what is on its way comes first
-            const ServoSnapshot seen = bench.loop->snapshot();
-            return seen.fault == Fault::stale_input && seen.force() == Vec2(0.0);
-        };
-        while (!let_go()) {
-            bench.tick(false);
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
+        QVERIFY(bench.ticks_until_let_go() <= 60);
         bed.behave(Bed::Behaviour::pad);
         while (bench.loop->snapshot().fault != Fault::none) {
             bench.tick(false);

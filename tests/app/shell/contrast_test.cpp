@@ -264,9 +264,7 @@ private:
     static void show(WholeProgram& whole, QSize size) {
         qputenv("HOME", whole.folder.path().toUtf8()); // the folders that are chosen from
         whole.window->resize(size);
-        whole.window->show();
-        whole.window->requestActivate();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         QTRY_VERIFY_WITH_TIMEOUT(!whole.program->album().scanning(), 60000);
         Choices now = whole.program->preferences().choices();
         now.last_photo = whole.folder.filePath("Family/ben_and_clara.jpg");

@@ -110,9 +110,7 @@ private slots:
         QFETCH(QString, page);
         const Warnings warnings;
         WholeProgram whole;
-        whole.window->show();
-        whole.window->requestActivate();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         whole.shell().open(page);
         if (page == "explore")
             whole.program->explore().open_file(whole.folder.filePath("Family/ben_and_clara.jpg"));

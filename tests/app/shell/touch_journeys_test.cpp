@@ -23,11 +23,7 @@ public:
     explicit ByTouch(const Choices& choices) : whole(choices), hand(*whole.window) {
         qputenv("HOME", whole.folder.path().toUtf8()); // where choosing a folder begins
     }
-    bool exposed() {
-        whole.window->show();
-        whole.window->requestActivate();
-        return QTest::qWaitForWindowExposed(whole.window.get());
-    }
+    bool exposed() { return whole.shown(); }
     /// Waits until each has been said, one after the other, after all that was heard before.
     bool hears(const QStringList& sentences) {
         for (const QString& sentence : sentences)

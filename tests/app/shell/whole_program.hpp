@@ -11,6 +11,7 @@
 #include <QFile>
 #include <QString>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <atomic>
 #include <filesystem>
@@ -63,6 +64,12 @@ public:
         choices.asked = true;
         choices.language = "en";
         return choices;
+    }
+    /// Its window is in sight and has the keyboard.
+    bool shown() {
+        window->show();
+        window->requestActivate();
+        return QTest::qWaitForWindowExposed(window.get());
     }
     std::filesystem::path file(const char* name) const { return folder.filePath(name).toStdString(); }
     tp::Shell& shell() { return program->shell(); }

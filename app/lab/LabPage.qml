@@ -56,6 +56,7 @@ FocusScope {
         anchors { left: surface.left; right: surface.right; top: surface.bottom; bottom: parent.bottom }
         anchors { topMargin: Theme.gap; bottomMargin: page.margin }
         active: page.plotsBeside
+        asynchronous: true // the page is there sooner than its plots
         visible: active
         sourceComponent: LabPlots {
             session: page.session
@@ -118,6 +119,7 @@ FocusScope {
         Loader {
             width: parent.width
             active: !page.plotsBeside
+            asynchronous: true
             visible: active
             sourceComponent: LabPlots {
                 session: page.session

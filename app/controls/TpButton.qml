@@ -11,7 +11,7 @@ T.Button {
     property bool large: false // one of the few things that a page is for
     property string hint: ""
 
-    implicitWidth: Math.max(Theme.target, label.implicitWidth + 2 * padding)
+    implicitWidth: Math.max(Theme.target, Math.ceil(metrics.advanceWidth) + 2 * padding + 2)
     implicitHeight: Math.max(Theme.target, label.implicitHeight + 2 * padding)
     padding: Theme.gap
     opacity: enabled ? 1 : 0.45
@@ -23,6 +23,12 @@ T.Button {
     Keys.onReturnPressed: control.clicked()
     Keys.onEnterPressed: control.clicked()
 
+    TextMetrics { // a wrapped Text's own implicit width follows the width that is made of it
+        id: metrics
+        font: label.font
+        text: label.text
+    }
+
     contentItem: Text {
         id: label
         text: control.text
@@ -31,7 +37,7 @@ T.Button {
         color: control.primary ? Theme.accentText : Theme.text
         horizontalAlignment: Text.AlignHCenter
         verticalAlignment: Text.AlignVCenter
-        wrapMode: Text.WordWrap
+        wrapMode: Text.Wrap
         Accessible.ignored: true
     }
     background: Rectangle {

@@ -6,7 +6,7 @@ Text {
     font.pixelSize: Theme.headingSize
     font.bold: true
     color: Theme.text
-    wrapMode: Text.WordWrap
+    wrapMode: Text.Wrap
     horizontalAlignment: Text.AlignLeft
     Accessible.role: Accessible.Heading
     Accessible.name: text

@@ -15,7 +15,7 @@ T.Slider {
     signal chosen(real value)
 
     implicitWidth: 200
-    implicitHeight: Math.max(Theme.target, caption.implicitHeight + 40)
+    implicitHeight: Math.max(Theme.target, Math.max(caption.implicitHeight, reading.implicitHeight) + 40)
     leftPadding: Theme.gap
     rightPadding: Theme.gap
     snapMode: T.Slider.SnapAlways
@@ -48,10 +48,18 @@ T.Slider {
         Text {
             id: reading
             anchors { right: parent.right; top: parent.top; margins: 10; rightMargin: Theme.gap }
+            width: Math.min(Math.ceil(metrics.advanceWidth) + 2, 0.5 * parent.width - Theme.gap) // half is the label's
             text: control.valueText
             font.pixelSize: Theme.smallSize
             color: Theme.quiet
+            horizontalAlignment: Text.AlignRight
+            wrapMode: Text.Wrap
             Accessible.ignored: true
+        }
+        TextMetrics { // a wrapped Text's own implicit width follows the width that is made of it
+            id: metrics
+            font: reading.font
+            text: reading.text
         }
         Rectangle {
             x: control.leftPadding

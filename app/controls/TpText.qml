@@ -4,7 +4,7 @@ import QtQuick
 Text {
     font.pixelSize: Theme.textSize
     color: Theme.text
-    wrapMode: Text.WordWrap
+    wrapMode: Text.Wrap
     horizontalAlignment: Text.AlignLeft // with the page, whatever is written
     Accessible.role: Accessible.StaticText
     Accessible.name: text

@@ -37,7 +37,7 @@ T.Switch {
         color: Theme.text
         horizontalAlignment: Text.AlignLeft
         verticalAlignment: Text.AlignVCenter
-        wrapMode: Text.WordWrap
+        wrapMode: Text.Wrap
         Accessible.ignored: true
     }
     indicator: Rectangle {

@@ -145,8 +145,9 @@ FocusScope {
                 label: qsTr("Said last")
                 anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: 2 * Theme.gap }
                 font.pixelSize: Theme.smallSize
-                maximumLineCount: 3
+                maximumLineCount: Math.max(3, Math.floor(0.25 * view.height / saidMetrics.height))
                 elide: Text.ElideRight
+                FontMetrics { id: saidMetrics; font: said.font }
                 text: view.shell.voiceProblem !== "" ? view.shell.sentence + " " + view.shell.voiceProblem : view.shell.sentence
             }
         }

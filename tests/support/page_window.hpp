@@ -68,6 +68,28 @@ public:
     }
     QStringList faulty_targets(double least = 64.0) { return faulty_targets(*this, least); }
 
+    /// Texts that do not fit where they stand, or reach out of the window's sides; as "text (how)".
+    static QStringList clipped_texts(QQuickWindow& window) {
+        QStringList clipped;
+        const double slack = 1.0; // px, of rounding
+        for (const QQuickItem* item : shown_items(*window.contentItem())) {
+            if (!item->property("truncated").isValid() || item->property("text").toString().isEmpty())
+                continue;
+            const double wide = item->property("contentWidth").toDouble(), high = item->property("contentHeight").toDouble();
+            const double left = item->mapToScene({0.0, 0.0}).x();
+            QString how;
+            if (item->property("truncated").toBool())
+                how = "cut short";
+            else if (wide > item->width() + slack || high > item->height() + slack)
+                how = QString("needs %1×%2, has %3×%4").arg(wide).arg(high).arg(item->width()).arg(item->height());
+            else if (left < -slack || left + item->width() > window.width() + slack)
+                how = QString("from %1 to %2").arg(left).arg(left + item->width());
+            if (!how.isEmpty())
+                clipped << item->property("text").toString() + " (" + how + ")";
+        }
+        return clipped;
+    }
+
     /// The item that Tab stops at; null where it does not stop here. (Qt 6.4 calls texts focusable too.)
     static QQuickItem* tab_stop(QAccessibleInterface* one) {
         auto* item = qobject_cast<QQuickItem*>(one->object());
@@ -96,6 +118,15 @@ public:
     }
 
 private:
+    static QList<const QQuickItem*> shown_items(const QQuickItem& root) {
+        QList<const QQuickItem*> all;
+        if (!root.isVisible() || root.opacity() == 0.0)
+            return all;
+        all << &root;
+        for (const QQuickItem* child : root.childItems())
+            all << shown_items(*child);
+        return all;
+    }
     static void collect(QAccessibleInterface* root, QList<QAccessibleInterface*>& into) {
         if (root == nullptr || root->state().invisible)
             return;
@@ -120,8 +151,8 @@ public:
 
 private:
     static void remember(QtMsgType type, const QMessageLogContext&, const QString& text) {
-        // The last two are Qt's own on a busy machine: nothing was drawn for a while; a list's rows went while it was
-        // preparing the next ones.
+        // The last two are Qt's own: its timer notices that a busy machine has drawn nothing for a while; the list of its
+        // file dialog (no page of ours has one of so many rows) loses its rows while it prepares the next ones.
         const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("PulseAudio") ||
                                          text.startsWith("QUnifiedTimer::stopAnimationDriver") ||
                                          text.startsWith("DelegateModel::cancel: index out range");

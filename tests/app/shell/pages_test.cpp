@@ -18,16 +18,27 @@ namespace {
 
 const QStringList every_page{"start", "browse", "explore", "care", "mend", "print", "lab", "settings"};
 
-/// Marks every text that goes through translation, and makes it longer as other languages are.
-class PseudoLocale final : public QTranslator {
+/// Marks every text that goes through translation.
+class PseudoLocale : public QTranslator {
 public:
     QString translate(const char*, const char* source, const char*, int n) const override {
         QString text = QString::fromUtf8(source);
         if (n >= 0)
             text.replace("%n", QString::number(n));
-        return "⟦" + text + QString(text.size() / 3, '~') + "⟧";
+        return "⟦" + longer(text) + "⟧";
     }
     bool isEmpty() const override { return false; }
+
+private:
+    virtual QString longer(const QString& text) const { return text; }
+};
+
+/// As a language does whose words are a third longer.
+class LongerWords final : public PseudoLocale {
+    QString longer(const QString& text) const override {
+        static const QRegularExpression vowel("([aeiouAEIOU])");
+        return QString(text).replace(vowel, "\\1\\1");
+    }
 };
 
 /// Where a page has all that it shows.
@@ -73,9 +84,7 @@ private slots:
         choices.language = language;
         WholeProgram whole(choices);
         whole.window->resize(size);
-        whole.window->show();
-        whole.window->requestActivate();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         for (const QString& page : every_page) {
             whole.shell().open(page);
             settle(whole);
@@ -101,9 +110,7 @@ private slots:
         choices.text_scale = text;
         WholeProgram whole(choices);
         whole.window->resize(size);
-        whole.window->show();
-        whole.window->requestActivate();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         const auto back = qScopeGuard([] { QGuiApplication::setLayoutDirection(Qt::LeftToRight); });
         using Places = QList<std::pair<QString, QRect>>; // a name, and where it lies
         const auto places = [&](Qt::LayoutDirection direction) {
@@ -148,9 +155,7 @@ private slots:
     void escape_leads_home_from_everywhere() {
         const Warnings warnings;
         WholeProgram whole;
-        whole.window->show();
-        whole.window->requestActivate();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         for (const QString& page : every_page) {
             whole.shell().open(page);
             settle(whole);
@@ -163,9 +168,7 @@ private slots:
     void a_lost_keyboard_comes_back_to_the_page() {
         const Warnings warnings;
         WholeProgram whole;
-        whole.window->show();
-        whole.window->requestActivate();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         for (const QString& page : every_page) {
             whole.shell().open(page);
             settle(whole);
@@ -182,9 +185,7 @@ private slots:
     void alt_and_left_goes_back_whatever_a_page_does_with_arrows() {
         const Warnings warnings;
         WholeProgram whole;
-        whole.window->show();
-        whole.window->requestActivate();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         for (const QString& page : every_page) {
             whole.shell().goHome();
             whole.shell().open("settings");
@@ -198,9 +199,7 @@ private slots:
     void every_page_says_where_one_is_and_has_help() {
         const Warnings warnings;
         WholeProgram whole;
-        whole.window->show();
-        whole.window->requestActivate();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         for (const QString& page : every_page) {
             whole.voice.clear();
             whole.shell().open(page);
@@ -215,9 +214,7 @@ private slots:
     void the_programs_voice_says_what_tab_comes_to() {
         const Warnings warnings;
         WholeProgram whole;
-        whole.window->show();
-        whole.window->requestActivate();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         whole.shell().open("settings");
         settle(whole);
         QStringList said;
@@ -242,8 +239,7 @@ private slots:
         QCoreApplication::installTranslator(&pseudo);
         const auto back = qScopeGuard([&] { QCoreApplication::removeTranslator(&pseudo); });
         emit whole.program->language_changed();
-        whole.window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         QStringList untranslated;
         whole.voice.clear();
         for (const QString& page : every_page) {
@@ -264,6 +260,37 @@ private slots:
         }
         untranslated.removeDuplicates();
         QCOMPARE(untranslated.join('\n'), QString());
+    }
+
+    void no_text_is_clipped_in_a_language_of_longer_words_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<double>("text");
+        QTest::newRow("wide") << QSize(1280, 800) << 1.0;
+        QTest::newRow("wide, large text") << QSize(1280, 800) << 2.0;
+        QTest::newRow("tall") << QSize(800, 1280) << 1.0;
+        QTest::newRow("tall, large text") << QSize(800, 1280) << 2.0;
+    }
+    void no_text_is_clipped_in_a_language_of_longer_words() {
+        QFETCH(QSize, size);
+        QFETCH(double, text);
+        const Warnings warnings;
+        LongerWords pseudo;
+        Choices choices = WholeProgram::asked();
+        choices.text_scale = text;
+        WholeProgram whole(choices);
+        QCoreApplication::installTranslator(&pseudo);
+        const auto back = qScopeGuard([&] { QCoreApplication::removeTranslator(&pseudo); });
+        emit whole.program->language_changed();
+        whole.window->resize(size);
+        QVERIFY(whole.shown());
+        QStringList clipped;
+        for (const QString& page : every_page) {
+            whole.shell().open(page);
+            settle(whole);
+            for (const QString& one : PageWindow::clipped_texts(*whole.window))
+                clipped << page + ": " + one;
+        }
+        QVERIFY2(clipped.isEmpty(), qPrintable(clipped.join('\n')));
     }
 
     void what_goes_wrong_below_the_pages_is_translated_too() {
@@ -322,8 +349,7 @@ private slots:
     void the_language_changes_while_the_program_runs() {
         const Warnings warnings;
         WholeProgram whole;
-        whole.window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         whole.shell().open("settings");
         QCOMPARE(whole.window->title(), QString("Settings – TouchPhoto"));
         whole.program->settings().chooseLanguage(2);
@@ -337,8 +363,7 @@ private slots:
     void colours_and_sizes_follow_at_once() {
         const Warnings warnings;
         WholeProgram whole;
-        whole.window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(whole.window.get()));
+        QVERIFY(whole.shown());
         whole.shell().open("settings");
         const QColor dark = whole.window->grabWindow().pixelColor(2, 400);
         whole.program->settings().chooseTheme(1);

@@ -1,0 +1,250 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""A real accessibility client goes over every page, in every language, with ordinary and with twice as large text, in a wide and
+in a tall window: whatever can be used has a name, a role, an action and the required size, and where Tab comes to is in sight;
+Tab goes round every page, in reading order, and never stays.
+
+every_page.py PROGRAM LAB PHOTOS...    ends in 77 where something that it needs is missing
+"""
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+import desk
+from album import Album, preferences
+
+LANGUAGES = ("en", "de", "ko")
+WIDE, TALL = (1280, 800), (800, 1280)
+SMALLEST = 48  # px, a caregiver's target; DESIGN.md, section 10
+BY_NUMBER = {"browse": "1", "explore": "2", "care": "3", "settings": "4", "lab": "5"}  # of the start page
+MOST_STOPS = 400  # of Tab on one page; more is no way round
+
+
+class Focus:
+    """Where the keyboard is, as the program tells its clients."""
+
+    def __init__(self):
+        import gi
+
+        gi.require_version("Atspi", "2.0")
+        from gi.repository import Atspi, GLib
+
+        self.told = None
+        self.context = GLib.MainContext.default()
+        self.listener = Atspi.EventListener.new(self.note)
+        self.listener.register("object:state-changed:focused")
+
+    def note(self, event):
+        if event.detail1:
+            self.told = event.source
+
+    def after(self, deed):
+        """What is told last after `deed`, and then for a moment no more."""
+        self.listen(0.0)
+        self.told = None
+        deed()
+        end = time.monotonic() + desk.PATIENCE
+        while self.told is None:
+            assert time.monotonic() < end, "the keyboard stays where it is"
+            self.listen(0.02)
+        self.listen(0.05)
+        return self.told
+
+    def listen(self, seconds):
+        end = time.monotonic() + seconds
+        while True:
+            while self.context.iteration(False):
+                pass
+            if time.monotonic() >= end:
+                return
+            time.sleep(0.005)
+
+
+class Walker:
+    """A person's way over the pages of one running program."""
+
+    def __init__(self, running, page, focus):
+        self.running, self.page, self.focus, self.atspi = running, page, focus, page.atspi
+        self.used = {self.atspi.ROLE_PUSH_BUTTON: "press", self.atspi.ROLE_CHECK_BOX: "toggle",
+                     self.atspi.ROLE_RADIO_BUTTON: "toggle", self.atspi.ROLE_LIST_ITEM: "press",
+                     self.atspi.ROLE_SLIDER: "increase"}
+        self.also_focused = (self.atspi.ROLE_TEXT, self.atspi.ROLE_ENTRY, self.atspi.ROLE_CANVAS, self.atspi.ROLE_LIST)
+
+    def seen(self, node=None):
+        """What is to be seen, in reading order; pages that are not open are passed over whole."""
+        node = node or self.window()
+        try:
+            states = node.getState()
+            if not states.contains(self.atspi.STATE_VISIBLE):
+                return
+            yield node
+            children = [node.getChildAtIndex(i) for i in range(node.childCount)]
+        except Exception:  # it went away while we were looking
+            return
+        for child in children:
+            if child is not None:
+                yield from self.seen(child)
+
+    def window(self):
+        return self.awaited("a window", lambda: next((node for node in self.page.everything()
+                                                      if node.getRole() == self.atspi.ROLE_FRAME), None))
+
+    def place(self, node):
+        return node.queryComponent().getExtents(self.atspi.DESKTOP_COORDS)
+
+    def usable(self):
+        """What a person can act on or write into."""
+        for node in self.seen():
+            if node.getRole() in self.used or node.getRole() in self.also_focused:
+                states = node.getState()
+                if states.contains(self.atspi.STATE_FOCUSABLE) and states.contains(self.atspi.STATE_ENABLED):
+                    yield node
+
+    def faults(self, node):
+        what = f"{node.getRoleName()} \"{node.name}\""
+        if not node.name.strip():
+            yield what + " has no name"
+        place = self.place(node)
+        on_a_surface = node.parent is not None and node.parent.getRole() in (self.atspi.ROLE_CANVAS, self.atspi.ROLE_PUSH_BUTTON)
+        if not on_a_surface and (place.width < SMALLEST or place.height < SMALLEST):
+            yield f"{what} is {place.width} by {place.height} pixels large"
+        if node.getRole() in self.used:
+            actions = node.queryAction()
+            offered = [actions.getName(i).lower() for i in range(actions.nActions)]
+            if self.used[node.getRole()] not in offered:
+                yield f"{what} offers {offered}"
+        elif node.getRole() not in self.also_focused:
+            yield what + " has a role that says nothing of its use"
+
+    def faultless(self, where):
+        """Once the page has come to rest."""
+        end = time.monotonic() + desk.PATIENCE / 6
+        while faults := [fault for node in self.usable() for fault in self.faults(node)]:
+            assert time.monotonic() < end, f"{where}: " + "; ".join(faults)
+            time.sleep(0.1)
+
+    def focused(self):
+        for node in self.seen():
+            if node.getState().contains(self.atspi.STATE_FOCUSED) and node.getRole() != self.atspi.ROLE_FRAME:
+                return node
+        return None
+
+    def awaited(self, what, wanted):
+        end = time.monotonic() + desk.PATIENCE
+        while time.monotonic() < end:
+            got = wanted()
+            if got:
+                return got
+            assert self.running.poll() is None, "the program has ended"
+            time.sleep(0.05)
+        raise AssertionError(f"{what}: waited in vain")
+
+    def shape(self, size):
+        """Gives the window a size, and waits until it has it."""
+        name = str(self.window().name)
+        subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "TouchPhoto", "windowsize", "--sync", *map(str, size)], check=True)
+        self.awaited(f"{name} in {size}", lambda: self.place(self.window()).width == size[0])
+
+    def go(self, name):
+        if name in BY_NUMBER:
+            self.go("start")
+            title = self.window().name
+            self.page.keys(BY_NUMBER[name])
+            self.awaited(name, lambda: self.window().name != title)
+        elif name == "start":
+            self.page.keys("alt+Home")
+            self.awaited("the start page", lambda: self.window().name == "TouchPhoto")
+        self.awaited(f"a keyboard on {name}", self.focused)
+
+    def goes_round(self):
+        """Presses Tab until it is where it was first; what was on the way, each in sight and without fault."""
+        first = self.focused()
+        stops = [first]
+        window = self.place(self.window())
+        while len(stops) <= MOST_STOPS:
+            now = self.focus.after(lambda: self.page.keys("Tab"))
+            if now == first:
+                return stops
+            place = self.place(now)
+            middle = (place.x + place.width / 2, place.y + place.height / 2)
+            in_sight = window.x <= middle[0] <= window.x + window.width and window.y <= middle[1] <= window.y + window.height
+            faults = list(self.faults(now)) + ([] if in_sight else [f"\"{now.name}\" lies out of sight at {middle}"])
+            assert not faults, "Tab comes to a thing with faults: " + "; ".join(faults)
+            stops.append(now)
+        raise AssertionError("no way round by Tab: " + ", ".join(stop.name for stop in stops[-8:]))
+
+    def place_in_tree(self, node):
+        """The way down to it: what is read before something else has the smaller one."""
+        way = []
+        while node is not None and node.getRole() != self.atspi.ROLE_FRAME:
+            way.insert(0, node.getIndexInParent())
+            node = node.parent
+        return way
+
+    def in_reading_order(self, stops):
+        places = [self.place_in_tree(stop) for stop in stops]
+        begin = places.index(min(places))
+        places = places[begin:] + places[:begin]
+        assert places == sorted(places), "Tab does not go in reading order: " + ", ".join(stop.name for stop in stops)
+
+
+def warnings(file):
+    """What QML complained of."""
+    with open(file, encoding="utf-8") as lines:
+        return [line.strip() for line in lines if line.startswith("qrc:") or ".qml:" in line]
+
+
+def walk(program, album, folder, focus, language, text_scale):
+    """Every page of one language and size of text; at how many places Tab stopped."""
+    count = 0
+    complaints = os.path.join(folder, "stderr.txt")
+    for first, names in (("mend", ("mend", "start", *BY_NUMBER)), ("print", ("print",))):
+        environment = preferences(folder, asked=True, voice="screen_reader", language=language, text_scale=text_scale,
+                                  album_folders=[album.folder], last_photo=album.photos[0])
+        with open(complaints, "w", encoding="utf-8") as file:
+            running = subprocess.Popen([program, "--page", first, "--size", "x".join(map(str, WIDE))], env=environment, stderr=file)
+        try:
+            walker = Walker(running, desk.Page(), focus)
+            for name in names:
+                for size in (WIDE, TALL):
+                    walker.shape(size)
+                    walker.go(name)
+                    where = f"{name}, {language}, text {text_scale:g}, {size[0]}x{size[1]}"
+                    walker.awaited(where, lambda: next(walker.usable(), None))
+                    walker.faultless(where)
+                if name != "mend":  # there Tab first goes through all points; tests/app/shell/pages_test.cpp
+                    stops = walker.goes_round()
+                    walker.in_reading_order(stops)
+                    count += len(stops)
+            assert running.poll() is None, "the program has ended"
+        finally:
+            running.terminate()
+            running.wait(timeout=20)
+        assert not warnings(complaints), f"{first}, {language}, text {text_scale:g}: " + "; ".join(warnings(complaints))
+    return count
+
+
+def inner(program, lab, photos):
+    with tempfile.TemporaryDirectory() as folder, desk.Desk():
+        album = Album(lab, photos, folder)
+        album.run("person", "name", "--face", "0.5,0.4,0.4,0.5", album.photos[0], "Anna")
+        focus = Focus()
+        try:
+            for language in LANGUAGES:
+                for text_scale in (1.0, 2.0):
+                    count = walk(program, album, folder, focus, language, text_scale)
+                    print(f"{language}, text {text_scale:g}: Tab stopped {count} times, always in sight and without fault")
+            print("PASS")
+            return 0
+        except AssertionError as fault:
+            print(f"FAIL: {fault}")
+            return 1
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    sys.exit(inner(sys.argv[1], sys.argv[2], sys.argv[3:]) if desk.is_at_a_desk()
+             else desk.at_a_desk(__file__, "xdotool", size="1400x1400", seconds=1180))

@@ -24,6 +24,9 @@ public:
 
     QString complaint;
     bool let_go = false; ///< the person switched the force off
+    /// Whether one force at the handle may follow another after so many seconds, N; for a device that does not limit
+    /// that itself. Empty: 0.1 N in each millisecond, and the slack.
+    std::function<bool(Vec2 before, Vec2 now, double dt)> may_follow;
 
     /// After each tick, `dt` s after the one before.
     void judge(double dt = 0.001) {
@@ -40,8 +43,8 @@ public:
         // One frame may carry the whole of a late tick; the device's own limit holds for each of its
         // milliseconds.
         const double steps = std::max(1.0, std::round(dt / 0.001));
-        say(length(felt) > 2.0 * slack_ && length(felt - felt_) > 0.1 * steps + slack_,
-            "the handle's force changes too fast", length(felt - felt_) / dt);
+        const bool follows = may_follow ? may_follow(felt_, felt, dt) : length(felt - felt_) <= 0.1 * steps + slack_;
+        say(length(felt) > 2.0 * slack_ && !follows, "the handle's force changes too fast", length(felt - felt_) / dt);
         const bool rising = view.gain > gain_ || view.gain >= 1.0;
         say(view.ticks > 1 && !rising && !let_go && std::strlen(sentence(view.fault)) == 0,
             "the force goes and nobody says why", view.gain);

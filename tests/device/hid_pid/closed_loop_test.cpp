@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "closed_loop.hpp"
+#include "../closed_loop/force_judge.hpp"
 #include "stick_bench.hpp"
 
 #include <QTest>
@@ -11,8 +11,7 @@
 #include <vector>
 
 using namespace tp;
-using tp::testing::Judge;
-using tp::testing::line_at;
+using tp::testing::ForceJudge;
 using tp::testing::StickBench;
 
 namespace {
@@ -30,6 +29,9 @@ HandlePlant firm_hand() {
     return hand;
 }
 
+/// 80 mm across, `y` above the middle.
+Contour line_at(double y) { return contour_through("line", {{-40.0, y}, {40.0, y}}, false); }
+
 /// What the smallest step of a stick's force is, of each axis at once, and what a direction of 8 bits is off
 /// by.
 double slack_of(const StickBench& bench) {
@@ -37,11 +39,24 @@ double slack_of(const StickBench& bench) {
     return 0.005 + 2.0 * step + (bench.model.wire().direction_bytes == 1 ? 0.02 : 0.0);
 }
 
+struct StickJudge : ForceJudge {
+    explicit StickJudge(StickBench& bench) : StickJudge(bench, slack_of(bench)) {}
+
+private:
+    StickJudge(StickBench& bench, double slack)
+        : ForceJudge(
+              *bench.loop, bench.can, [&bench] { return bench.model.force(); }, slack) {
+        may_follow = [&bench, slack](Vec2 before, Vec2 now, double dt) {
+            return bench.may_be_felt(before, now, dt, slack);
+        };
+    }
+};
+
 /// A firm hand that the stick has been pulling towards a line for a second.
 struct HeldAboveALine : StickBench {
     explicit HeldAboveALine(const StickWire& wire = open_controller()) : StickBench(wire, firm_hand()) {
         model.place_grip({0.0, 4.0});
-        render({line_at({0, 0}, 0.0)});
+        render({line_at(0.0)});
         run(1.0);
     }
 };
@@ -134,11 +149,11 @@ private slots:
                     plant.damping = 0.3;
                     StickBench bench(wire_of(stick), plant, delay);
                     QVERIFY2(bench.loop, bench.error.c_str());
-                    bench.render({line_at({0, 0}, 0.0)});
+                    bench.render({line_at(0.0)});
                     bench.model.place_grip({0.0, 20.0}); // out of reach until the whole force is let in
                     bench.run(0.6);
                     bench.model.place_grip({0.0, start});
-                    Judge judge(bench, slack_of(bench));
+                    StickJudge judge(bench);
                     bench.after_tick = [&] { judge.judge(); };
                     bench.run(4.0);
                     double swing = 0.0;
@@ -166,18 +181,18 @@ private slots:
         StickBench bench(wire_of(stick), firm_hand());
         QVERIFY2(bench.loop, bench.error.c_str());
         bench.model.place_grip({0.0, 6.0});
-        bench.render({line_at({0, 0}, 4.0), line_at({0, 0}, -4.0)});
+        bench.render({line_at(4.0), line_at(-4.0)});
         bench.run(1.0);
         QCOMPARE(bench.loop->snapshot().contour, 0);
-        Judge judge(bench, slack_of(bench));
+        StickJudge judge(bench);
         bench.after_tick = [&] { judge.judge(); };
         double strongest_up = 0.0;
         double strongest_down = 0.0;
         for (double y = 6.0; y > -6.0; y -= 0.03) { // 30 mm/s
             bench.model.move_hand({0.0, y});
             bench.tick();
-            strongest_up = std::max(strongest_up, bench.felt().y);
-            strongest_down = std::min(strongest_down, bench.felt().y);
+            strongest_up = std::max(strongest_up, bench.model.force().y);
+            strongest_down = std::min(strongest_down, bench.model.force().y);
         }
         QCOMPARE(bench.loop->snapshot().contour, 1);
         QVERIFY(strongest_up > 0.4); // back to the first line, then on to the second
@@ -191,13 +206,13 @@ private slots:
         HeldAboveALine bench;
         QVERIFY2(bench.loop, bench.error.c_str());
         QCOMPARE(bench.model.last_duration, 0xFFFF);
-        const Vec2 held = bench.felt();
+        const Vec2 held = bench.model.force();
         QVERIFY(length(held) > 0.3);
-        Judge judge(bench, slack_of(bench));
+        StickJudge judge(bench);
         double weakest = length(held);
         bench.after_tick = [&] {
             judge.judge();
-            weakest = std::min(weakest, length(bench.felt()));
+            weakest = std::min(weakest, length(bench.model.force()));
         };
         bench.run(150.0);
         QVERIFY2(weakest > 0.95 * length(held), qPrintable(QString::number(weakest)));
@@ -210,7 +225,7 @@ private slots:
         bench.link.troubles.mute = true; // which cannot be told from it
         bench.run(5.0);
         QCOMPARE(bench.loop->snapshot().fault, Fault::none);
-        QVERIFY(length(bench.felt()) > 0.3);
+        QVERIFY(length(bench.model.force()) > 0.3);
     }
 
     void unplugged_in_mid_touch_a_reason_is_said() {
@@ -230,11 +245,11 @@ private slots:
         QVERIFY(bench.loop->snapshot().force() == Vec2(0.0));
         bench.writer_stalled = false;
         bench.run(0.002);
-        QVERIFY(length(bench.felt()) < 0.1);
-        Judge judge(bench, slack_of(bench));
+        QVERIFY(length(bench.model.force()) < 0.1);
+        StickJudge judge(bench);
         bench.after_tick = [&] { judge.judge(); };
         bench.run(1.0);
-        QVERIFY(length(bench.felt()) > 0.3); // it came back, by the ramp
+        QVERIFY(length(bench.model.force()) > 0.3); // it came back, by the ramp
         QVERIFY2(judge.complaint.isEmpty(), qPrintable(judge.complaint));
         QCOMPARE(bench.device.complaint(), std::string());
     }
@@ -245,12 +260,12 @@ private slots:
         bench.run(0.1);
         QCOMPARE(bench.loop->snapshot().fault, Fault::motors_off);
         QVERIFY(bench.device.complaint().find("safety switch") != std::string::npos);
-        QVERIFY(bench.felt() == Vec2(0.0));
+        QVERIFY(bench.model.force() == Vec2(0.0));
         bench.model.troubles.safety_switch = false;
-        Judge judge(bench, slack_of(bench));
+        StickJudge judge(bench);
         bench.after_tick = [&] { judge.judge(); };
         bench.run(1.0);
-        QVERIFY(length(bench.felt()) > 0.3);
+        QVERIFY(length(bench.model.force()) > 0.3);
         QVERIFY2(judge.complaint.isEmpty(), qPrintable(judge.complaint));
     }
 
@@ -262,11 +277,11 @@ private slots:
         QCOMPARE(bench.loop->snapshot().fault, Fault::motors_off);
         QVERIFY(bench.device.complaint().find("switched its motors off") != std::string::npos);
         bench.run(0.1);
-        QVERIFY(length(bench.felt()) < 0.15);
-        Judge judge(bench, slack_of(bench));
+        QVERIFY(length(bench.model.force()) < 0.15);
+        StickJudge judge(bench);
         bench.after_tick = [&] { judge.judge(); };
         bench.run(1.5);
-        QVERIFY(length(bench.felt()) > 0.3);
+        QVERIFY(length(bench.model.force()) > 0.3);
         QVERIFY2(judge.complaint.isEmpty(), qPrintable(judge.complaint));
     }
 
@@ -274,11 +289,11 @@ private slots:
     void stopped_in_mid_touch_nothing_pulls_and_nothing_is_left_on_the_stick() {
         QFETCH(int, stick);
         HeldAboveALine bench(wire_of(stick));
-        QVERIFY(length(bench.felt()) > 0.3);
+        QVERIFY(length(bench.model.force()) > 0.3);
         QCOMPARE(bench.model.effects(), std::size_t(2));
         bench.loop->stop();
         bench.link.advance();
-        QVERIFY(bench.felt() == Vec2(0.0));
+        QVERIFY(bench.model.force() == Vec2(0.0));
         QCOMPARE(bench.model.effects(), std::size_t(0));
     }
 
@@ -287,7 +302,7 @@ private slots:
         bench.writer_stalled = true; // as a writer that hangs while a signal ends the program
         bench.device.halt();
         bench.link.advance();
-        QVERIFY(bench.felt() == Vec2(0.0));
+        QVERIFY(bench.model.force() == Vec2(0.0));
     }
 
     /// Whatever goes wrong, and however much of it at once: no force beyond the limits, no hang, and for
@@ -305,7 +320,7 @@ private slots:
                              static_cast<std::uint32_t>(random()));
             QVERIFY(bench.loop);
             bench.model.place_grip({0.0, 16.0 * share(random) - 8.0});
-            bench.render({line_at({0, 0}, 3.0), line_at({0, 0}, -3.0)});
+            bench.render({line_at(3.0), line_at(-3.0)});
 
             constexpr int ticks = 1000;
             std::vector<StickTrouble> troubles(1 + random() % 4);
@@ -315,7 +330,7 @@ private slots:
                 trouble.until = trouble.from + 1 + static_cast<int>(random() % 200);
                 trouble.size = share(random);
             }
-            Judge judge(bench, slack_of(bench));
+            StickJudge judge(bench);
             for (int tick = 0; tick < ticks && judge.complaint.isEmpty(); ++tick) {
                 double dt = 0.001;
                 for (const StickTrouble& trouble : troubles) {

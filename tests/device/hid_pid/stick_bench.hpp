@@ -93,7 +93,6 @@ struct StickBench {
     StickBench(const StickBench&) = delete;
     StickBench& operator=(const StickBench&) = delete;
 
-    Vec2 felt() const { return model.force(); }
     /// The stick limits nothing itself: it may feel what the chain may send, and what it did not hear of for
     /// a while comes at once. Motors that come on again before anybody could know that they were off pull as
     /// before.

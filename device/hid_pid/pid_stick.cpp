@@ -3,6 +3,7 @@
 
 #include "device/hid_pid/pid_layout.hpp"
 #include "device/hid_pid/report_descriptor.hpp"
+#include "device/open_problem.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -42,6 +43,8 @@ StickMessage unpacked_message(std::uint64_t word) {
     const auto count = [word](int shift) { return static_cast<unsigned>(word >> shift) & count_mask; };
     return {{share(0), share(16)}, {count(32), count(40)}, count(48)};
 }
+
+std::string stick_is_gone() { return sentence(OpenProblem::gone, this_system(), "force stick"); }
 
 int share_of_newtons(double newtons, double newtons_at_full) {
     return static_cast<int>(std::clamp(newtons / newtons_at_full, -1.0, 1.0) * hid::full_share);
@@ -112,7 +115,7 @@ std::string PidStick::put_effects_on_it() {
         if (!control(layout.control.stop_all) || !control(layout.control.reset) ||
             !control(layout.control.enable) ||
             (layout.gain.report.there() && !transport.write(hid::full_gain_report(layout))))
-            return "The force stick was unplugged. Plug it in again.";
+            return stick_is_gone();
         if (attempt > 0 && layout.free.report.there())
             for (std::int64_t block = 1; block <= std::min<std::int64_t>(layout.free.block.most, 255);
                  ++block)
@@ -133,7 +136,7 @@ std::string PidStick::put_effects_on_it() {
         no_force_[i] = hid::force_report(layout, block, 0);
         if (!transport.write(hid::effect_report(layout, block, both_axes[i])) ||
             !transport.write(no_force_[i]) || !transport.write(hid::start_report(layout, block)))
-            return "The force stick was unplugged. Plug it in again.";
+            return stick_is_gone();
     }
     return {};
 }

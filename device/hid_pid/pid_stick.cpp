@@ -141,6 +141,20 @@ std::string PidStick::put_effects_on_it() {
     return {};
 }
 
+void PidStick::take_effects_away() noexcept {
+    const hid::PidLayout& layout = line_->layout;
+    for (const std::uint8_t block : line_->block) {
+        if (block == 0)
+            continue;
+        line_->transport->write(hid::force_report(layout, block, 0));
+        if (layout.operation.stop.there())
+            line_->transport->write(hid::stop_report(layout, block));
+        if (layout.free.report.there())
+            line_->transport->write(hid::free_report(layout, block));
+    }
+    control(layout.control.disable);
+}
+
 Result<Capabilities> PidStick::open() {
     stop();
     Result<std::unique_ptr<PidTransport>> opened = opener_();
@@ -167,6 +181,7 @@ Result<Capabilities> PidStick::open() {
     if (const char* const why = hid::find_layout(descriptor, line_->layout); why != nullptr)
         return unusable(why);
     if (const std::string why = put_effects_on_it(); !why.empty()) {
+        take_effects_away();
         line_->transport.reset();
         return Error{why};
     }
@@ -304,15 +319,8 @@ void PidStick::stop() noexcept {
             transport.write_from_signal(none);
         return;
     }
-    for (std::size_t i = 0; i < 2 && !lost(); ++i) {
-        transport.write(no_force_[i]);
-        if (line_->layout.operation.stop.there())
-            transport.write(hid::stop_report(line_->layout, line_->block[i]));
-        if (line_->layout.free.report.there())
-            transport.write(hid::free_report(line_->layout, line_->block[i]));
-    }
     if (!lost())
-        control(line_->layout.control.disable);
+        take_effects_away();
     line_->transport.reset();
 }
 

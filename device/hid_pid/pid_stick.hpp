@@ -80,6 +80,7 @@ private:
 
     /// Empty where it could be done.
     std::string put_effects_on_it();
+    void take_effects_away() noexcept;
     enum class Loading : std::uint8_t { done, full, refused };
     Loading load_effect(hid::Along along);
     bool control(const hid::Choice& what);

@@ -4,8 +4,11 @@
 #include "device/bus_mutex.hpp"
 #include "device/hid_pid/hid_pid_transport.hpp"
 #include "device/hid_pid/pid_stick.hpp"
+#include "device/hid_pid/stick_scale_file.hpp"
 
+#include <memory>
 #include <mutex>
+#include <string>
 
 namespace tp {
 
@@ -20,8 +23,11 @@ std::vector<PluggedDevice> plugged_sticks() {
                            found.product.empty() ? "force stick" : found.product, found.serial_number,
                            [] { return std::string("hid"); },
                            [open_this, found] {
+                               const std::string& key =
+                                   found.serial_number.empty() ? found.product : found.serial_number;
                                return std::make_unique<PidStick>(
-                                   open_this, PidStick::Identity{found.product, found.serial_number});
+                                   open_this, PidStick::Identity{found.product, found.serial_number},
+                                   kept_stick_scale(stick_scale_file(), key));
                            }});
     }
     return devices;

@@ -148,6 +148,9 @@ private slots:
         const Result<Capabilities> can = stick.device.open();
         QVERIFY(!can.ok());
         QVERIFY2(can.error().find("no room") != std::string::npos, can.error().c_str());
+        stick.link.advance();
+        QCOMPARE(stick.model.effects(), std::size_t(0)); // the one that had room is not left on it
+        QVERIFY(!stick.model.motors_on());
         QVERIFY(!stick.device.write(SafeForce{}));
     }
     void an_effect_that_is_refused_is_said() {

@@ -2991,6 +2991,66 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>This device needs no homing.</source>
         <translation>Dieses Gerät braucht keinen Nullpunkt.</translation>
     </message>
+    <message>
+        <source>The force stick cannot be used: %1.</source>
+        <translation>Der Kraftstick kann nicht benutzt werden: %1.</translation>
+    </message>
+    <message>
+        <source>The force stick does not take up a force. Unplug it and plug it in again.</source>
+        <translation>Der Kraftstick nimmt keine Kraft an. Ziehen Sie ihn ab und stecken Sie ihn wieder an.</translation>
+    </message>
+    <message>
+        <source>The force stick does not take what this computer sends. It goes on by itself when it does.</source>
+        <translation>Der Kraftstick nimmt nicht an, was dieser Computer sendet. Sobald er es wieder tut, geht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>The force stick has no room for a force. Close other programs that use it, unplug it and plug it in again.</source>
+        <translation>Der Kraftstick hat keinen Platz für eine Kraft. Schließen Sie andere Programme, die ihn benutzen, ziehen Sie ihn ab und stecken Sie ihn wieder an.</translation>
+    </message>
+    <message>
+        <source>The force stick has switched its motors off. See that its power supply is plugged in and that no other program uses it.</source>
+        <translation>Der Kraftstick hat seine Motoren abgeschaltet. Sehen Sie nach, ob sein Netzteil angesteckt ist und dass kein anderes Programm ihn benutzt.</translation>
+    </message>
+    <message>
+        <source>The force stick&apos;s safety switch keeps its motors off. Hold the grip as its maker says, or release the switch.</source>
+        <translation>Der Sicherheitsschalter des Kraftsticks hält seine Motoren aus. Halten Sie den Griff so, wie der Hersteller es vorsieht, oder lösen Sie den Schalter.</translation>
+    </message>
+    <message>
+        <source>force stick</source>
+        <translation>Kraftstick</translation>
+    </message>
+    <message>
+        <source>it does not have two axes</source>
+        <translation>er hat keine zwei Achsen</translation>
+    </message>
+    <message>
+        <source>it does not keep its effects itself</source>
+        <translation>er verwaltet seine Effekte nicht selbst</translation>
+    </message>
+    <message>
+        <source>it has no constant force</source>
+        <translation>er kennt keine gleichbleibende Kraft</translation>
+    </message>
+    <message>
+        <source>its effects have no numbers</source>
+        <translation>seine Effekte haben keine Nummern</translation>
+    </message>
+    <message>
+        <source>its force has no direction</source>
+        <translation>seine Kraft hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>its force has no sign</source>
+        <translation>seine Kraft hat kein Vorzeichen</translation>
+    </message>
+    <message>
+        <source>its reports are too long</source>
+        <translation>seine Berichte sind zu lang</translation>
+    </message>
+    <message>
+        <source>what it says of itself makes no sense</source>
+        <translation>was er von sich sagt, ergibt keinen Sinn</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

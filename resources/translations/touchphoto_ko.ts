@@ -2979,6 +2979,66 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>This device needs no homing.</source>
         <translation>이 장치는 기준점을 맞출 필요가 없습니다.</translation>
     </message>
+    <message>
+        <source>The force stick cannot be used: %1.</source>
+        <translation>힘 스틱을 사용할 수 없습니다: %1.</translation>
+    </message>
+    <message>
+        <source>The force stick does not take up a force. Unplug it and plug it in again.</source>
+        <translation>힘 스틱이 힘을 받아들이지 않습니다. 뽑았다가 다시 꽂으십시오.</translation>
+    </message>
+    <message>
+        <source>The force stick does not take what this computer sends. It goes on by itself when it does.</source>
+        <translation>힘 스틱이 이 컴퓨터가 보내는 것을 받지 않습니다. 다시 받으면 저절로 계속됩니다.</translation>
+    </message>
+    <message>
+        <source>The force stick has no room for a force. Close other programs that use it, unplug it and plug it in again.</source>
+        <translation>힘 스틱에 힘을 넣을 자리가 없습니다. 이 장치를 쓰는 다른 프로그램을 닫고, 뽑았다가 다시 꽂으십시오.</translation>
+    </message>
+    <message>
+        <source>The force stick has switched its motors off. See that its power supply is plugged in and that no other program uses it.</source>
+        <translation>힘 스틱이 모터를 껐습니다. 전원 어댑터가 꽂혀 있는지, 다른 프로그램이 사용하고 있지 않은지 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The force stick&apos;s safety switch keeps its motors off. Hold the grip as its maker says, or release the switch.</source>
+        <translation>힘 스틱의 안전 스위치 때문에 모터가 꺼져 있습니다. 제조사가 안내한 대로 손잡이를 잡거나 스위치를 푸십시오.</translation>
+    </message>
+    <message>
+        <source>force stick</source>
+        <translation>힘 스틱</translation>
+    </message>
+    <message>
+        <source>it does not have two axes</source>
+        <translation>축이 두 개가 아닙니다</translation>
+    </message>
+    <message>
+        <source>it does not keep its effects itself</source>
+        <translation>효과를 스스로 관리하지 않습니다</translation>
+    </message>
+    <message>
+        <source>it has no constant force</source>
+        <translation>일정한 힘을 내지 못합니다</translation>
+    </message>
+    <message>
+        <source>its effects have no numbers</source>
+        <translation>효과에 번호가 없습니다</translation>
+    </message>
+    <message>
+        <source>its force has no direction</source>
+        <translation>힘에 방향이 없습니다</translation>
+    </message>
+    <message>
+        <source>its force has no sign</source>
+        <translation>힘에 부호가 없습니다</translation>
+    </message>
+    <message>
+        <source>its reports are too long</source>
+        <translation>보고서가 너무 깁니다</translation>
+    </message>
+    <message>
+        <source>what it says of itself makes no sense</source>
+        <translation>스스로에 대해 알리는 내용이 이치에 맞지 않습니다</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

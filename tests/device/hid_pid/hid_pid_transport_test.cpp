@@ -96,6 +96,10 @@ private:
             constexpr unsigned set_feature = 0x06;
             constexpr unsigned get_feature = 0x07;
             constexpr unsigned get_input = 0x0A;
+            // On a bus a request comes after what was written before it; here they go different ways. The
+            // gain is the last that is written before an effect is asked for.
+            while (_IOC_NR(request) == set_feature && !gain_taken_.load() && !quit_.load())
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
             const std::lock_guard lock(mutex_);
             std::vector<std::uint8_t> told;
             if (_IOC_NR(request) == set_feature)
@@ -154,6 +158,9 @@ private:
         }
         if (!told.empty() && ::write(file_, told.data(), told.size()) != static_cast<ssize_t>(told.size()))
             return;
+        constexpr std::uint8_t gain = 0x0D;
+        if (report[0] == gain)
+            gain_taken_.store(true);
         if (report[0] == model_.wire().constant_force)
             taken_.fetch_add(1);
     }
@@ -164,6 +171,7 @@ private:
     int file_ = -1;
     std::atomic<bool> quit_{false};
     std::atomic<bool> unplug_{false};
+    std::atomic<bool> gain_taken_{false};
     std::atomic<long> taken_{0};
     std::mutex mutex_; ///< of the model
     ModelStick model_;

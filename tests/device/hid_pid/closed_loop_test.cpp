@@ -310,7 +310,7 @@ private slots:
     void random_troubles_never_hurt_data() { all_sticks(); }
     void random_troubles_never_hurt() {
         QFETCH(int, stick);
-        for (int number = 0; number < schedules / 3; ++number) {
+        for (int number = 0; number < (schedules + 2) / 3; ++number) {
             std::mt19937 random(static_cast<unsigned>(number) + 100000u * static_cast<unsigned>(stick));
             std::uniform_real_distribution<double> share(0.0, 1.0);
             HandlePlant plant;

@@ -409,6 +409,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Leaves the face as it is.</source>
         <translation>Lässt das Gesicht, wie es ist.</translation>
     </message>
+    <message>
+        <source>Its name is read as</source>
+        <translation>Der Name wird gelesen als</translation>
+    </message>
+    <message>
+        <source>As the page</source>
+        <translation>Wie die Seite</translation>
+    </message>
 </context>
 <context>
     <name>FingerMarks</name>
@@ -2991,6 +2999,46 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>This device needs no homing.</source>
         <translation>Dieses Gerät braucht keinen Nullpunkt.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; does not say in what language a name is read: %2 Move it away, then choose the language again.</source>
+        <translation>„%1“ sagt nicht, in welcher Sprache ein Name gelesen wird: %2 Verschieben Sie die Datei und wählen Sie die Sprache dann neu.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tag of a language, such as de or pt-BR.</source>
+        <translation>„%1“ ist kein Kürzel einer Sprache wie de oder pt-BR.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; says how the name of %2 is read, and does not have its place.</source>
+        <translation>„%1“ sagt, wie der Name von %2 gelesen wird, und liegt nicht an seinem Platz.</translation>
+    </message>
+    <message>
+        <source>A person needs a name before its language can be chosen.</source>
+        <translation>Eine Person braucht einen Namen, bevor dessen Sprache gewählt werden kann.</translation>
+    </message>
+    <message>
+        <source>The language of the name cannot be kept: %1</source>
+        <translation>Die Sprache des Namens kann nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>its first line is no tag of a language, such as de or pt-BR.</source>
+        <translation>die erste Zeile ist kein Kürzel einer Sprache wie de oder pt-BR.</translation>
+    </message>
+    <message>
+        <source>its second line does not say whose name it is.</source>
+        <translation>die zweite Zeile sagt nicht, wessen Name es ist.</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1</source>
+        <translation>die Sprache des Namens von %1</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1 was chosen</source>
+        <translation>die Sprache des Namens von %1 wurde gewählt</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1 became that of %2</source>
+        <translation>die Sprache des Namens von %1 wurde zu der von %2</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -4253,6 +4301,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>%1 Who is the next face?</source>
         <translation>%1 Wer ist das nächste Gesicht?</translation>
+    </message>
+    <message>
+        <source>Saved: %1 is read as the page is.</source>
+        <translation>Gespeichert: %1 wird gelesen wie die Seite.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. The name is read as %2.</source>
+        <translation>Gespeichert: %1. Der Name wird gelesen als %2.</translation>
     </message>
 </context>
 <context>

@@ -405,6 +405,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Leaves the face as it is.</source>
         <translation>얼굴을 그대로 둡니다.</translation>
     </message>
+    <message>
+        <source>Its name is read as</source>
+        <translation>이름을 읽는 언어</translation>
+    </message>
+    <message>
+        <source>As the page</source>
+        <translation>페이지와 같게</translation>
+    </message>
 </context>
 <context>
     <name>FingerMarks</name>
@@ -2979,6 +2987,46 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>This device needs no homing.</source>
         <translation>이 장치는 기준점을 맞출 필요가 없습니다.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; does not say in what language a name is read: %2 Move it away, then choose the language again.</source>
+        <translation>“%1”에서 이름을 읽는 언어를 알 수 없습니다: %2 파일을 다른 곳으로 옮긴 다음 언어를 다시 고르세요.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tag of a language, such as de or pt-BR.</source>
+        <translation>“%1”은(는) de 나 pt-BR 같은 언어 태그가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; says how the name of %2 is read, and does not have its place.</source>
+        <translation>“%1”은(는) %2의 이름을 읽는 언어를 담고 있지만 제자리에 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>A person needs a name before its language can be chosen.</source>
+        <translation>이름의 언어를 고르려면 먼저 사람의 이름이 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>The language of the name cannot be kept: %1</source>
+        <translation>이름의 언어를 저장할 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>its first line is no tag of a language, such as de or pt-BR.</source>
+        <translation>첫 줄이 de 나 pt-BR 같은 언어 태그가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>its second line does not say whose name it is.</source>
+        <translation>둘째 줄에 누구의 이름인지 적혀 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1</source>
+        <translation>%1의 이름을 읽는 언어</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1 was chosen</source>
+        <translation>%1의 이름을 읽는 언어 선택</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1 became that of %2</source>
+        <translation>%1의 이름을 읽는 언어를 %2의 것으로 바꾸기</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -4224,6 +4272,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>%1 Who is the next face?</source>
         <translation>%1 다음 얼굴은 누구인가요?</translation>
+    </message>
+    <message>
+        <source>Saved: %1 is read as the page is.</source>
+        <translation>저장했습니다: %1, 페이지와 같은 언어로 읽습니다.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. The name is read as %2.</source>
+        <translation>저장했습니다: %1. 이름을 읽는 언어: %2.</translation>
     </message>
 </context>
 <context>

@@ -84,6 +84,7 @@ private slots:
         row("with a digit", "en", "R2 D2 beeps", "fr:R2 D2 |en:beeps");
         row("beyond 16 bits", "en", "𠮷 smiles, a𠮷 too", "ko:𠮷 |en:smiles, a|ko:𠮷 |en:too");
         row("kana after it", "en", "山田さん", "ko:山田|ja:さん");
+        row("kana after a Chinese one", "en", "王小明さん", "zh:王小明|ja:さん");
     }
     void known_names_are_of_their_own_language() {
         const auto name = [](const char* text, const char* language) {
@@ -93,6 +94,7 @@ private slots:
                                 name("Kate", "en-GB"), name("Иван", "bg"),    name("Мирослав", "sr"),
                                 name("Павел", "ru"),   name("Ганс", "de"),    name("R2 D2", "fr"),
                                 name("𠮷", "ko"),      name("山田", "ko"),    name("Luca", "it"),
+                                name("王小明", "zh"),
                                 name("", "fr")};
         QFETCH(QString, language);
         QFETCH(QString, text);

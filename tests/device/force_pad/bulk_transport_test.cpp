@@ -4,6 +4,7 @@
 #include "device/force_pad/hid_transport.hpp"
 #include "device/force_pad/pad_frames.hpp"
 #include "device/registry.hpp"
+#include "device/usb/usb_devices.hpp"
 #include "found_pad_bench.hpp"
 #include "mock_usb.hpp"
 

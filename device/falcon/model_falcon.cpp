@@ -24,15 +24,16 @@ constexpr std::uint64_t begins_after_ms =
 constexpr double mark_angle = 55.0 * std::numbers::pi / 180.0; ///< where an arm learns where it is: far out
 constexpr std::array<double, 3> counts_lost{-700.0, 310.0, 1250.0}; ///< before it was homed
 
-bool reaches(const Place& place) {
-    return place.z > 0.075 && place.z < 0.172 && std::hypot(place.x, place.y) < 0.065 &&
-           angles_at(place).has_value();
+/// Its angles there, where its stops let it go.
+std::optional<Angles> within_stops(const Place& place) {
+    const bool within = place.z > 0.075 && place.z < 0.172 && std::hypot(place.x, place.y) < 0.065;
+    return within ? angles_at(place) : std::nullopt;
 }
 
 } // namespace
 
 ModelFalcon::ModelFalcon(std::vector<std::uint8_t> image, const FalconPlant& plant)
-    : image_(std::move(image)), plant_(plant) {
+    : image_(std::move(image)), plant_(plant), angles_(*angles_at(middle)) {
     if (plant_.units_per_newton_metre == 0.0)
         plant_.units_per_newton_metre = units_per_newton_metre;
     restart();
@@ -54,7 +55,11 @@ void ModelFalcon::run_firmware(bool homed) {
 }
 
 void ModelFalcon::place_grip(const Place& place) {
+    const std::optional<Angles> there = within_stops(place);
+    if (!there)
+        return;
     place_ = place;
+    angles_ = *there;
     hand_ = place;
     velocity_ = glm::dvec3(0.0);
 }
@@ -173,19 +178,17 @@ void ModelFalcon::obey(const Command& command) {
     command_ = command;
     commanded_ms_ = now_ms_;
     Reply reply;
-    if (const std::optional<Angles> angles = angles_at(place_))
-        for (std::size_t i = 0; i < 3; ++i)
-            reply.encoders[i] = static_cast<std::int16_t>(
-                std::lround(counts_of((*angles)[static_cast<int>(i)]) + lost_counts_[i]));
+    for (std::size_t i = 0; i < 3; ++i)
+        reply.encoders[i] =
+            static_cast<std::int16_t>(std::lround(counts_of(angles_[static_cast<int>(i)]) + lost_counts_[i]));
     reply.homed = homed_;
     say(encode(reply));
 }
 
 glm::dvec3 ModelFalcon::pull() const {
-    if (state_ != State::firmware)
+    if (state_ != State::firmware || command_.motors == std::array<std::int16_t, 3>{})
         return glm::dvec3(0.0);
-    const std::optional<Angles> angles = angles_at(place_);
-    const std::optional<glm::dmat3> j = angles ? jacobian(place_, *angles) : std::nullopt;
+    const std::optional<glm::dmat3> j = jacobian(place_, angles_);
     if (!j)
         return glm::dvec3(0.0);
     const glm::dvec3 torque = -glm::dvec3(command_.motors[0], command_.motors[1], command_.motors[2]) /
@@ -211,17 +214,18 @@ void ModelFalcon::move(double dt) {
     const double speed = glm::length(velocity_);
     velocity_ *= speed > 0.0 ? std::max(0.0, speed - dt / plant_.mass * plant_.coulomb) / speed : 0.0;
     const Place next = place_ + dt * velocity_;
-    if (!reaches(next)) { // its stops
+    const std::optional<Angles> there = within_stops(next);
+    if (!there) {
         velocity_ = glm::dvec3(0.0);
         return;
     }
-    if (const std::optional<Angles> before = angles_at(place_))
-        pass_marks(*before, *angles_at(next));
+    pass_marks(angles_, *there);
     place_ = next;
+    angles_ = *there;
 }
 
 void ModelFalcon::step() {
-    constexpr int parts = 4;
+    constexpr int parts = 2;
     ++now_ms_;
     if (state_ == State::starting && now_ms_ >= starts_at_ms_)
         run_firmware(false);

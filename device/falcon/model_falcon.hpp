@@ -46,7 +46,7 @@ public:
     /// As after a program before has loaded it, and a person has homed it or not.
     void run_firmware(bool homed);
 
-    /// Puts the grip there, at rest, m; the hand follows.
+    /// Puts the grip there, at rest, m; the hand follows. A place beyond its stops changes nothing.
     void place_grip(const falcon::Place& place);
     void move_hand(const falcon::Place& place) { hand_ = place; }
     const falcon::Place& grip() const { return place_; }
@@ -107,6 +107,7 @@ private:
 
     // The grip.
     falcon::Place place_ = falcon::middle;
+    falcon::Angles angles_; ///< at place_
     falcon::Place hand_ = falcon::middle;
     glm::dvec3 velocity_{0.0}; ///< m/s
     glm::dvec3 force_{0.0};

@@ -39,8 +39,7 @@ double Pane::force(double share) noexcept {
     const double depth = plane_z - z_;
     double wanted = 0.0;
     if (known_ && depth > 0.0 && share > 0.0)
-        wanted = std::min(share, 1.0) *
-                 std::clamp(stiffness * depth + damping * std::max(0.0, -speed_), 0.0, most);
+        wanted = std::min(share, 1.0) * std::clamp(stiffness * depth - damping * speed_, 0.0, most);
     last_ = std::min(wanted, last_ + most_rise);
     return last_;
 }

@@ -29,7 +29,7 @@ std::array<std::int16_t, 3> motors_for(const glm::dmat3& jacobian, const glm::dv
 class Pane {
 public:
     static constexpr double stiffness = 300.0; ///< N/m: a finger's push of 0.5 N goes in by 1.7 mm
-    static constexpr double damping = 1.0;     ///< N·s/m, only while going in
+    static constexpr double damping = 6.0;     ///< N·s/m, so that what springs out of it does not fly
     static constexpr double most = 1.5;        ///< N, hard
     static constexpr double most_rise = 0.04;  ///< N from one force to the next: 40 N/s at 1 kHz
 

@@ -66,8 +66,6 @@ bool SimulatedFalconLink::write(std::span<const std::uint8_t> bytes) noexcept {
     if (troubles.deaf || happens(troubles.drop))
         return true;
     to_falcon_.push_back({now_ + 1 + delay_ms_, std::vector<std::uint8_t>(bytes.begin(), bytes.end())});
-    if (happens(troubles.garble))
-        garble(to_falcon_.back().bytes);
     return true;
 }
 

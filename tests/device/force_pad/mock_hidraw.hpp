@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "../usb/usb_bed.hpp"
 #include "device/force_pad/protocol/usb.hpp"
 
 // GLib's header has a parameter of this name; hence also before Qt's headers.
@@ -21,16 +22,6 @@ namespace tp::mock {
 inline constexpr const char* hidraw_node = "/dev/hidraw0";
 inline constexpr const char* hidraw_sys_path =
     "/sys/devices/pci0000:00/usb1/1-1/1-1:1.0/0003:1209:0001.0001/hidraw/hidraw0";
-
-inline std::string hexadecimal(const std::uint8_t* bytes, std::size_t count) {
-    constexpr const char* digits = "0123456789ABCDEF";
-    std::string text;
-    for (std::size_t i = 0; i < count; ++i) {
-        text += digits[bytes[i] >> 4];
-        text += digits[bytes[i] & 0xF];
-    }
-    return text;
-}
 
 /// What /sys tells of a HID interface.
 struct HidrawDevice {

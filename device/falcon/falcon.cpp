@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <utility>
 
 namespace tp {
@@ -77,7 +78,7 @@ Falcon::~Falcon() { stop(); }
 
 std::string Falcon::start() {
     const Result<std::vector<std::uint8_t>> image = firmware_();
-    FalconStart start(image.ok() ? *image : std::vector<std::uint8_t>{});
+    FalconStart start(image.ok() ? std::span(*image) : std::span<const std::uint8_t>{});
     constexpr const char* gone = "The Falcon was unplugged while it was started. Plug it in again.";
     while (true) {
         const FalconStart::Step step = start.next();

@@ -206,6 +206,14 @@ void ModelFalcon::pass_marks(const Angles& before, const Angles& after) {
     }
 }
 
+void ModelFalcon::pull_and_push() {
+    for (const double z : {0.165, middle.z}) {
+        const Angles before = angles_;
+        place_grip({0.0, 0.0, z});
+        pass_marks(before, angles_);
+    }
+}
+
 void ModelFalcon::move(double dt) {
     force_ = pull();
     const glm::dvec3 total = force_ + plant_.hand_stiffness * (hand_ - place_) -

@@ -48,6 +48,8 @@ public:
 
     /// Puts the grip there, at rest, m; the hand follows. A place beyond its stops changes nothing.
     void place_grip(const falcon::Place& place);
+    /// A person pulls the grip out as far as it goes and pushes it in again, at once.
+    void pull_and_push();
     void move_hand(const falcon::Place& place) { hand_ = place; }
     const falcon::Place& grip() const { return place_; }
     /// N, what the motors' torques do to the grip in truth.

@@ -213,9 +213,8 @@ std::string start_sentence(FalconStart::Trouble trouble, const std::string& imag
     case FalconStart::Trouble::none:
         return {};
     case FalconStart::Trouble::no_image:
-        return "The Falcon needs its firmware, which its maker does not let this program bring along. Copy "
-               "the file "
-               "that came with it to " +
+        return "The Falcon needs its firmware, which its maker does not let this program bring along. Copy the firmware "
+               "file of its maker's software to " +
                image_file + ".";
     case FalconStart::Trouble::mute_loader:
         return "The Falcon does not answer. See that its power supply is plugged in, unplug its USB cable, "

@@ -19,6 +19,7 @@ void SimulatedFalconLink::garble(std::span<std::uint8_t> bytes) {
 void SimulatedFalconLink::advance() {
     constexpr std::size_t most_waiting = 64; // as the transport keeps of packets that nobody reads
     ++now_;
+    each_ms();
     while (!to_falcon_.empty() && to_falcon_.front().due <= now_) {
         model_.send(to_falcon_.front().bytes);
         to_falcon_.pop_front();

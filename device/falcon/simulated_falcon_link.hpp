@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -38,6 +39,7 @@ public:
     bool write(std::span<const std::uint8_t> bytes) noexcept override;
 
     FalconTroubles troubles;
+    std::function<void()> each_ms = [] {}; ///< what a person does while something waits
 
 private:
     struct ToFalcon {

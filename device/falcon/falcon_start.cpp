@@ -12,25 +12,29 @@ constexpr std::array<std::uint8_t, 3> greeting{0x0A, 0x43, 0x0D};
 constexpr std::array<std::uint8_t, 4> greeting_answer{0x0A, 0x44, 0x2C, 0x0D}; ///< macOS has a 0 before it
 constexpr std::array<std::uint8_t, 1> knock{0x41};                             ///< and the same comes back
 
-constexpr int probes = 5;      ///< of a firmware that may be running
-constexpr int greetings = 100; ///< of a load
-constexpr int knocks = 5;      ///< of a load
-constexpr int proofs = 50;     ///< of a firmware that was just loaded and must first begin
-constexpr int patience =
-    5; ///< packets or silences until something is sent again; a packet comes within 16 ms
-constexpr int chunk_patience = 25; ///< 62 bytes at 142857 baud take 5 ms each way
-constexpr int clear_patience = 20; ///< then it is tried without CTS
+constexpr int probes = 5;       ///< of a firmware that may be running
+constexpr int greetings = 100;  ///< of a load
+constexpr int knocks = 5;       ///< of a load
+constexpr int proofs = 10;      ///< of a firmware that was just loaded and must first begin
+constexpr int patience_ms = 60; ///< until something is sent again; a busy computer is slow, not a Falcon
+constexpr int chunk_patience_ms = 400; ///< 62 bytes at 142857 baud take 5 ms each way
+constexpr int clear_patience_ms = 300; ///< then it is tried without CTS
+constexpr int running_latency_ms = 1;  ///< from one packet to the next, even if nothing is in it
+constexpr int loader_latency_ms = 16;
 
 const std::vector<ftdi::Request>& line_of_a_running_falcon() {
-    static const std::vector<ftdi::Request> requests{ftdi::latency(1),           ftdi::baud_1500000,
-                                                     ftdi::eight_bits_no_parity, ftdi::no_flow_control,
-                                                     ftdi::purge_received,       ftdi::purge_to_send};
+    static const std::vector<ftdi::Request> requests{ftdi::latency(running_latency_ms),
+                                                     ftdi::baud_1500000,
+                                                     ftdi::eight_bits_no_parity,
+                                                     ftdi::no_flow_control,
+                                                     ftdi::purge_received,
+                                                     ftdi::purge_to_send};
     return requests;
 }
 const std::vector<ftdi::Request>& line_of_its_loader() {
     static const std::vector<ftdi::Request> requests{ftdi::purge_received,
                                                      ftdi::purge_to_send,
-                                                     ftdi::latency(16),
+                                                     ftdi::latency(loader_latency_ms),
                                                      ftdi::baud_9600,
                                                      ftdi::eight_bits_no_parity,
                                                      ftdi::no_flow_control,
@@ -74,7 +78,7 @@ void FalconStart::enter(Stage stage) {
     case Stage::clearing:
         line(line_of_a_load());
         asks_left_ = 0;
-        patience_left_ = clear_patience;
+        patience_left_ms_ = clear_patience_ms;
         clear_ = false;
         to_send_ = false;
         return;
@@ -99,7 +103,7 @@ void FalconStart::ask() {
     --asks_left_;
     to_send_ = true;
     got_.clear();
-    patience_left_ = stage_ == Stage::loading ? chunk_patience : patience;
+    patience_left_ms_ = stage_ == Stage::loading ? chunk_patience_ms : patience_ms;
 }
 
 void FalconStart::again(Trouble trouble) {
@@ -185,11 +189,14 @@ void FalconStart::heard(std::span<const std::uint8_t> payload, bool clear_to_sen
     const int loads_before = loads_;
     judge();
     if (stage_ == before && loaded_ == loaded_before && loads_ == loads_before)
-        silence();
+        wait(stage_ == Stage::probing || stage_ == Stage::proving ? running_latency_ms : loader_latency_ms);
 }
 
-void FalconStart::silence() {
-    if (stage_ == Stage::running || stage_ == Stage::failed || --patience_left_ > 0)
+void FalconStart::silence() { wait(listen_ms); }
+
+void FalconStart::wait(int ms) {
+    patience_left_ms_ -= ms;
+    if (stage_ == Stage::running || stage_ == Stage::failed || patience_left_ms_ > 0)
         return;
     if (asks_left_ > 0)
         return ask();
@@ -213,7 +220,8 @@ std::string start_sentence(FalconStart::Trouble trouble, const std::string& imag
     case FalconStart::Trouble::none:
         return {};
     case FalconStart::Trouble::no_image:
-        return "The Falcon needs its firmware, which its maker does not let this program bring along. Copy the firmware "
+        return "The Falcon needs its firmware, which its maker does not let this program bring along. Copy "
+               "the firmware "
                "file of its maker's software to " +
                image_file + ".";
     case FalconStart::Trouble::mute_loader:

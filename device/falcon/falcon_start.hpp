@@ -62,13 +62,14 @@ private:
     void again(Trouble trouble);
     void ask();
     void judge();
+    void wait(int ms);
 
     std::span<const std::uint8_t> image_;
     Stage stage_ = Stage::probing;
     std::vector<ftdi::Request> requests_; ///< of the stage, still to be made, last first
     bool to_send_ = false;
-    int asks_left_ = 0;     ///< times that what the stage sends may be sent
-    int patience_left_ = 0; ///< packets or silences until it is sent again
+    int asks_left_ = 0;        ///< times that what the stage sends may be sent
+    int patience_left_ms_ = 0; ///< until it is sent again
     Packet probe_;
     PacketStream stream_;
     bool answered_ = false;

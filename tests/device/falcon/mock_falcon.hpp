@@ -67,7 +67,7 @@ private:
             static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(now - last_).count());
         if (due > 0)
             last_ = now;
-        for (due = std::min(due, 50); due > 0; --due) {
+        for (due = std::min(due, 10); due > 0; --due) {
             model_.step();
             UsbPacket packet;
             while (model_.packet(packet)) {

@@ -95,7 +95,7 @@ private slots:
     void an_image_goes_in_chunks_that_come_back_in_a_packet() {
         Bench bench;
         FalconStart start(bench.image);
-        for (int i = 0; i < 5 * 5; ++i) { // nobody answers: it is not running
+        for (int i = 0; i < 5 * 3; ++i) { // nobody answers: it is not running
             while (start.next().what != What::listen) {
             }
             start.silence();
@@ -168,7 +168,7 @@ private slots:
         QTest::addColumn<int>("way");
         QTest::addColumn<int>("trouble");
         QTest::addColumn<QString>("says");
-        QTest::newRow("no image") << 0 << static_cast<int>(Trouble::no_image) << "Copy the file";
+        QTest::newRow("no image") << 0 << static_cast<int>(Trouble::no_image) << "Copy the firmware file";
         QTest::newRow("the loader is mute") << 1 << static_cast<int>(Trouble::mute_loader) << "power supply";
         QTest::newRow("every load breaks") << 2 << static_cast<int>(Trouble::broken_load) << "not into a hub";
         QTest::newRow("it loads and is dead")

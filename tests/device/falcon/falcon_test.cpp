@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/servo/safety_chain.hpp"
 #include "device/falcon/falcon.hpp"
 #include "falcon_bench.hpp"
 
@@ -221,6 +222,33 @@ private slots:
         for (int i = 0; i < 50; ++i) // drawn out quickly, still behind the plane
             pane.feed(time += 0.001, falcon::plane_z - 0.05 + 0.001 * i);
         QCOMPARE(pane.force(1.0), 0.0);
+    }
+
+    void without_places_its_motors_go_off_even_where_the_servo_does_not_notice() {
+        Bench bench;
+        bench.model.run_firmware(true);
+        const Result<Capabilities> can = bench.device.open();
+        QVERIFY2(can.ok(), can.error().c_str());
+        bench.idle();
+        SafetyChain chain(SafetyLimits{}, *can, 0.001);
+        SafetyInput input;
+        input.fresh = true;
+        input.force = {1.0, 0.0};
+        chain.engage(0.0);
+        const auto tick = [&] {
+            bench.device.read(input.now += 0.001);
+            bench.device.write(chain.pass(input));
+            bench.device.deliver();
+            bench.link.advance();
+        };
+        constexpr std::array<std::int16_t, 3> none{};
+        for (int i = 0; i < 600; ++i)
+            tick();
+        QVERIFY(bench.model.command().motors != none);
+        bench.link.troubles.mute = true;
+        for (int i = 0; i < Falcon::most_unanswered + 5; ++i)
+            tick();
+        QVERIFY(bench.model.command().motors == none);
     }
 
     void its_writer_may_have_a_thread_of_its_own() {

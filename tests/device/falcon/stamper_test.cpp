@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 

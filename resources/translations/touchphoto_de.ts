@@ -3051,6 +3051,46 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>what it says of itself makes no sense</source>
         <translation>was er von sich sagt, ergibt keinen Sinn</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not the firmware of a Falcon: it is too small. Copy the right file there.</source>
+        <translation>„%1“ ist nicht die Firmware eines Falcon: Die Datei ist zu klein. Kopieren Sie die richtige Datei dorthin.</translation>
+    </message>
+    <message>
+        <source>Novint Falcon</source>
+        <translation>Novint Falcon</translation>
+    </message>
+    <message>
+        <source>The Falcon did not take its firmware, though it was tried again and again. Plug its USB cable into this computer itself, not into a hub, and try once more.</source>
+        <translation>Der Falcon hat seine Firmware nicht angenommen, obwohl es immer wieder versucht wurde. Stecken Sie das USB-Kabel direkt in diesen Computer, nicht in einen Verteiler, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. See that it is plugged in and has power, and try again.</source>
+        <translation>Der Falcon antwortet nicht. Sehen Sie nach, ob er angesteckt ist und Strom hat, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. See that its power supply is plugged in, unplug its USB cable, plug it in again and try once more.</source>
+        <translation>Der Falcon antwortet nicht. Sehen Sie nach, ob sein Netzteil angesteckt ist, stecken Sie das USB-Kabel ab und wieder an, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not know where its grip is. Home it: pull the grip out as far as it goes, then push it in.</source>
+        <translation>Der Falcon weiß nicht, wo sein Griff ist. Setzen Sie seinen Nullpunkt: Ziehen Sie den Griff heraus, so weit er geht, und schieben Sie ihn dann hinein.</translation>
+    </message>
+    <message>
+        <source>The Falcon is not homed yet. Home it again, and while its light is blue pull the grip out as far as it goes, then push it in.</source>
+        <translation>Der Nullpunkt des Falcon ist noch nicht gesetzt. Setzen Sie ihn noch einmal, und ziehen Sie, solange das Licht blau ist, den Griff heraus, so weit er geht, und schieben Sie ihn dann hinein.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware, which its maker does not let this program bring along. Copy the firmware file of its maker&apos;s software to %1.</source>
+        <translation>Der Falcon braucht seine Firmware, die dieses Programm nicht mitbringen darf. Kopieren Sie die Firmware-Datei aus der Software des Herstellers nach %1.</translation>
+    </message>
+    <message>
+        <source>The Falcon took its firmware and does not answer. Perhaps %1 is not the firmware of a Falcon.</source>
+        <translation>Der Falcon hat seine Firmware angenommen und antwortet nicht. Vielleicht ist %1 nicht die Firmware eines Falcon.</translation>
+    </message>
+    <message>
+        <source>The Falcon was unplugged while it was started. Plug it in again.</source>
+        <translation>Der Falcon wurde beim Starten abgesteckt. Stecken Sie ihn wieder an.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

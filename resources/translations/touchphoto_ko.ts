@@ -3039,6 +3039,46 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>what it says of itself makes no sense</source>
         <translation>스스로에 대해 알리는 내용이 이치에 맞지 않습니다</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not the firmware of a Falcon: it is too small. Copy the right file there.</source>
+        <translation>“%1”은(는) 팰컨의 펌웨어가 아닙니다. 파일이 너무 작습니다. 올바른 파일을 그곳에 복사하세요.</translation>
+    </message>
+    <message>
+        <source>Novint Falcon</source>
+        <translation>노빈트 팰컨</translation>
+    </message>
+    <message>
+        <source>The Falcon did not take its firmware, though it was tried again and again. Plug its USB cable into this computer itself, not into a hub, and try once more.</source>
+        <translation>여러 번 시도했지만 팰컨이 펌웨어를 받지 않았습니다. USB 케이블을 허브가 아니라 이 컴퓨터에 직접 꽂고 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. See that it is plugged in and has power, and try again.</source>
+        <translation>팰컨이 응답하지 않습니다. 연결되어 있고 전원이 들어오는지 확인한 뒤 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. See that its power supply is plugged in, unplug its USB cable, plug it in again and try once more.</source>
+        <translation>팰컨이 응답하지 않습니다. 전원 어댑터가 꽂혀 있는지 확인하고 USB 케이블을 뽑았다가 다시 꽂은 뒤 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not know where its grip is. Home it: pull the grip out as far as it goes, then push it in.</source>
+        <translation>팰컨이 손잡이의 위치를 모릅니다. 기준점을 잡으세요. 손잡이를 끝까지 당겼다가 밀어 넣으세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon is not homed yet. Home it again, and while its light is blue pull the grip out as far as it goes, then push it in.</source>
+        <translation>팰컨의 기준점이 아직 잡히지 않았습니다. 다시 기준점을 잡고, 불빛이 파란색인 동안 손잡이를 끝까지 당겼다가 밀어 넣으세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware, which its maker does not let this program bring along. Copy the firmware file of its maker&apos;s software to %1.</source>
+        <translation>팰컨에는 펌웨어가 필요하지만 제조사가 이 프로그램에 넣는 것을 허락하지 않습니다. 제조사 소프트웨어의 펌웨어 파일을 %1(으)로 복사하세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon took its firmware and does not answer. Perhaps %1 is not the firmware of a Falcon.</source>
+        <translation>팰컨이 펌웨어를 받았지만 응답하지 않습니다. %1이(가) 팰컨의 펌웨어가 아닐 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The Falcon was unplugged while it was started. Plug it in again.</source>
+        <translation>팰컨을 시작하는 동안 연결이 끊어졌습니다. 다시 연결하세요.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -3051,6 +3051,62 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>what it says of itself makes no sense</source>
         <translation>was er von sich sagt, ergibt keinen Sinn</translation>
     </message>
+    <message>
+        <source>Another program or the system keeps the %1 from this one. Close other programs that use it, unplug it and plug it in again.</source>
+        <translation>Ein anderes Programm oder das System gibt das Gerät „%1“ nicht frei. Schließen Sie andere Programme, die es benutzen, ziehen Sie es ab und stecken Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>Arduino board: a Haply 2diy of the first generation?</source>
+        <translation>Arduino-Platine: ein Haply 2diy der ersten Generation?</translation>
+    </message>
+    <message>
+        <source>Arduino board: a Haply 2diy of the third generation?</source>
+        <translation>Arduino-Platine: ein Haply 2diy der dritten Generation?</translation>
+    </message>
+    <message>
+        <source>The %1 cannot be used on this system yet: nothing would watch over its motors here.</source>
+        <translation>Das Gerät „%1“ lässt sich auf diesem System noch nicht benutzen: Nichts würde hier über seine Motoren wachen.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy could not be homed. See that it is plugged in and switched on, and try again.</source>
+        <translation>Der Nullpunkt des Haply 2diy konnte nicht gesetzt werden. Sehen Sie nach, ob er angesteckt und eingeschaltet ist, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy does not know where its arms are. Put both arms on their marks and home it.</source>
+        <translation>Der Haply 2diy weiß nicht, wo seine Arme sind. Stellen Sie beide Arme auf ihre Marken, und setzen Sie dann den Nullpunkt des Geräts.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy lost count of where its arms are. Put both arms on their marks and home it.</source>
+        <translation>Der Haply 2diy weiß nicht mehr, wo seine Arme sind. Stellen Sie beide Arme auf ihre Marken, und setzen Sie dann den Nullpunkt des Geräts.</translation>
+    </message>
+    <message>
+        <source>The device at the serial port does not answer like a Haply 2diy. Switch it on, unplug it and plug it in again; if it is no Haply 2diy, choose another device.</source>
+        <translation>Das Gerät am seriellen Anschluss antwortet nicht wie ein Haply 2diy. Schalten Sie es ein, ziehen Sie es ab und stecken Sie es wieder an; wenn es kein Haply 2diy ist, wählen Sie ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because nothing would watch over its motors on this system.</source>
+        <translation>Das Gerät bleibt aus, weil auf diesem System nichts über seine Motoren wachen würde.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, does not start. Install TouchPhoto again.</source>
+        <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-torque-guard, nicht startet. Installieren Sie TouchPhoto neu.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, is not beside this one. Install TouchPhoto again.</source>
+        <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-torque-guard, nicht neben diesem liegt. Installieren Sie TouchPhoto neu.</translation>
+    </message>
+    <message>
+        <source>The program that watches over the motors of the Haply 2diy has ended, so they stay off. Start the device again.</source>
+        <translation>Das Programm, das über die Motoren des Haply 2diy wacht, hat geendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
+    </message>
+    <message>
+        <source>This computer has no room for the program that watches over the motors. Close other programs and try again.</source>
+        <translation>Auf diesem Computer ist kein Platz für das Programm, das über die Motoren wacht. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again; or have yourself added to the group dialout and log in again.</source>
+        <translation>Sie dürfen das Gerät „%1“ noch nicht benutzen. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie das Gerät dann ab und stecken Sie es wieder an; oder lassen Sie sich in die Gruppe dialout aufnehmen und melden Sie sich neu an.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

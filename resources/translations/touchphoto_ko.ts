@@ -3039,6 +3039,62 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>what it says of itself makes no sense</source>
         <translation>스스로에 대해 알리는 내용이 이치에 맞지 않습니다</translation>
     </message>
+    <message>
+        <source>Another program or the system keeps the %1 from this one. Close other programs that use it, unplug it and plug it in again.</source>
+        <translation>다른 프로그램이나 시스템이 %1 장치를 놓아주지 않습니다. 그 장치를 쓰는 다른 프로그램을 닫고, 장치를 뽑았다가 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>Arduino board: a Haply 2diy of the first generation?</source>
+        <translation>아두이노 보드: 1세대 Haply 2diy인가요?</translation>
+    </message>
+    <message>
+        <source>Arduino board: a Haply 2diy of the third generation?</source>
+        <translation>아두이노 보드: 3세대 Haply 2diy인가요?</translation>
+    </message>
+    <message>
+        <source>The %1 cannot be used on this system yet: nothing would watch over its motors here.</source>
+        <translation>%1 장치는 아직 이 시스템에서 쓸 수 없습니다. 여기서는 그 모터를 지켜볼 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy could not be homed. See that it is plugged in and switched on, and try again.</source>
+        <translation>Haply 2diy의 기준점을 잡지 못했습니다. 꽂혀 있고 켜져 있는지 확인하고 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy does not know where its arms are. Put both arms on their marks and home it.</source>
+        <translation>Haply 2diy가 팔의 위치를 모릅니다. 두 팔을 표시에 맞추고 기준점을 잡으세요.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy lost count of where its arms are. Put both arms on their marks and home it.</source>
+        <translation>Haply 2diy가 팔의 위치를 놓쳤습니다. 두 팔을 표시에 맞추고 기준점을 잡으세요.</translation>
+    </message>
+    <message>
+        <source>The device at the serial port does not answer like a Haply 2diy. Switch it on, unplug it and plug it in again; if it is no Haply 2diy, choose another device.</source>
+        <translation>직렬 포트의 장치가 Haply 2diy처럼 응답하지 않습니다. 장치를 켜고, 뽑았다가 다시 꽂으세요. Haply 2diy가 아니면 다른 장치를 고르세요.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because nothing would watch over its motors on this system.</source>
+        <translation>이 시스템에는 모터를 지켜볼 것이 없어서 장치를 켜지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, does not start. Install TouchPhoto again.</source>
+        <translation>모터를 지켜보는 프로그램 touchphoto-torque-guard가 시작되지 않아서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, is not beside this one. Install TouchPhoto again.</source>
+        <translation>모터를 지켜보는 프로그램 touchphoto-torque-guard가 이 프로그램 옆에 없어서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
+    </message>
+    <message>
+        <source>The program that watches over the motors of the Haply 2diy has ended, so they stay off. Start the device again.</source>
+        <translation>Haply 2diy의 모터를 지켜보는 프로그램이 끝나서 모터를 켜지 않습니다. 장치를 다시 시작하세요.</translation>
+    </message>
+    <message>
+        <source>This computer has no room for the program that watches over the motors. Close other programs and try again.</source>
+        <translation>이 컴퓨터에는 모터를 지켜보는 프로그램을 실행할 여유가 없습니다. 다른 프로그램을 닫고 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again; or have yourself added to the group dialout and log in again.</source>
+        <translation>아직 %1 장치를 쓸 권한이 없습니다. resources/udev/70-touchphoto.rules를 /etc/udev/rules.d에 복사한 다음 장치를 뽑았다가 다시 꽂으세요. 또는 dialout 그룹에 추가해 달라고 하고 다시 로그인하세요.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

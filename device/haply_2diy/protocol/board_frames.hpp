@@ -41,6 +41,8 @@ struct SetUpBytes {
     std::array<std::uint8_t, 46> bytes{};
     std::size_t size = 0;
     std::span<const std::uint8_t> view() const { return {bytes.data(), size}; }
+    const std::uint8_t* begin() const { return bytes.data(); }
+    const std::uint8_t* end() const { return bytes.data() + size; }
 };
 SetUpBytes encode(const SetUp& set_up);
 /// How long a set-up is that begins with these bytes, as the board reads it (with pins too); none before that
@@ -83,6 +85,8 @@ struct ResynchronisationBytes {
     std::array<std::uint8_t, 640> bytes{};
     std::size_t size = 0;
     std::span<const std::uint8_t> view() const { return {bytes.data(), size}; }
+    const std::uint8_t* begin() const { return bytes.data(); }
+    const std::uint8_t* end() const { return bytes.data() + size; }
 };
 ResynchronisationBytes resynchronisation(const SetUp& set_up, unsigned round);
 

@@ -55,7 +55,7 @@ std::string complaint_about_board_bytes(std::string_view text) {
     const Pantograph arms(HaplyGeneration::third);
     const SetUp set_up = arms.set_up(arms.reference_deg());
     ModelBoard board(HaplyGeneration::third);
-    for (const std::uint8_t byte : encode(set_up).view())
+    for (const std::uint8_t byte : encode(set_up))
         board.receive(byte);
     for (const std::uint8_t byte : bytes) {
         board.receive(byte);
@@ -66,7 +66,7 @@ std::string complaint_about_board_bytes(std::string_view text) {
     const auto wanted = encode(arms.reply_of(arms.reference_deg()));
     for (unsigned round = 0; round < most_rounds; ++round) {
         board.sent().clear();
-        for (const std::uint8_t byte : resynchronisation(set_up, round).view())
+        for (const std::uint8_t byte : resynchronisation(set_up, round))
             board.receive(byte);
         const std::vector<std::uint8_t> answer(board.sent().begin(), board.sent().end());
         if (answer.size() >= reply_size && same(std::span(answer).last(reply_size), wanted) &&

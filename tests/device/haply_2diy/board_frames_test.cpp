@@ -36,7 +36,7 @@ float any_angle(std::mt19937& random) {
 ModelBoard pulling(const Command& command) {
     const Pantograph arms(HaplyGeneration::third);
     ModelBoard board(HaplyGeneration::third);
-    for (const std::uint8_t byte : encode(arms.set_up(arms.reference_deg())).view())
+    for (const std::uint8_t byte : encode(arms.set_up(arms.reference_deg())))
         board.receive(byte);
     for (const std::uint8_t byte : encode(command))
         board.receive(byte);
@@ -200,7 +200,7 @@ private slots:
             };
             for (board.sent().clear(); round < 4 && !in_step(); ++round) {
                 board.sent().clear();
-                for (const std::uint8_t byte : resynchronisation(set_up, round).view())
+                for (const std::uint8_t byte : resynchronisation(set_up, round))
                     board.receive(byte);
             }
             QVERIFY2(in_step() && round == 1,

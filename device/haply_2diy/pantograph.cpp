@@ -132,21 +132,21 @@ std::array<double, 2> Pantograph::torques_of(const haply::Command& command) cons
 Vec2 Pantograph::middle() const { return {0.5 * base_, 100.0}; }
 
 std::vector<Vec2> Pantograph::workspace() const {
-    constexpr int corners = 72;
-    constexpr double stride = 0.25;    // mm
-    constexpr double nearest_y = 15.0; // the motors themselves stand there
+    constexpr int corners = 120;
+    constexpr double nearest_y = 15.0; // mm; the motors themselves stand there
+    const auto fits = [this](Vec2 place) {
+        const auto angles = angles_at(place);
+        const auto pose = angles ? pose_at(*angles) : std::nullopt;
+        return pose && pose->condition < greatest_condition && place.y >= nearest_y;
+    };
     std::vector<Vec2> outline;
     for (int i = 0; i < corners; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / corners;
         const Vec2 way(std::cos(angle), std::sin(angle));
         double reach = 0.0;
-        for (;; reach += stride) {
-            const Vec2 place = middle() + (reach + stride) * way;
-            const auto angles = angles_at(place);
-            const auto pose = angles ? pose_at(*angles) : std::nullopt;
-            if (!pose || !(pose->condition < greatest_condition) || place.y < nearest_y)
-                break;
-        }
+        for (double stride = 2.0; stride > 0.1; stride *= 0.5) // mm
+            while (fits(middle() + (reach + stride) * way))
+                reach += stride;
         outline.push_back(middle() + reach * way);
     }
     return outline;

@@ -134,7 +134,7 @@ private slots:
         for (int i = 0; i < 2000; ++i) {
             const std::array<double, 2> angles = *arms.angles_at(any_place(random, arms, outline));
             const double way = 1e-3 * static_cast<double>(random() % 6283);
-            const Vec2 force(20.0 * std::cos(way), 20.0 * std::sin(way));
+            const Vec2 force(60.0 * std::cos(way), 60.0 * std::sin(way));
             const std::array<double, 2> torque = arms.torques(angles, force);
             const std::array<double, 2> small = arms.torques(angles, 1e-3 * force);
             QVERIFY(std::max(std::abs(torque[0]), std::abs(torque[1])) <= Pantograph::greatest_torque);

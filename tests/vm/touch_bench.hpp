@@ -89,6 +89,10 @@ public:
         toucher_.kill();
         toucher_.waitForFinished(-1);
     }
+    void terminate_toucher() {
+        toucher_.terminate();
+        toucher_.waitForFinished(-1);
+    }
     /// The whole force is let in, and the device pulls its handle.
     bool pulls() {
         const auto by_both = [this] {

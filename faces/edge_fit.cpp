@@ -4,6 +4,7 @@
 #include "faces/edge_profile.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace tp {
 namespace {

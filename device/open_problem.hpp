@@ -8,8 +8,9 @@ namespace tp {
 /// Why a device that is plugged in cannot be opened.
 enum class OpenProblem {
     permission,
-    wrong_driver,     ///< of a HID device
-    wrong_usb_driver, ///< of a device that is used through libusb
+    serial_permission, ///< of a serial port
+    wrong_driver,      ///< of a HID device
+    wrong_usb_driver,  ///< of a device that is used through libusb
     busy,
     gone,
     other,

@@ -91,6 +91,13 @@ std::optional<Points> placed(Points offsets, const Crop& crop) {
     return offsets;
 }
 
+double mean_of(const std::vector<double>& values, PointRange range) {
+    double sum = 0.0;
+    for (std::size_t i = range.begin; i < range.end; ++i)
+        sum += values[i];
+    return sum / static_cast<double>(range.size());
+}
+
 Iris iris_at(const Points& points, std::size_t which) {
     const Vec2 centre = points[net_points::irises.begin + which];
     return {centre, length(points[net_points::rims.begin + which] - centre)};
@@ -131,17 +138,16 @@ std::optional<ContourNets::BothWays> ContourNets::look_both_ways(cv::dnn::Net& n
     cv::Mat mirrored;
     cv::flip(crop.pixels, mirrored, 1);
     const Points other = answer(net, mirrored);
-    double apart = 0.0;
+    std::vector<double> apart;
     for (std::size_t i = 0; i < offsets.size(); ++i) {
         const Vec2 back = Vec2(-1.0, 1.0) * other[in_mirror(first + i) - first];
-        apart += length(offsets[i] - back);
+        apart.push_back(frame.side * length(offsets[i] - back));
         offsets[i] = 0.5 * (offsets[i] + back);
     }
-    const double between_mirrors = apart / static_cast<double>(offsets.size());
     auto points = placed(std::move(offsets), crop);
     if (!points)
         return std::nullopt;
-    return BothWays{std::move(*points), between_mirrors};
+    return BothWays{std::move(*points), std::move(apart)};
 }
 
 std::optional<Landmarks> ContourNets::locate(const cv::Mat& picture, const Detection& face) {
@@ -157,8 +163,8 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
     const auto coarse = look(face_, picture, face_frame(face), face_px);
     if (!coarse || coarse->size() != all.size())
         return std::nullopt;
-    const auto seen =
-        look_both_ways(face_, picture, face_frame(*coarse, windowed, face_by_points), face_px, 0);
+    const CropFrame face_window = face_frame(*coarse, windowed, face_by_points);
+    const auto seen = look_both_ways(face_, picture, face_window, face_px, 0);
     if (!seen)
         return std::nullopt;
     const Points& fine = seen->points;
@@ -177,8 +183,9 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
     Landmarks found;
     found.right_eye = *right_eye_close;
     found.left_eye = *left_eye_close;
-    found.outer_lip = part(lips_close->points, {0, outer_lip.size()});
-    found.inner_lip = part(lips_close->points, {outer_lip.size(), lips.size()});
+    const PointRange outer{0, outer_lip.size()}, inner{outer_lip.size(), lips.size()};
+    found.outer_lip = part(lips_close->points, outer);
+    found.inner_lip = part(lips_close->points, inner);
     found.outline = outline_close->points;
     found.right_brow = part(fine, right_brow);
     found.left_brow = part(fine, left_brow);
@@ -194,9 +201,12 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
         if (f != at_outline)
             found.between_nets_px[f] = moved_px(fine, closer, features[f]);
     }
+    found.between_mirrors_px = {mean_of(seen->apart, right_eye), mean_of(seen->apart, left_eye),
+                                mean_of(lips_close->apart, outer), mean_of(lips_close->apart, inner),
+                                mean_of(outline_close->apart, {0, outline.size()})};
     found.between_nets_px[at_outline] = off_line_px(found.outline, part(fine, outline));
-    found.confidence = confidence_of(
-        found, {between_passes, disagreement(part(fine, {0, lips.end}), closer), seen->between_mirrors});
+    found.confidence = confidence_of(found, {between_passes, disagreement(part(fine, {0, lips.end}), closer),
+                                             mean_of(seen->apart, all) / face_window.side});
     return found;
 }
 

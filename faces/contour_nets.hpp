@@ -22,8 +22,8 @@ private:
 
     /// What a look at a window and its mirror image shows.
     struct BothWays {
-        Points points;                ///< means of both, px of the picture
-        double between_mirrors = 0.0; ///< mean distance, of the window's side
+        Points points;             ///< means of both, px of the picture
+        std::vector<double> apart; ///< distance between both, px of the picture
     };
 
     std::optional<Landmarks> locate_in(const cv::Mat& picture, const Detection& face);

@@ -4,6 +4,7 @@
 #include "faces/edge_profile.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace tp {
 namespace {
@@ -47,11 +48,12 @@ FaceLines on_edges(const cv::Mat& picture, FaceLines lines, EdgeReports* reports
         lines.outer_lip = fitted(lines.outer_lip, at_outer_lower_lip, at_outer_upper_lip, found.outer_lip);
         const double gap = 100.0 * lines.inner_lip.mean_gap() / unit_px;
         Opening inner = lines.inner_lip;
-        if (gap < 2.0 * open_percent)
+        if (gap < open_from_percent)
             inner = fitted(lines.inner_lip, at_shut_lower_lip, at_shut_upper_lip, found.inner_lip);
         if (gap >= open_percent && 100.0 * inner.mean_gap() / unit_px > one_line_percent)
             inner = fitted(lines.inner_lip, at_open_lower_lip, at_open_upper_lip, found.inner_lip);
-        lines.inner_lip = std::move(inner);
+        if (gap < shut_below_percent || gap >= open_from_percent)
+            lines.inner_lip = std::move(inner);
     }
     if (reports)
         *reports = found;

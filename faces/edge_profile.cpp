@@ -2,8 +2,7 @@
 #include "faces/edge_profile.hpp"
 
 #include "core/geometry/polyline.hpp"
-
-#include <opencv2/imgproc.hpp>
+#include "faces/block_means.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +11,7 @@ namespace tp {
 namespace {
 
 constexpr double step_percent = 0.2, reach_percent = 5.0; ///< of the offsets at which an edge is sought
-constexpr double px_per_step = 1.0;  ///< of the picture as it is looked at, where the original has more
+constexpr double px_per_step = 1.0;  ///< at least, of the picture as it is looked at, where it has as many
 constexpr double kernel_reach = 3.5; ///< deviations
 constexpr int filter_reach = static_cast<int>(kernel_reach * coarse_percent / step_percent) + 1; ///< steps
 constexpr std::size_t taps = 2 * static_cast<std::size_t>(filter_reach) + 1;
@@ -22,7 +21,8 @@ constexpr std::size_t sample_count = offset_count + taps - 1;
 /// Brightness and redness of the part of a picture round some points, looked up between its pixels.
 class Tones {
 public:
-    Tones(const cv::Mat& picture, Rect around, double most_zoom) {
+    /// Where it will be looked up at places `px_apart`, in larger pixels: means of blocks.
+    Tones(const cv::Mat& picture, Rect around, double px_apart) {
         const auto clipped = [](double at, int end) {
             return static_cast<int>(std::clamp(std::isfinite(at) ? at : 0.0, 0.0, double(end)));
         };
@@ -32,16 +32,11 @@ public:
         const int bottom = std::max(clipped(std::ceil(around.max.y) + 1.0, picture.rows), top + 1);
         const cv::Rect window(left, top, right - left, bottom - top);
         origin_ = Vec2(left, top);
-        pixels_ = picture(window);
-        if (most_zoom < 1.0) {
-            const auto shrunk = [&](int side) {
-                return std::max(1, static_cast<int>(std::ceil(side * most_zoom)));
-            };
-            cv::Mat small;
-            cv::resize(pixels_, small, {shrunk(window.width), shrunk(window.height)}, 0, 0, cv::INTER_AREA);
-            zoom_ = Vec2(small.cols, small.rows) / Vec2(window.width, window.height);
-            pixels_ = small;
-        }
+        const double blocks = std::isfinite(px_apart) ? px_apart / px_per_step : 1.0;
+        const int by =
+            static_cast<int>(std::clamp(blocks, 1.0, double(std::min(window.width, window.height))));
+        pixels_ = block_means(picture(window), by);
+        zoom_ = 1.0 / by;
     }
 
     /// {brightness, redness} at a place of the picture; beyond its border those of the border.
@@ -63,7 +58,8 @@ public:
 
 private:
     cv::Mat pixels_;
-    Vec2 origin_{0.0}, zoom_{1.0};
+    Vec2 origin_{0.0};
+    double zoom_ = 1.0;
 };
 
 /// The filter whose response is the weighted sum of `look`'s slopes and bends: weights of the samples from
@@ -109,7 +105,7 @@ EdgeProfile edge_profile(const cv::Mat& picture, const std::vector<Vec2>& line, 
                          double unit_px) {
     const double step_px = step_percent * unit_px / 100.0;
     const double first = -0.5 * static_cast<double>(sample_count - 1) * step_px;
-    const Tones tones(picture, grown(bounds_of(line), -first), px_per_step / step_px);
+    const Tones tones(picture, grown(bounds_of(line), -first), step_px);
     const std::vector<Vec2> normals = normals_of(line, outwards);
     std::array<std::vector<double>, edge_channels> across;
     for (auto& channel : across)

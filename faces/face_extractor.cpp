@@ -3,6 +3,7 @@
 
 #include "faces/contour_fit.hpp"
 #include "faces/contour_nets.hpp"
+#include "faces/covered_mouth.hpp"
 #include "faces/edge_fit.hpp"
 #include "faces/embedded_detector.hpp"
 #include "faces/extra_features.hpp"
@@ -216,6 +217,11 @@ struct FaceExtractor::Parts {
                 lines = on_edges(picture, std::move(lines), &seen);
             result.milliseconds.edges += watch.lap();
             const QualitySigns signs = signs_of(face.points, seen, picture);
+            if (is_mouth_covered(signs)) {
+                const FaceLines guess = lines_through(with_guessed_lips(face.points));
+                lines.outer_lip = guess.outer_lip;
+                lines.inner_lip = guess.inner_lip;
+            }
             std::string problem = problem_of(face.detection, face.points, picture.size());
             if (problem.empty() && edges)
                 problem = problem_of(signs);

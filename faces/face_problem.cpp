@@ -31,14 +31,14 @@ constexpr const char* edge_names[] = {"",
 
 /// "left edge", "left and top edges", …; empty where the points stay inside.
 std::string edges_crossed(const Rect& points, double tolerance, const cv::Size& picture) {
-    const unsigned crossed = (-points.min.x > tolerance ? 1U : 0U) |
-                             (points.max.x - picture.width > tolerance ? 2U : 0U) |
-                             (-points.min.y > tolerance ? 4U : 0U) |
-                             (points.max.y - picture.height > tolerance ? 8U : 0U);
+    const unsigned crossed =
+        (-points.min.x > tolerance ? 1U : 0U) | (points.max.x - picture.width > tolerance ? 2U : 0U) |
+        (-points.min.y > tolerance ? 4U : 0U) | (points.max.y - picture.height > tolerance ? 8U : 0U);
     return edge_names[crossed];
 }
 
-constexpr double worth_saying_percent = 3.0; ///< six times what lids, thrice what lips usually miss
+constexpr double worth_saying_percent =
+    3.0; ///< six times what lids, thrice what lips usually miss; a cover is always said
 constexpr const char* spoken[] = {"right eye", "left eye", "mouth", "mouth", "outline"}; // as FeatureIndex
 
 } // namespace
@@ -58,14 +58,16 @@ std::string problem_of(const Detection& face, const Landmarks& points, const cv:
 }
 
 std::string problem_of(const QualitySigns& signs) {
-    double worst = worth_saying_percent;
+    double worst = 0.0;
     std::string sentence;
     for (std::size_t f = 0; f < feature_count; ++f) {
         const ContourQuality quality = quality_of(signs, static_cast<FeatureIndex>(f));
         if (quality.reasons.empty() || quality.expected_error_percent < worst)
             continue;
-        worst = quality.expected_error_percent;
         const std::string& reason = quality.reasons.back();
+        if (reason != "may be covered" && quality.expected_error_percent < worth_saying_percent)
+            continue;
+        worst = quality.expected_error_percent;
         const std::string feature = spoken[f];
         if (reason == "may be covered")
             sentence = "The " + feature + " may be covered, so its contour may be wrong.";

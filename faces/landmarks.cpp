@@ -11,7 +11,9 @@ void map_points(Landmarks& landmarks, const Affine& map, double scale) {
             p = map(p);
     for (Iris* iris : {&landmarks.right_iris, &landmarks.left_iris})
         *iris = {map(iris->centre), scale * iris->radius};
-    for (auto* moved : {&landmarks.between_passes_px, &landmarks.between_nets_px})
+    for (auto* moved :
+         {&landmarks.between_passes_px, &landmarks.between_nets_px, &landmarks.between_mirrors_px})
+
         for (double& px : *moved)
             px *= scale;
 }

@@ -36,16 +36,17 @@ struct Landmarks {
     std::vector<Vec2> outer_lip, inner_lip;
     /// From the ear on the side of the right eye by the chin to the other ear.
     std::vector<Vec2> outline;
-    /// What not every model knows; empty where it does not. Brows, 10 each: [0] outer end, lower edge, [4] inner
-    /// end, upper edge. Nose, 11: from the top of the wing on the side of the right eye below to the other one.
+    /// What not every model knows; empty where it does not. Brows, 10 each: [0] outer end, lower edge, [4]
+    /// inner end, upper edge. Nose, 11: from the top of the wing on the side of the right eye below to the
+    /// other one.
     std::vector<Vec2> right_brow, left_brow, nose;
     Iris right_iris, left_iris;
     /// 0 … 1, how much this looks like a face: below 0.5 it is none.
     double confidence = 0.0;
     /// How far a model that looks more than once moved each feature: mean over its points, px; 0 where it did
     /// not look again. `between_passes`: the same net from a better window; `between_nets`: one that looks
-    /// closer.
-    std::array<double, feature_count> between_passes_px{}, between_nets_px{};
+    /// closer; `between_mirrors`: the same net at the mirror image of the same window.
+    std::array<double, feature_count> between_passes_px{}, between_nets_px{}, between_mirrors_px{};
 };
 
 /// The same in another frame, in which lengths are `scale` times as long.

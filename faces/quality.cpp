@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/quality.hpp"
 
+#include "faces/covered_mouth.hpp"
 #include "faces/outline_step.hpp"
 
 #include <algorithm>
@@ -17,11 +18,6 @@ constexpr double blurred_below =
 constexpr double clear_face = 0.25, covered_fraction = 0.25; ///< open eyes are above 0.45 of the rest
 constexpr double one_edge_clear =
     0.4; ///< an eye opened wide, or glasses, hide one lid's edge and leave the other
-/// The less clear side of the line between the lips is covered at 0.08 and less, 0.32 and more in portraits
-/// as they are and otherwise degraded; but teeth hide it too, and then the nets still agree.
-constexpr double lips_hidden_below = 0.15;
-constexpr double nets_differ_percent =
-    5.0;                             ///< covered 5.2 and more where one side is clear, others 4.3 and less
 constexpr double faint_below = 0.35; ///< one mouth in ten
 constexpr double error_floor_percent =
     0.05; ///< added to errors before the logarithm: small ones are all alike
@@ -61,23 +57,24 @@ double mean_clarity(const EdgeReports& edges) {
 }
 
 /// Where nearly nothing of the feature is seen although the rest of the face is clear. The outer lip's edge
-/// may be faint in any face: a covered mouth is told by the line between the lips.
+/// may be faint in any face: a covered mouth is told by the line between the lips, and better where the
+/// landmarks say more of it.
 bool may_be_covered(const QualitySigns& signs, FeatureIndex feature) {
-    const EdgeReports::Pair* pair = edges_of(signs.edges, feature == at_outer_lip ? at_inner_lip : feature);
+    const bool lip = feature == at_outer_lip || feature == at_inner_lip;
+    if (lip && can_tell_cover(signs))
+        return is_mouth_covered(signs);
+    const EdgeReports::Pair* pair = edges_of(signs.edges, lip ? at_inner_lip : feature);
     if (!pair)
         return false;
     const double here = pair->lower.clarity + pair->upper.clarity;
     const double elsewhere = (8.0 * mean_clarity(signs.edges) - here) / 6.0;
-    const bool nothing_there = 0.5 * here < covered_fraction * elsewhere &&
-                               std::max(pair->lower.clarity, pair->upper.clarity) < one_edge_clear;
-    const bool other_edges_there = pair == &signs.edges.inner_lip &&
-                                   std::min(pair->lower.clarity, pair->upper.clarity) < lips_hidden_below &&
-                                   signs.between_nets[at_inner_lip] > nets_differ_percent;
-    return elsewhere > clear_face && (nothing_there || other_edges_there);
+    return elsewhere > clear_face && 0.5 * here < covered_fraction * elsewhere &&
+           std::max(pair->lower.clarity, pair->upper.clarity) < one_edge_clear;
 }
 
 enum { aside_reason, small_reason, blurred_reason, covered_reason, faint_reason };
-constexpr const char* reason_words[] = {"turned to the side", "too small", "blurred", "may be covered", "its edge is faint"};
+constexpr const char* reason_words[] = {"turned to the side", "too small", "blurred", "may be covered",
+                                        "its edge is faint"};
 
 std::vector<std::string> reasons(const QualitySigns& signs, FeatureIndex feature) {
     std::vector<std::string> words;
@@ -117,6 +114,7 @@ QualitySigns signs_of(const Landmarks& points, const EdgeReports& edges, const c
     for (std::size_t f = 0; f < feature_count; ++f) {
         signs.between_passes[f] = 100.0 * points.between_passes_px[f] / signs.unit_px;
         signs.between_nets[f] = 100.0 * points.between_nets_px[f] / signs.unit_px;
+        signs.between_mirrors[f] = 100.0 * points.between_mirrors_px[f] / signs.unit_px;
     }
     return signs;
 }
@@ -141,6 +139,8 @@ std::array<double, predictor_count> predictors(const QualitySigns& signs, Featur
 }
 
 ContourQuality quality_of(const QualitySigns& signs, FeatureIndex feature) {
+    if ((feature == at_outer_lip || feature == at_inner_lip) && is_mouth_covered(signs))
+        return {guessed_lips_error_percent, reasons(signs, feature)};
     const auto predictor = predictors(signs, feature);
     const auto& weight = weights[feature];
     double logarithm = 0.0;

@@ -16,9 +16,9 @@ struct QualitySigns {
     /// −1 … 1, how much more of the face is seen on the left eye's side of the eyes than on the other: 0 in a
     /// frontal face. And the same of the eyes' widths.
     double turn = 0.0, eye_turn = 0.0;
-    double confidence = 0.0;                                            ///< of the landmarks, 0 … 1
-    std::array<double, feature_count> between_passes{}, between_nets{}; ///< see Landmarks
-    double outline_off_step = 0.0;                                      ///< see outline_step.hpp
+    double confidence = 0.0; ///< of the landmarks, 0 … 1
+    std::array<double, feature_count> between_passes{}, between_nets{}, between_mirrors{}; ///< see Landmarks
+    double outline_off_step = 0.0; ///< see outline_step.hpp
     EdgeReports edges;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/shrunk.hpp"
 
-#include <opencv2/imgproc.hpp>
+#include "faces/block_means.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,8 +36,7 @@ Shrunk shrunk_around(const cv::Mat& picture, const Detection& face, double large
     if (right <= left || bottom <= top)
         return result;
     const cv::Rect window(left, top, right - left, bottom - top);
-    cv::resize(picture(window), result.pixels, cv::Size(window.width / by, window.height / by), 0, 0,
-               cv::INTER_AREA);
+    result.pixels = block_means(picture(window), by);
     result.to_picture.linear = glm::dmat2(by);
     result.to_picture.offset = Vec2(left, top);
     const auto moved = [&](Vec2 p) { return (p - result.to_picture.offset) / double(by); };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/shrunk_rows.hpp"
 
+#include "faces/block_means.hpp"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -11,15 +13,6 @@ namespace tp {
 namespace {
 
 constexpr int rows_at_once = 32; ///< of the result: these are held as floating-point numbers
-
-cv::Mat in_blocks(const cv::Mat& picture, cv::Size size, int factor) {
-    if (factor < 2)
-        return picture;
-    cv::Mat result;
-    cv::resize(picture(cv::Rect(0, 0, size.width * factor, size.height * factor)), result, size, 0, 0,
-               cv::INTER_AREA);
-    return result;
-}
 
 struct Part {
     int row;
@@ -50,8 +43,7 @@ int block_factor(cv::Size picture, int longer) {
 }
 
 cv::Mat shrunk_by_blocks(const cv::Mat& picture, int longer) {
-    const int factor = block_factor(picture.size(), longer);
-    return in_blocks(picture, {picture.cols / factor, picture.rows / factor}, factor);
+    return block_means(picture, block_factor(picture.size(), longer));
 }
 
 cv::Size size_with_longer_side(cv::Size picture, int longer) {
@@ -74,8 +66,7 @@ cv::Mat ShrunkRows::rows(cv::Range wanted) const {
         const int end = std::min(begin + rows_at_once, wanted.end);
         const int first = parts_of(begin, scale, in_blocks_.height).front().row;
         const int last = parts_of(end - 1, scale, in_blocks_.height).back().row;
-        const cv::Mat band = in_blocks(picture_.rowRange(first * factor_, (last + 1) * factor_),
-                                       {in_blocks_.width, last + 1 - first}, factor_);
+        const cv::Mat band = block_means(picture_.rowRange(first * factor_, (last + 1) * factor_), factor_);
         band.convertTo(above, CV_32F);
         cv::resize(above, narrow, {size_.width, above.rows}, 0, 0, cv::INTER_AREA);
         for (int y = begin; y < end; ++y) {

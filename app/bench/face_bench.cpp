@@ -127,7 +127,8 @@ std::vector<FaceContender> face_contenders() {
     std::vector<FaceContender> all{{"embedded", {}}, {"embedded_without_edges", {}}};
     all.back().choice.edges = false;
     const FaceContender optional[] = {{"yunet_and_embedded", {"yunet", "embedded"}},
-                                      {"mesh", {"embedded", "mesh"}}};
+                                      {"mesh", {"embedded", "mesh"}},
+                                      {"mesh_without_edges", {"embedded", "mesh", false}}};
     for (const FaceContender& contender : optional)
         if (FaceExtractor::create(contender.choice))
             all.push_back(contender);

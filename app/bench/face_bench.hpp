@@ -15,7 +15,7 @@ namespace tp {
 
 /// A way to find contours that is weighed against others.
 struct FaceContender {
-    std::string name; ///< "embedded", "embedded_without_edges", "mesh", "yunet_and_embedded"
+    std::string name; ///< "embedded", "embedded_without_edges", "mesh", "mesh_without_edges", …
     ExtractorChoice choice;
 };
 /// The embedded nets with and without the edges, and of the other models those that the user has.

@@ -95,6 +95,14 @@ FocusScope {
                     none: qsTr("Nobody I know")
                     onChosen: (name) => part.faces.name(name)
                 }
+                TpChoice {
+                    width: parent.width
+                    visible: part.faces.chosenName !== ""
+                    label: qsTr("Its name is read as")
+                    options: [qsTr("As the page")].concat(part.faces.languages)
+                    current: part.faces.language + 1
+                    onPicked: (index) => part.faces.readNameIn(index - 1)
+                }
                 TpButton {
                     width: Math.min(implicitWidth, parent.width)
                     text: qsTr("Close")

@@ -32,6 +32,7 @@ CareSession::CareSession(OpenAlbum& album, Narrator& narrator, EarconPlayer& ear
       trimming_(photo_, recordings_, listening_, teller_),
       descriptions_(photo_, teller_, [this] { return language(); }) {
     connect(&photo_, &CaredPhoto::opened, this, &CareSession::photoChanged);
+    connect(&photo_, &CaredPhoto::name_languages_read, this, &CareSession::nameLanguagesRead);
     connect(&photo_, &CaredPhoto::touched, &album_, &OpenAlbum::touched);
     connect(&photos_, &PhotoRows::modelReset, this, &CareSession::photoChanged);
     connect(&photos_, &PhotoRows::rowsMoved, this, &CareSession::photoChanged);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/album/keeper/name_languages.hpp"
 #include "app/album/open/open_album.hpp"
 #include "app/care/care_teller.hpp"
 #include "app/care/cared_photo.hpp"
@@ -110,6 +111,8 @@ signals:
     void stepsChanged();
     void albumChanged();
     void choosingChanged();
+    /// As CaredPhoto's.
+    void nameLanguagesRead(const std::filesystem::path& album, const std::vector<tp::NameLanguage>& names);
     /// Contours of this photograph are to be mended by hand.
     void mendAsked(const QString& photo);
     /// A tactile sheet of this photograph is to be made.

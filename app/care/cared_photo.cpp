@@ -5,12 +5,14 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace tp {
 
 void CaredPhoto::open(const PhotoPlace& place) {
     place_ = place;
     record_ = {};
+    name_languages_.clear();
     emit opened();
     emit changed();
     if (is_open()) {
@@ -33,18 +35,25 @@ void CaredPhoto::change(const PhotoPlace& place, PhotoStep step, KeeperSteps::Th
 }
 
 void CaredPhoto::go(const PhotoPlace& place, PhotoStep step, KeeperSteps::Then then) {
-    const auto known = std::make_shared<PhotoRecord>();
+    struct Known {
+        PhotoRecord record;
+        std::vector<NameLanguage> name_languages;
+    };
+    const auto known = std::make_shared<Known>();
     steps_.run(
         *place.keeper,
         [step = std::move(step), photo = place.photo, known](AlbumKeeper& keeper) {
             const std::string problem = step(keeper, photo);
             if (const auto record = read_record(photo))
-                *known = *record;
+                known->record = *record;
+            known->name_languages = NameLanguages(keeper).all();
             return problem;
         },
-        [this, photo = place.photo, known, then = std::move(then)](const QString& problem) {
-            if (photo == place_.photo) {
-                record_ = *known;
+        [this, place, known, then = std::move(then)](const QString& problem) {
+            emit name_languages_read(place.keeper->album(), known->name_languages);
+            if (place.photo == place_.photo) {
+                record_ = known->record;
+                name_languages_ = known->name_languages;
                 emit changed();
             }
             then(problem);

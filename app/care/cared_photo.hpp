@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/album/keeper/name_languages.hpp"
 #include "app/album/metadata/photo_record.hpp"
 #include "app/care/keeper_steps.hpp"
 
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace tp {
 
@@ -38,6 +40,8 @@ public:
     bool may_move() const { return steps_.steps_back(); }
     /// As read last; empty until it was read for the first time.
     const PhotoRecord& record() const { return record_; }
+    /// The languages of names in its album, read together with the record.
+    const std::vector<NameLanguage>& name_languages() const { return name_languages_; }
 
     /// A step on a photograph, this one or one that was open when the step was begun; then the record is read anew and
     /// `touched` is told, whether the step was done or not.
@@ -50,6 +54,8 @@ signals:
     void opened();
     /// What is known of it may have changed.
     void changed();
+    /// The languages of names in this album were read, before `changed` is told and before the answer to a step.
+    void name_languages_read(const std::filesystem::path& album, const std::vector<tp::NameLanguage>& names);
     /// A step on this photograph ended.
     void touched(const std::filesystem::path& photo);
 
@@ -59,6 +65,7 @@ private:
     KeeperSteps& steps_;
     PhotoPlace place_;
     PhotoRecord record_;
+    std::vector<NameLanguage> name_languages_;
 };
 
 } // namespace tp

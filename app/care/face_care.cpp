@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/care/face_care.hpp"
 
+#include "app/album/keeper/name_languages.hpp"
+#include "app/care/care_words.hpp"
 #include "audio/sentences/sentences.hpp"
 
 #include <QRect>
@@ -15,6 +17,7 @@ namespace tp {
 namespace {
 
 constexpr int crop_px = 320;
+const QStringList usual_languages{"en", "de", "ko", "fr", "es", "it", "pt", "nl", "pl", "tr", "vi"};
 
 Rect part_of(const Rect& box, const Extraction& extraction) {
     const Vec2 size(extraction.width, extraction.height);
@@ -40,7 +43,7 @@ double size_of_part(const Rect& part) { return part.width() * part.height(); }
 } // namespace
 
 FaceCare::FaceCare(CaredPhoto& photo, FaceFinder& finder, CareTeller& teller, Suggest suggest)
-    : photo_(photo), finder_(finder), teller_(teller), suggest_(std::move(suggest)) {
+    : photo_(photo), finder_(finder), teller_(teller), suggest_(std::move(suggest)), languages_(usual_languages) {
     connect(&photo_, &CaredPhoto::opened, this, [this] {
         found_.reset();
         chosen_ = -1;
@@ -86,7 +89,41 @@ void FaceCare::list_faces() {
         return face.part.min == chosen.min && face.part.max == chosen.max;
     });
     chosen_ = chosen_ < 0 || again == faces_.end() ? -1 : static_cast<int>(again - faces_.begin());
+    list_languages();
     emit changed();
+}
+
+std::string FaceCare::chosen_language() const {
+    const std::string name = chosenName().toStdString();
+    for (const NameLanguage& each : photo_.name_languages())
+        if (each.person == name)
+            return each.language;
+    return {};
+}
+
+/// The usual ones and, while it may be chosen again, one that somebody chose in another way.
+void FaceCare::list_languages() {
+    const QString own = QString::fromStdString(chosen_language());
+    QStringList all = languages_;
+    if (chosenName().isEmpty())
+        all = usual_languages;
+    else if (!own.isEmpty() && !all.contains(own))
+        all = usual_languages + QStringList{own};
+    if (all == languages_)
+        return;
+    languages_ = all;
+    emit languagesChanged();
+}
+
+QStringList FaceCare::languages() const {
+    QStringList words;
+    for (const QString& tag : languages_)
+        words << CareWords::language(tag);
+    return words;
+}
+
+int FaceCare::language() const {
+    return static_cast<int>(languages_.indexOf(QString::fromStdString(chosen_language())));
 }
 
 QString FaceCare::face_words(int face) const {
@@ -132,6 +169,7 @@ QString FaceCare::summary() const {
 
 void FaceCare::choose(int face) {
     chosen_ = face >= 0 && face < count() ? face : -1;
+    list_languages();
     emit changed();
     emit faceChosen();
     if (chosen_ >= 0)
@@ -154,12 +192,33 @@ void FaceCare::name(const QString& name) {
                 return;
             }
             chosen_ = region.name.empty() ? -1 : next_without_a_name();
+            list_languages();
             emit changed();
             emit faceChosen();
             const QString told = region.name.empty() ? tr("This face has no name now.")
                                                      : tr("Saved: %1.").arg(QString::fromStdString(region.name));
             teller_.did(Earcon::saved,
                         chosen_ < 0 ? told : tr("%1 Who is the next face?").arg(told));
+        });
+}
+
+void FaceCare::readNameIn(int language) {
+    const QString name = chosenName();
+    if (name.isEmpty() || language < -1 || language >= languages_.size())
+        return;
+    const QString tag = language < 0 ? QString() : languages_[language];
+    photo_.change(
+        photo_.place(),
+        [name = name.toStdString(), tag = tag.toStdString()](AlbumKeeper& keeper, const std::filesystem::path&) {
+            return NameLanguages(keeper).choose(name, tag);
+        },
+        [this, name, tag](const QString& problem) {
+            if (!problem.isEmpty())
+                teller_.problem(problem);
+            else
+                teller_.did(Earcon::saved, tag.isEmpty() ? tr("Saved: %1 is read as the page is.").arg(name)
+                                                         : tr("Saved: %1. The name is read as %2.")
+                                                               .arg(name, CareWords::language(tag)));
         });
 }
 

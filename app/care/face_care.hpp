@@ -30,6 +30,10 @@ class FaceCare final : public QObject {
     /// Index of the face that is being named; -1: none.
     Q_PROPERTY(int chosen READ chosen NOTIFY changed)
     Q_PROPERTY(QString chosenName READ chosenName NOTIFY changed)
+    /// The languages that a name can be read in, each in its own words.
+    Q_PROPERTY(QStringList languages READ languages NOTIFY languagesChanged)
+    /// Of `languages`, that of the chosen face's name; -1: none, it is read as the page is.
+    Q_PROPERTY(int language READ language NOTIFY changed)
     /// "Three faces, one without a name.", or why there are none.
     Q_PROPERTY(QString summary READ summary NOTIFY changed)
     Q_PROPERTY(bool looking READ looking NOTIFY changed)
@@ -45,6 +49,8 @@ public:
     int count() const { return static_cast<int>(faces_.size()); }
     int chosen() const { return chosen_; }
     QString chosenName() const;
+    QStringList languages() const;
+    int language() const;
     QString summary() const;
     QImage picture() const { return found_ ? found_->image : QImage(); }
     bool looking() const { return photo_.is_open() && !found_; }
@@ -53,11 +59,15 @@ public:
     Q_INVOKABLE void choose(int face);
     /// Names the chosen face and goes on to the next one without a name; empty: nobody knows who it is.
     Q_INVOKABLE void name(const QString& name);
+    /// From now on the name of the chosen face is read in one of `languages`, on all of the album's photographs; -1: as
+    /// the page is. Says the name so.
+    Q_INVOKABLE void readNameIn(int language);
     /// Known people for what was typed; those on this photograph already come last.
     Q_INVOKABLE QStringList suggestions(const QString& typed) const;
 
 signals:
     void changed();
+    void languagesChanged();
     /// A face was opened for naming, or none is any more: the words in the field are for another one.
     void faceChosen();
 
@@ -71,6 +81,8 @@ private:
     PictureTurn turn() const;
     int next_without_a_name() const;
     QString face_words(int face) const;
+    std::string chosen_language() const;
+    void list_languages();
 
     CaredPhoto& photo_;
     FaceFinder& finder_;
@@ -79,6 +91,7 @@ private:
     std::shared_ptr<const FoundFaces> found_; ///< of the photograph that is open; null: still looked for
     std::vector<KnownFace> faces_;
     int chosen_ = -1;
+    QStringList languages_; ///< BCP 47
 };
 
 } // namespace tp

@@ -52,11 +52,14 @@ struct Program::Caring {
 
 Program::Program(ProgramParts parts)
     : parts_(std::move(parts)), preferences_(parts_.preferences), narrator_(parts_.voice, announcer_),
+      voice_names_(parts_.voice, preferences_),
       earcon_output_(parts_.make_loudspeaker()), earcons_(*earcon_output_), guide_output_(parts_.make_loudspeaker()),
       guide_(*guide_output_, vibration_), shell_(narrator_), start_(narrator_, preferences_, parts_.find_devices) {
     follow_choices();
     connect(&preferences_, &Preferences::changed, this, &Program::follow_choices);
     connect(&preferences_, &Preferences::not_kept, this,
+            [this](const QString& sentence) { narrator_.tell(sentence, Priority::message); });
+    connect(&voice_names_, &VoiceNames::said, this,
             [this](const QString& sentence) { narrator_.tell(sentence, Priority::message); });
     connect(&shell_, &Shell::voice_toggled, this, [this](bool on) {
         parts_.by.reset(); // the person has a wish of their own now
@@ -141,6 +144,10 @@ OpenAlbum& Program::album() {
         album_ = std::make_unique<OpenAlbum>(parts_.cache, preferences_);
         connect(album_.get(), &OpenAlbum::said, this,
                 [this](const QString& sentence) { narrator_.tell(sentence, Priority::message); });
+        connect(album_.get(), &OpenAlbum::scanning_changed, this, [this] {
+            if (!album_->scanning())
+                voice_names_.read();
+        });
     }
     return *album_;
 }
@@ -159,6 +166,7 @@ BrowseSession& Program::browse() {
 CareSession& Program::care() {
     if (!caring_) {
         caring_ = std::make_unique<Caring>(*this);
+        connect(&caring_->session, &CareSession::nameLanguagesRead, &voice_names_, &VoiceNames::know);
         connect(&caring_->session, &CareSession::mendAsked, this, [this](const QString& photo) {
             mend().open_file(photo);
             shell_.open("mend");

@@ -14,6 +14,7 @@
 #include "app/settings/settings_session.hpp"
 #include "app/shell/languages.hpp"
 #include "app/shell/shell.hpp"
+#include "app/shell/voice_names.hpp"
 #include "app/start/start_session.hpp"
 #include "audio/guide/sonified_guide.hpp"
 #include "audio/guide/vibration.hpp"
@@ -106,6 +107,7 @@ private:
     Languages languages_; ///< before anything that has words
     NotificationAnnouncer announcer_;
     Narrator narrator_;
+    VoiceNames voice_names_;
     std::unique_ptr<SoundOutput> earcon_output_;
     EarconPlayer earcons_;
     std::unique_ptr<SoundOutput> guide_output_;

@@ -107,7 +107,7 @@ bool DispatcherWorker::open() {
 
 void DispatcherWorker::say(quint64 id, const QString& text) {
     const std::vector<LanguageRun> runs =
-        own_language_.isEmpty() ? std::vector<LanguageRun>{{text, {}}} : language_runs(text, own_language_);
+        own_language_.isEmpty() ? std::vector<LanguageRun>{{text, {}}} : language_runs(text, own_language_, name_languages());
     said_ = id;
     left_ = runs.size();
     for (const LanguageRun& run : runs) {

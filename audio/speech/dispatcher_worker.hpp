@@ -16,8 +16,8 @@ namespace tp {
 
 /// speech-dispatcher, by its own protocol: it speaks within a tenth of a second. Qt's plugin for it first asks for every
 /// voice of every language, which takes seconds, and its own library waits in every call for an answer: one that hangs could
-/// not be left behind. One that does not run is started, as that library would. Names in other scripts are spoken by a voice
-/// of their language (language_runs.hpp).
+/// not be left behind. One that does not run is started, as that library would. Names in other scripts, and those whose
+/// language is known, are spoken by a voice of it (language_runs.hpp).
 class DispatcherWorker final : public SpeechWorker {
     Q_OBJECT
 public:

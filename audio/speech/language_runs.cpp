@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace tp {
 
@@ -57,34 +58,119 @@ std::set<QString> read_by(const QString& language) {
     return own;
 }
 
+/// A known name in a text.
+struct FoundName {
+    qsizetype begin = 0, end = 0;
+    QString language;
+};
+
+char32_t letter_before(const QString& text, qsizetype place) {
+    const QChar last = text[place - 1];
+    return last.isLowSurrogate() && place > 1 && text[place - 2].isHighSurrogate()
+               ? QChar::surrogateToUcs4(text[place - 2], last)
+               : last.unicode();
+}
+
+char32_t letter_at(const QString& text, qsizetype place) {
+    const QChar first = text[place];
+    return first.isHighSurrogate() && place + 1 < text.size() && text[place + 1].isLowSurrogate()
+               ? QChar::surrogateToUcs4(first, text[place + 1])
+               : first.unicode();
+}
+
+bool is_apostrophe(QChar letter) { return letter == u'\'' || letter == u'\u2019'; }
+
+/// Whether a word may begin or end there.
+bool between_words(const QString& text, qsizetype place) {
+    if (place == 0 || place == text.size())
+        return true;
+    if (is_apostrophe(text[place]) || is_apostrophe(text[place - 1])) {
+        const qsizetype mark = is_apostrophe(text[place]) ? place : place - 1;
+        return mark == 0 || mark + 1 == text.size() || !QChar::isLetter(letter_before(text, mark)) ||
+               !QChar::isLetter(letter_at(text, mark + 1));
+    }
+    const char32_t before = letter_before(text, place), after = letter_at(text, place);
+    if (QChar::isMark(after))
+        return false;
+    if (!(QChar::isLetterOrNumber(before) || QChar::isMark(before)) || !QChar::isLetterOrNumber(after))
+        return true;
+    const Script one = QChar::script(before), other = QChar::script(after);
+    return one != other && one > QChar::Script_Common && other > QChar::Script_Common;
+}
+
+/// Whether both are read by one voice: a country makes no other voice of a name within a sentence.
+bool same_voice(const QString& one, const QString& other) {
+    return one.section('-', 0, 0).compare(other.section('-', 0, 0), Qt::CaseInsensitive) == 0;
+}
+
+/// In order, none within another.
+std::vector<FoundName> names_in(const QString& text, const SpokenNames& names) {
+    std::vector<FoundName> found;
+    for (qsizetype place = 0; place < text.size();) {
+        const SpokenName* longest = nullptr;
+        if (between_words(text, place))
+            for (const SpokenName& each : names)
+                if (!each.name.isEmpty() && (longest == nullptr || each.name.size() > longest->name.size()) &&
+                    QStringView(text).mid(place).startsWith(each.name) &&
+                    between_words(text, place + each.name.size()))
+                    longest = &each;
+        if (longest != nullptr)
+            found.push_back({place, place + longest->name.size(), longest->language});
+        place += longest != nullptr ? longest->name.size() : 1;
+    }
+    return found;
+}
+
 } // namespace
 
-std::vector<LanguageRun> language_runs(const QString& text, const QString& language) {
+std::vector<LanguageRun> language_runs(const QString& text, const QString& language, const SpokenNames& names) {
     const std::set<QString> own = read_by(language);
-    std::vector<LanguageRun> runs;
+    std::vector<FoundName> known = names_in(text, names);
+    std::erase_if(known, [&](const FoundName& name) { return same_voice(name.language, language); });
+    auto name = known.cbegin(); // the one that letters have come to, or the next
+    qsizetype place = 0;
+    struct Run {
+        LanguageRun run;
+        bool by_script = true; // its language was told by its letters alone
+    };
+    std::vector<Run> runs;
     bool only_marks = true; // in the last run so far
     for (const char32_t letter : text.toStdU32String()) {
+        while (name != known.cend() && place >= name->end)
+            ++name;
+        const bool named = name != known.cend() && place >= name->begin;
+        place += QChar::requiresSurrogates(letter) ? 2 : 1;
         const bool mark = QChar::script(letter) <= QChar::Script_Common && !QChar::isDigit(letter);
         const auto found = commonest_language().find(QChar::script(letter));
         QString wanted = found == commonest_language().end() || own.contains(found->second) ? language : found->second;
+        if (named)
+            wanted = name->language;
         if (!runs.empty()) {
-            LanguageRun& last = runs.back();
-            if (mark || (wanted == "zh" && last.language == "ja"))
-                wanted = last.language;
-            else if (only_marks || (wanted == "ja" && last.language == "zh"))
-                last.language = wanted; // a bracket before a name, kanji before kana
+            Run& last = runs.back();
+            const bool by_letters = last.by_script && !named;
+            if (mark || (by_letters && wanted == "zh" && last.run.language == "ja"))
+                wanted = last.run.language;
+            else if (only_marks || (by_letters && wanted == "ja" && last.run.language == "zh"))
+                last.run.language = wanted; // a bracket before a name, kanji before kana
         }
-        if (runs.empty() || runs.back().language != wanted) {
-            runs.push_back({{}, wanted});
+        if (runs.empty() || runs.back().run.language != wanted) {
+            runs.push_back({{{}, wanted}, true});
             only_marks = true;
         }
-        runs.back().text += QString::fromUcs4(&letter, 1);
+        runs.back().run.text += QString::fromUcs4(&letter, 1);
+        runs.back().by_script = runs.back().by_script && !named;
         only_marks = only_marks && mark;
     }
-    for (LanguageRun& run : runs)
-        if (run.language != language)
+    std::vector<LanguageRun> told;
+    for (auto& [run, by_script] : runs) {
+        if (by_script && run.language != language)
             run.language = language_of(run.text, run.language);
-    return runs;
+        if (!told.empty() && told.back().language == run.language)
+            told.back().text += run.text;
+        else
+            told.push_back(std::move(run));
+    }
+    return told;
 }
 
 } // namespace tp

@@ -16,6 +16,7 @@ void RecordingVoice::set_busy(bool busy) {
 
 void RecordingVoice::say(const QString& text, Priority priority) {
     said_ << text;
+    names_when_said_.push_back(names_);
     last_priority_ = priority;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audio/speech/spoken_names.hpp"
+
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -20,6 +22,8 @@ public:
     void set_rate(double rate);
     /// Empty: as the engine is.
     void set_language(const QString& language);
+    /// For an engine that reads a part of a text in another voice; others leave them alone.
+    void set_name_languages(const SpokenNames& names) { names_ = names; }
 
 signals:
     void found();
@@ -37,6 +41,8 @@ protected:
     /// Of an engine without a voice of the language the one that it has.
     virtual void use_language(const QString& language) = 0;
 
+    const SpokenNames& name_languages() const { return names_; }
+
     /// What the engine tells of a text; of any but the one that was given last it is ignored.
     void begun(quint64 id);
     void ended(quint64 id);
@@ -47,6 +53,7 @@ private:
     bool open_ = false;
     double rate_ = 0.0;
     QString language_;
+    SpokenNames names_;
     quint64 id_ = 0;     ///< what is being spoken; 0: nothing
     bool begun_ = false; ///< the engine has said that it speaks `id_`
     int failures_ = 0;   ///< texts in a row that were never begun

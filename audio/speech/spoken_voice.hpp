@@ -20,6 +20,7 @@ public:
     void stop() override;
     void set_rate(double rate) override { speech_.set_rate(rate); }
     void set_language(const QString& language) override { speech_.set_language(language); }
+    void set_name_languages(const SpokenNames& names) override { speech_.set_name_languages(names); }
     void set_recording_plays(bool plays) override { queue_.set_recording_plays(plays); }
 
 private:

@@ -68,6 +68,7 @@ void SystemSpeech::try_next() {
     connect(worker_, &SpeechWorker::failed, this, &SystemSpeech::try_next);
     set_rate(rate_);
     set_language(language_);
+    set_name_languages(names_);
     too_long_.start();
     thread_->start();
     emit trying();
@@ -105,6 +106,12 @@ void SystemSpeech::set_language(const QString& language) {
     language_ = language;
     if (worker_ != nullptr)
         QMetaObject::invokeMethod(worker_, [worker = worker_, language] { worker->set_language(language); });
+}
+
+void SystemSpeech::set_name_languages(const SpokenNames& names) {
+    names_ = names;
+    if (worker_ != nullptr)
+        QMetaObject::invokeMethod(worker_, [worker = worker_, names] { worker->set_name_languages(names); });
 }
 
 } // namespace tp

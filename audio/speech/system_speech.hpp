@@ -2,6 +2,7 @@
 #pragma once
 
 #include "audio/speech/speech_engine.hpp"
+#include "audio/speech/spoken_names.hpp"
 
 #include <QObject>
 #include <QString>
@@ -28,6 +29,7 @@ public:
     void cancel() override;
     void set_rate(double rate);
     void set_language(const QString& language);
+    void set_name_languages(const SpokenNames& names);
 
 signals:
     /// An engine is being looked for and speaks what it is given meanwhile, unless it is `lost`.
@@ -48,6 +50,7 @@ private:
     QTimer too_long_;
     double rate_ = 0.0;
     QString language_;
+    SpokenNames names_;
 };
 
 } // namespace tp

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audio/speech/spoken_names.hpp"
+
 #include <QObject>
 #include <QString>
 
@@ -35,6 +37,8 @@ public:
     virtual void set_rate(double rate) = 0;
     /// The voice of a language (BCP 47, such as "ko"), where the engine has one.
     virtual void set_language(const QString& language) = 0;
+    /// Names that are read in their own language from the next sentence on, where the engine can.
+    virtual void set_name_languages(const SpokenNames& names) = 0;
     /// While a recording plays nothing but a fault is spoken; the rest waits for its end.
     virtual void set_recording_plays(bool plays) = 0;
 

@@ -18,15 +18,21 @@ public:
     SafeForce() = default;
     /// N, device frame.
     Vec2 newtons() const { return newtons_; }
+    /// Share of the wanted force that the chain lets in now, 0 … 1. What a device adds of its own making,
+    /// such as a spring on an axis that no law knows of, goes by it: it comes with the ramp, and every fault
+    /// and every Escape takes it away.
+    double share() const { return share_; }
     /// The same force made smaller, which is safe too; `share` is clamped to 0 … 1, NaN counts as 0.
     SafeForce scaled(double share) const {
-        return SafeForce(share > 0.0 ? (share < 1.0 ? share : 1.0) * newtons_ : Vec2(0.0));
+        const double part = share > 0.0 ? (share < 1.0 ? share : 1.0) : 0.0;
+        return part > 0.0 ? SafeForce(part * newtons_, part * share_) : SafeForce();
     }
 
 private:
     friend class SafetyChain;
-    explicit SafeForce(Vec2 newtons) : newtons_(newtons) {}
+    SafeForce(Vec2 newtons, double share) : newtons_(newtons), share_(share) {}
     Vec2 newtons_{0.0};
+    double share_ = 0.0;
 };
 
 /// What a device can do.
@@ -68,11 +74,11 @@ public:
     /// Force off, device released. May be called twice.
     virtual void stop() noexcept = 0;
     virtual bool lost() const noexcept { return false; }
-    /// It reads, but has switched its motors off by itself; it obeys again once it was given no force and nothing
-    /// keeps it from that. The servo's thread.
+    /// It reads, but has switched its motors off by itself; it obeys again once it was given no force and
+    /// nothing keeps it from that. The servo's thread.
     virtual bool motors_off() const noexcept { return false; }
-    /// A person has put the handle on its mark, and it counts from there. An open device, before anything ticks: it may
-    /// wait for an answer.
+    /// A person has put the handle on its mark, and it counts from there. An open device, before anything
+    /// ticks: it may wait for an answer.
     virtual Result<bool> home() { return Error{"This device needs no homing."}; }
     /// Why it has done so and what to do, for a person; empty where there is nothing to say. Any thread.
     virtual std::string complaint() const { return {}; }

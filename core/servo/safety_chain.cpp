@@ -116,7 +116,7 @@ SafeForce SafetyChain::pass(const SafetyInput& input) noexcept {
     if (gain_ == 0.0)
         force = Vec2(0.0);
     last_force_ = force;
-    return SafeForce(force);
+    return SafeForce(force, gain_);
 }
 
 } // namespace tp

@@ -4,7 +4,6 @@
 #include "core/base/result.hpp"
 #include "device/force_pad/found_pad.hpp"
 #include "device/force_pad/report_transport.hpp"
-#include "device/open_problem.hpp"
 
 #include <memory>
 #include <vector>
@@ -18,11 +17,8 @@ std::vector<FoundPad> find_bulk();
 /// place, and takes its bulk interface for itself, from another driver if need be. The error is a sentence
 /// that says what to do on this system.
 ///
-/// Reading with a wait of 0 makes no call to the system and waits for nobody: a thread of the transport takes
-/// the packets in. A write that the pad does not take within 100 ms is dropped and counts as done.
+/// Reading with a wait of 0 makes no call to the system (BulkPipe). A write that the pad does not take within
+/// 100 ms is dropped and counts as done.
 Result<std::unique_ptr<ReportTransport>> open_bulk(const FoundPad& pad);
-
-/// The problem that an error of libusb stands for when a device is opened or its interface claimed.
-OpenProblem open_problem_of_libusb(int error, System system);
 
 } // namespace tp

@@ -36,18 +36,13 @@ std::array<double, 2> angles_at(const pad::PadConfig& config, Vec2 place) {
 } // namespace
 
 ModelPad::ModelPad(const pad::PadConfig& config, const PadPlant& plant)
-    : config_(config), plant_(plant), firmware_(config), place_(mark_of(config)), hand_(place_) {
+    : config_(config), plant_(plant), firmware_(config) {
+    knob_.put(mark_of(config));
     // As a pad that was homed when it was switched on.
     firmware_.step(sensors());
     firmware_.receive(pad::encode(pad::CalibrateFrame{}));
     pad::Frame answer;
     firmware_.answer(answer);
-}
-
-void ModelPad::place_knob(Vec2 place) {
-    place_ = place;
-    hand_ = place;
-    velocity_ = Vec2(0.0);
 }
 
 pad::Sensors ModelPad::sensors() {
@@ -58,13 +53,13 @@ pad::Sensors ModelPad::sensors() {
         for (int i = 0; i < pad::cable_count; ++i) {
             const pad::Vec<float> exit = config_.cables.exits[i];
             const Vec2 at(exit.x, exit.y);
-            const double mm = length(at - place_) - length(at - mark_of(config_)) +
+            const double mm = length(at - knob_.place) - length(at - mark_of(config_)) +
                               troubles.slip_mm[static_cast<std::size_t>(i)];
             seen.counts[i] = static_cast<std::int32_t>(
                 std::lround(counts * mm / static_cast<double>(config_.drum_radius)));
         }
     } else {
-        const std::array<double, 2> angles = angles_at(config_, place_);
+        const std::array<double, 2> angles = angles_at(config_, knob_.place);
         for (std::size_t i = 0; i < 2; ++i)
             seen.counts[i] = static_cast<std::int32_t>(
                 std::lround(counts * (angles[i] - static_cast<double>(config_.mark_angles[i]))));
@@ -75,14 +70,14 @@ pad::Sensors ModelPad::sensors() {
     return seen;
 }
 
-Vec2 ModelPad::force_of(const pad::Drive& drive) const {
+Vec2 ModelPad::force_of(const pad::Drive& drive, Vec2 place) const {
     Vec2 force(0.0);
     if (!drive.powered)
         return force;
     if (config_.kind == pad::PadKind::cables) {
         for (int i = 0; i < pad::cable_count; ++i) {
             const pad::Vec<float> exit = config_.cables.exits[i];
-            const Vec2 way = Vec2(exit.x, exit.y) - place_;
+            const Vec2 way = Vec2(exit.x, exit.y) - place;
             const double distance = length(way);
             if (distance > 0.0)
                 force +=
@@ -90,13 +85,13 @@ Vec2 ModelPad::force_of(const pad::Drive& drive) const {
         }
         return force;
     }
-    const std::array<double, 2> angles = angles_at(config_, place_);
+    const std::array<double, 2> angles = angles_at(config_, place);
     for (std::size_t i = 0; i < 2; ++i) {
         const double proximal = config_.bars.proximal;
         const Vec2 elbow(proximal * std::cos(angles[i]) +
                              (i == 1 ? static_cast<double>(config_.bars.base) : 0.0),
                          proximal * std::sin(angles[i]));
-        const Vec2 link = place_ - elbow;
+        const Vec2 link = place - elbow;
         const Vec2 swing(-proximal * std::sin(angles[i]), proximal * std::cos(angles[i]));
         const double lever = glm::dot(link, swing);
         if (std::abs(lever) > 1e-6)
@@ -106,22 +101,10 @@ Vec2 ModelPad::force_of(const pad::Drive& drive) const {
 }
 
 void ModelPad::step() {
-    constexpr int parts = 4;
-    constexpr double dt = 0.001 / parts;
-    constexpr double newtons_to_mm = 1000.0; // N/kg = m/s²; the state is in mm
     time_us_ += 1000;
     const pad::Drive drive = firmware_.step(sensors());
     state_due_ = true;
-    for (int i = 0; i < parts; ++i) {
-        force_ = force_of(drive);
-        const Vec2 total = force_ + plant_.hand_stiffness * (hand_ - place_) -
-                           1e-3 * (plant_.damping + plant_.hand_damping) * velocity_;
-        velocity_ += dt * newtons_to_mm / plant_.mass * total;
-        const double speed = length(velocity_);
-        const double loss = dt * newtons_to_mm / plant_.mass * plant_.coulomb;
-        velocity_ *= speed > 0.0 ? std::max(0.0, speed - loss) / speed : 0.0;
-        place_ += dt * velocity_;
-    }
+    force_ = knob_.step(plant_, [&](Vec2 place) { return force_of(drive, place); });
 }
 
 bool ModelPad::report(pad::Frame& frame) {

@@ -3,6 +3,7 @@
 
 #include "core/geometry/vec.hpp"
 #include "device/force_pad/firmware/pad_firmware.hpp"
+#include "device/handle_body.hpp"
 
 #include <array>
 #include <cstdint>
@@ -10,13 +11,7 @@
 namespace tp {
 
 /// The knob of a pad and the hand that may hold it.
-struct PadPlant {
-    double mass = 0.1;           ///< kg
-    double damping = 0.3;        ///< N·s/m
-    double coulomb = 0.02;       ///< N, dry friction
-    double hand_stiffness = 0.0; ///< N/mm between knob and hand; 0: released
-    double hand_damping = 0.0;   ///< N·s/m
-};
+using PadPlant = HandlePlant;
 
 /// A force pad without hardware: the firmware that a real one runs, with true encoders, drums and links
 /// around it and a body for a knob. One step is a millisecond of its own time.
@@ -32,9 +27,9 @@ public:
     void restart() { firmware_ = pad::PadFirmware(config_); }
 
     /// Puts the knob there, at rest, mm; the hand follows.
-    void place_knob(Vec2 place);
-    void move_hand(Vec2 place) { hand_ = place; }
-    Vec2 knob() const { return place_; }
+    void place_knob(Vec2 place) { knob_.put(place); }
+    void move_hand(Vec2 place) { knob_.hand = place; }
+    Vec2 knob() const { return knob_.place; }
     /// N, what the motors' torques do to the knob in truth.
     Vec2 force() const { return force_; }
 
@@ -48,15 +43,13 @@ public:
 
 private:
     pad::Sensors sensors();
-    Vec2 force_of(const pad::Drive& drive) const;
+    Vec2 force_of(const pad::Drive& drive, Vec2 place) const;
 
     pad::PadConfig config_;
     PadPlant plant_;
     pad::PadFirmware firmware_;
     std::uint32_t time_us_ = 0;
-    Vec2 place_;
-    Vec2 velocity_{0.0}; ///< mm/s
-    Vec2 hand_;
+    HandleBody knob_;
     Vec2 force_{0.0};
     bool state_due_ = false;
 };

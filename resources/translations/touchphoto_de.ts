@@ -409,6 +409,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Leaves the face as it is.</source>
         <translation>Lässt das Gesicht, wie es ist.</translation>
     </message>
+    <message>
+        <source>Its name is read as</source>
+        <translation>Der Name wird gelesen als</translation>
+    </message>
+    <message>
+        <source>As the page</source>
+        <translation>Wie die Seite</translation>
+    </message>
 </context>
 <context>
     <name>FingerMarks</name>
@@ -2991,6 +2999,202 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>This device needs no homing.</source>
         <translation>Dieses Gerät braucht keinen Nullpunkt.</translation>
     </message>
+    <message>
+        <source>The force stick cannot be used: %1.</source>
+        <translation>Der Kraftstick kann nicht benutzt werden: %1.</translation>
+    </message>
+    <message>
+        <source>The force stick does not take up a force. Unplug it and plug it in again.</source>
+        <translation>Der Kraftstick nimmt keine Kraft an. Ziehen Sie ihn ab und stecken Sie ihn wieder an.</translation>
+    </message>
+    <message>
+        <source>The force stick does not take what this computer sends. It goes on by itself when it does.</source>
+        <translation>Der Kraftstick nimmt nicht an, was dieser Computer sendet. Sobald er es wieder tut, geht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>The force stick has no room for a force. Close other programs that use it, unplug it and plug it in again.</source>
+        <translation>Der Kraftstick hat keinen Platz für eine Kraft. Schließen Sie andere Programme, die ihn benutzen, ziehen Sie ihn ab und stecken Sie ihn wieder an.</translation>
+    </message>
+    <message>
+        <source>The force stick has switched its motors off. See that its power supply is plugged in and that no other program uses it.</source>
+        <translation>Der Kraftstick hat seine Motoren abgeschaltet. Sehen Sie nach, ob sein Netzteil angesteckt ist und dass kein anderes Programm ihn benutzt.</translation>
+    </message>
+    <message>
+        <source>The force stick&apos;s safety switch keeps its motors off. Hold the grip as its maker says, or release the switch.</source>
+        <translation>Der Sicherheitsschalter des Kraftsticks hält seine Motoren aus. Halten Sie den Griff so, wie der Hersteller es vorsieht, oder lösen Sie den Schalter.</translation>
+    </message>
+    <message>
+        <source>force stick</source>
+        <translation>Kraftstick</translation>
+    </message>
+    <message>
+        <source>it does not have two axes</source>
+        <translation>er hat keine zwei Achsen</translation>
+    </message>
+    <message>
+        <source>it does not keep its effects itself</source>
+        <translation>er verwaltet seine Effekte nicht selbst</translation>
+    </message>
+    <message>
+        <source>it has no constant force</source>
+        <translation>er kennt keine gleichbleibende Kraft</translation>
+    </message>
+    <message>
+        <source>its effects have no numbers</source>
+        <translation>seine Effekte haben keine Nummern</translation>
+    </message>
+    <message>
+        <source>its force has no direction</source>
+        <translation>seine Kraft hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>its force has no sign</source>
+        <translation>seine Kraft hat kein Vorzeichen</translation>
+    </message>
+    <message>
+        <source>its reports are too long</source>
+        <translation>seine Berichte sind zu lang</translation>
+    </message>
+    <message>
+        <source>what it says of itself makes no sense</source>
+        <translation>was er von sich sagt, ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not say in what language a name is read: %2 Move it away, then choose the language again.</source>
+        <translation>„%1“ sagt nicht, in welcher Sprache ein Name gelesen wird: %2 Verschieben Sie die Datei und wählen Sie die Sprache dann neu.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tag of a language, such as de or pt-BR.</source>
+        <translation>„%1“ ist kein Kürzel einer Sprache wie de oder pt-BR.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; says how the name of %2 is read, and does not have its place.</source>
+        <translation>„%1“ sagt, wie der Name von %2 gelesen wird, und liegt nicht an seinem Platz.</translation>
+    </message>
+    <message>
+        <source>A person needs a name before its language can be chosen.</source>
+        <translation>Eine Person braucht einen Namen, bevor dessen Sprache gewählt werden kann.</translation>
+    </message>
+    <message>
+        <source>The language of the name cannot be kept: %1</source>
+        <translation>Die Sprache des Namens kann nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>its first line is no tag of a language, such as de or pt-BR.</source>
+        <translation>die erste Zeile ist kein Kürzel einer Sprache wie de oder pt-BR.</translation>
+    </message>
+    <message>
+        <source>its second line does not say whose name it is.</source>
+        <translation>die zweite Zeile sagt nicht, wessen Name es ist.</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1</source>
+        <translation>die Sprache des Namens von %1</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1 was chosen</source>
+        <translation>die Sprache des Namens von %1 wurde gewählt</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1 became that of %2</source>
+        <translation>die Sprache des Namens von %1 wurde zu der von %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the firmware of a Falcon: it is too small. Copy the right file there.</source>
+        <translation>„%1“ ist nicht die Firmware eines Falcon: Die Datei ist zu klein. Kopieren Sie die richtige Datei dorthin.</translation>
+    </message>
+    <message>
+        <source>Novint Falcon</source>
+        <translation>Novint Falcon</translation>
+    </message>
+    <message>
+        <source>The Falcon did not take its firmware, though it was tried again and again. Plug its USB cable into this computer itself, not into a hub, and try once more.</source>
+        <translation>Der Falcon hat seine Firmware nicht angenommen, obwohl es immer wieder versucht wurde. Stecken Sie das USB-Kabel direkt in diesen Computer, nicht in einen Verteiler, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. See that it is plugged in and has power, and try again.</source>
+        <translation>Der Falcon antwortet nicht. Sehen Sie nach, ob er angesteckt ist und Strom hat, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. See that its power supply is plugged in, unplug its USB cable, plug it in again and try once more.</source>
+        <translation>Der Falcon antwortet nicht. Sehen Sie nach, ob sein Netzteil angesteckt ist, stecken Sie das USB-Kabel ab und wieder an, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not know where its grip is. Home it: pull the grip out as far as it goes, then push it in.</source>
+        <translation>Der Falcon weiß nicht, wo sein Griff ist. Setzen Sie seinen Nullpunkt: Ziehen Sie den Griff heraus, so weit er geht, und schieben Sie ihn dann hinein.</translation>
+    </message>
+    <message>
+        <source>The Falcon is not homed yet. Home it again, and while its light is blue pull the grip out as far as it goes, then push it in.</source>
+        <translation>Der Nullpunkt des Falcon ist noch nicht gesetzt. Setzen Sie ihn noch einmal, und ziehen Sie, solange das Licht blau ist, den Griff heraus, so weit er geht, und schieben Sie ihn dann hinein.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware, which its maker does not let this program bring along. Copy the firmware file of its maker&apos;s software to %1.</source>
+        <translation>Der Falcon braucht seine Firmware, die dieses Programm nicht mitbringen darf. Kopieren Sie die Firmware-Datei aus der Software des Herstellers nach %1.</translation>
+    </message>
+    <message>
+        <source>The Falcon took its firmware and does not answer. Perhaps %1 is not the firmware of a Falcon.</source>
+        <translation>Der Falcon hat seine Firmware angenommen und antwortet nicht. Vielleicht ist %1 nicht die Firmware eines Falcon.</translation>
+    </message>
+    <message>
+        <source>The Falcon was unplugged while it was started. Plug it in again.</source>
+        <translation>Der Falcon wurde beim Starten abgesteckt. Stecken Sie ihn wieder an.</translation>
+    </message>
+    <message>
+        <source>Another program or the system keeps the %1 from this one. Close other programs that use it, unplug it and plug it in again.</source>
+        <translation>Ein anderes Programm oder das System gibt das Gerät „%1“ nicht frei. Schließen Sie andere Programme, die es benutzen, ziehen Sie es ab und stecken Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>Arduino board: a Haply 2diy of the first generation?</source>
+        <translation>Arduino-Platine: ein Haply 2diy der ersten Generation?</translation>
+    </message>
+    <message>
+        <source>Arduino board: a Haply 2diy of the third generation?</source>
+        <translation>Arduino-Platine: ein Haply 2diy der dritten Generation?</translation>
+    </message>
+    <message>
+        <source>The %1 cannot be used on this system yet: nothing would watch over its motors here.</source>
+        <translation>Das Gerät „%1“ lässt sich auf diesem System noch nicht benutzen: Nichts würde hier über seine Motoren wachen.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy could not be homed. See that it is plugged in and switched on, and try again.</source>
+        <translation>Der Nullpunkt des Haply 2diy konnte nicht gesetzt werden. Sehen Sie nach, ob er angesteckt und eingeschaltet ist, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy does not know where its arms are. Put both arms on their marks and home it.</source>
+        <translation>Der Haply 2diy weiß nicht, wo seine Arme sind. Stellen Sie beide Arme auf ihre Marken, und setzen Sie dann den Nullpunkt des Geräts.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy lost count of where its arms are. Put both arms on their marks and home it.</source>
+        <translation>Der Haply 2diy weiß nicht mehr, wo seine Arme sind. Stellen Sie beide Arme auf ihre Marken, und setzen Sie dann den Nullpunkt des Geräts.</translation>
+    </message>
+    <message>
+        <source>The device at the serial port does not answer like a Haply 2diy. Switch it on, unplug it and plug it in again; if it is no Haply 2diy, choose another device.</source>
+        <translation>Das Gerät am seriellen Anschluss antwortet nicht wie ein Haply 2diy. Schalten Sie es ein, ziehen Sie es ab und stecken Sie es wieder an; wenn es kein Haply 2diy ist, wählen Sie ein anderes Gerät.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because nothing would watch over its motors on this system.</source>
+        <translation>Das Gerät bleibt aus, weil auf diesem System nichts über seine Motoren wachen würde.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, does not start. Install TouchPhoto again.</source>
+        <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-torque-guard, nicht startet. Installieren Sie TouchPhoto neu.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, is not beside this one. Install TouchPhoto again.</source>
+        <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-torque-guard, nicht neben diesem liegt. Installieren Sie TouchPhoto neu.</translation>
+    </message>
+    <message>
+        <source>The program that watches over the motors of the Haply 2diy has ended, so they stay off. Start the device again.</source>
+        <translation>Das Programm, das über die Motoren des Haply 2diy wacht, hat geendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
+    </message>
+    <message>
+        <source>This computer has no room for the program that watches over the motors. Close other programs and try again.</source>
+        <translation>Auf diesem Computer ist kein Platz für das Programm, das über die Motoren wacht. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again; or have yourself added to the group dialout and log in again.</source>
+        <translation>Sie dürfen das Gerät „%1“ noch nicht benutzen. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie das Gerät dann ab und stecken Sie es wieder an; oder lassen Sie sich in die Gruppe dialout aufnehmen und melden Sie sich neu an.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -4253,6 +4457,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>%1 Who is the next face?</source>
         <translation>%1 Wer ist das nächste Gesicht?</translation>
+    </message>
+    <message>
+        <source>Saved: %1 is read as the page is.</source>
+        <translation>Gespeichert: %1 wird gelesen wie die Seite.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. The name is read as %2.</source>
+        <translation>Gespeichert: %1. Der Name wird gelesen als %2.</translation>
     </message>
 </context>
 <context>

@@ -405,6 +405,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Leaves the face as it is.</source>
         <translation>얼굴을 그대로 둡니다.</translation>
     </message>
+    <message>
+        <source>Its name is read as</source>
+        <translation>이름을 읽는 언어</translation>
+    </message>
+    <message>
+        <source>As the page</source>
+        <translation>페이지와 같게</translation>
+    </message>
 </context>
 <context>
     <name>FingerMarks</name>
@@ -2979,6 +2987,202 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>This device needs no homing.</source>
         <translation>이 장치는 기준점을 맞출 필요가 없습니다.</translation>
     </message>
+    <message>
+        <source>The force stick cannot be used: %1.</source>
+        <translation>힘 스틱을 사용할 수 없습니다: %1.</translation>
+    </message>
+    <message>
+        <source>The force stick does not take up a force. Unplug it and plug it in again.</source>
+        <translation>힘 스틱이 힘을 받아들이지 않습니다. 뽑았다가 다시 꽂으십시오.</translation>
+    </message>
+    <message>
+        <source>The force stick does not take what this computer sends. It goes on by itself when it does.</source>
+        <translation>힘 스틱이 이 컴퓨터가 보내는 것을 받지 않습니다. 다시 받으면 저절로 계속됩니다.</translation>
+    </message>
+    <message>
+        <source>The force stick has no room for a force. Close other programs that use it, unplug it and plug it in again.</source>
+        <translation>힘 스틱에 힘을 넣을 자리가 없습니다. 이 장치를 쓰는 다른 프로그램을 닫고, 뽑았다가 다시 꽂으십시오.</translation>
+    </message>
+    <message>
+        <source>The force stick has switched its motors off. See that its power supply is plugged in and that no other program uses it.</source>
+        <translation>힘 스틱이 모터를 껐습니다. 전원 어댑터가 꽂혀 있는지, 다른 프로그램이 사용하고 있지 않은지 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The force stick&apos;s safety switch keeps its motors off. Hold the grip as its maker says, or release the switch.</source>
+        <translation>힘 스틱의 안전 스위치 때문에 모터가 꺼져 있습니다. 제조사가 안내한 대로 손잡이를 잡거나 스위치를 푸십시오.</translation>
+    </message>
+    <message>
+        <source>force stick</source>
+        <translation>힘 스틱</translation>
+    </message>
+    <message>
+        <source>it does not have two axes</source>
+        <translation>축이 두 개가 아닙니다</translation>
+    </message>
+    <message>
+        <source>it does not keep its effects itself</source>
+        <translation>효과를 스스로 관리하지 않습니다</translation>
+    </message>
+    <message>
+        <source>it has no constant force</source>
+        <translation>일정한 힘을 내지 못합니다</translation>
+    </message>
+    <message>
+        <source>its effects have no numbers</source>
+        <translation>효과에 번호가 없습니다</translation>
+    </message>
+    <message>
+        <source>its force has no direction</source>
+        <translation>힘에 방향이 없습니다</translation>
+    </message>
+    <message>
+        <source>its force has no sign</source>
+        <translation>힘에 부호가 없습니다</translation>
+    </message>
+    <message>
+        <source>its reports are too long</source>
+        <translation>보고서가 너무 깁니다</translation>
+    </message>
+    <message>
+        <source>what it says of itself makes no sense</source>
+        <translation>스스로에 대해 알리는 내용이 이치에 맞지 않습니다</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not say in what language a name is read: %2 Move it away, then choose the language again.</source>
+        <translation>“%1”에서 이름을 읽는 언어를 알 수 없습니다: %2 파일을 다른 곳으로 옮긴 다음 언어를 다시 고르세요.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no tag of a language, such as de or pt-BR.</source>
+        <translation>“%1”은(는) de 나 pt-BR 같은 언어 태그가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; says how the name of %2 is read, and does not have its place.</source>
+        <translation>“%1”은(는) %2의 이름을 읽는 언어를 담고 있지만 제자리에 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>A person needs a name before its language can be chosen.</source>
+        <translation>이름의 언어를 고르려면 먼저 사람의 이름이 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>The language of the name cannot be kept: %1</source>
+        <translation>이름의 언어를 저장할 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>its first line is no tag of a language, such as de or pt-BR.</source>
+        <translation>첫 줄이 de 나 pt-BR 같은 언어 태그가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>its second line does not say whose name it is.</source>
+        <translation>둘째 줄에 누구의 이름인지 적혀 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1</source>
+        <translation>%1의 이름을 읽는 언어</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1 was chosen</source>
+        <translation>%1의 이름을 읽는 언어 선택</translation>
+    </message>
+    <message>
+        <source>the language of the name of %1 became that of %2</source>
+        <translation>%1의 이름을 읽는 언어를 %2의 것으로 바꾸기</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the firmware of a Falcon: it is too small. Copy the right file there.</source>
+        <translation>“%1”은(는) 팰컨의 펌웨어가 아닙니다. 파일이 너무 작습니다. 올바른 파일을 그곳에 복사하세요.</translation>
+    </message>
+    <message>
+        <source>Novint Falcon</source>
+        <translation>노빈트 팰컨</translation>
+    </message>
+    <message>
+        <source>The Falcon did not take its firmware, though it was tried again and again. Plug its USB cable into this computer itself, not into a hub, and try once more.</source>
+        <translation>여러 번 시도했지만 팰컨이 펌웨어를 받지 않았습니다. USB 케이블을 허브가 아니라 이 컴퓨터에 직접 꽂고 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. See that it is plugged in and has power, and try again.</source>
+        <translation>팰컨이 응답하지 않습니다. 연결되어 있고 전원이 들어오는지 확인한 뒤 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. See that its power supply is plugged in, unplug its USB cable, plug it in again and try once more.</source>
+        <translation>팰컨이 응답하지 않습니다. 전원 어댑터가 꽂혀 있는지 확인하고 USB 케이블을 뽑았다가 다시 꽂은 뒤 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not know where its grip is. Home it: pull the grip out as far as it goes, then push it in.</source>
+        <translation>팰컨이 손잡이의 위치를 모릅니다. 기준점을 잡으세요. 손잡이를 끝까지 당겼다가 밀어 넣으세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon is not homed yet. Home it again, and while its light is blue pull the grip out as far as it goes, then push it in.</source>
+        <translation>팰컨의 기준점이 아직 잡히지 않았습니다. 다시 기준점을 잡고, 불빛이 파란색인 동안 손잡이를 끝까지 당겼다가 밀어 넣으세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware, which its maker does not let this program bring along. Copy the firmware file of its maker&apos;s software to %1.</source>
+        <translation>팰컨에는 펌웨어가 필요하지만 제조사가 이 프로그램에 넣는 것을 허락하지 않습니다. 제조사 소프트웨어의 펌웨어 파일을 %1(으)로 복사하세요.</translation>
+    </message>
+    <message>
+        <source>The Falcon took its firmware and does not answer. Perhaps %1 is not the firmware of a Falcon.</source>
+        <translation>팰컨이 펌웨어를 받았지만 응답하지 않습니다. %1이(가) 팰컨의 펌웨어가 아닐 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The Falcon was unplugged while it was started. Plug it in again.</source>
+        <translation>팰컨을 시작하는 동안 연결이 끊어졌습니다. 다시 연결하세요.</translation>
+    </message>
+    <message>
+        <source>Another program or the system keeps the %1 from this one. Close other programs that use it, unplug it and plug it in again.</source>
+        <translation>다른 프로그램이나 시스템이 %1 장치를 놓아주지 않습니다. 그 장치를 쓰는 다른 프로그램을 닫고, 장치를 뽑았다가 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>Arduino board: a Haply 2diy of the first generation?</source>
+        <translation>아두이노 보드: 1세대 Haply 2diy인가요?</translation>
+    </message>
+    <message>
+        <source>Arduino board: a Haply 2diy of the third generation?</source>
+        <translation>아두이노 보드: 3세대 Haply 2diy인가요?</translation>
+    </message>
+    <message>
+        <source>The %1 cannot be used on this system yet: nothing would watch over its motors here.</source>
+        <translation>%1 장치는 아직 이 시스템에서 쓸 수 없습니다. 여기서는 그 모터를 지켜볼 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy could not be homed. See that it is plugged in and switched on, and try again.</source>
+        <translation>Haply 2diy의 기준점을 잡지 못했습니다. 꽂혀 있고 켜져 있는지 확인하고 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy does not know where its arms are. Put both arms on their marks and home it.</source>
+        <translation>Haply 2diy가 팔의 위치를 모릅니다. 두 팔을 표시에 맞추고 기준점을 잡으세요.</translation>
+    </message>
+    <message>
+        <source>The Haply 2diy lost count of where its arms are. Put both arms on their marks and home it.</source>
+        <translation>Haply 2diy가 팔의 위치를 놓쳤습니다. 두 팔을 표시에 맞추고 기준점을 잡으세요.</translation>
+    </message>
+    <message>
+        <source>The device at the serial port does not answer like a Haply 2diy. Switch it on, unplug it and plug it in again; if it is no Haply 2diy, choose another device.</source>
+        <translation>직렬 포트의 장치가 Haply 2diy처럼 응답하지 않습니다. 장치를 켜고, 뽑았다가 다시 꽂으세요. Haply 2diy가 아니면 다른 장치를 고르세요.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because nothing would watch over its motors on this system.</source>
+        <translation>이 시스템에는 모터를 지켜볼 것이 없어서 장치를 켜지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, does not start. Install TouchPhoto again.</source>
+        <translation>모터를 지켜보는 프로그램 touchphoto-torque-guard가 시작되지 않아서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
+    </message>
+    <message>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, is not beside this one. Install TouchPhoto again.</source>
+        <translation>모터를 지켜보는 프로그램 touchphoto-torque-guard가 이 프로그램 옆에 없어서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
+    </message>
+    <message>
+        <source>The program that watches over the motors of the Haply 2diy has ended, so they stay off. Start the device again.</source>
+        <translation>Haply 2diy의 모터를 지켜보는 프로그램이 끝나서 모터를 켜지 않습니다. 장치를 다시 시작하세요.</translation>
+    </message>
+    <message>
+        <source>This computer has no room for the program that watches over the motors. Close other programs and try again.</source>
+        <translation>이 컴퓨터에는 모터를 지켜보는 프로그램을 실행할 여유가 없습니다. 다른 프로그램을 닫고 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again; or have yourself added to the group dialout and log in again.</source>
+        <translation>아직 %1 장치를 쓸 권한이 없습니다. resources/udev/70-touchphoto.rules를 /etc/udev/rules.d에 복사한 다음 장치를 뽑았다가 다시 꽂으세요. 또는 dialout 그룹에 추가해 달라고 하고 다시 로그인하세요.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -4224,6 +4428,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>%1 Who is the next face?</source>
         <translation>%1 다음 얼굴은 누구인가요?</translation>
+    </message>
+    <message>
+        <source>Saved: %1 is read as the page is.</source>
+        <translation>저장했습니다: %1, 페이지와 같은 언어로 읽습니다.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. The name is read as %2.</source>
+        <translation>저장했습니다: %1. 이름을 읽는 언어: %2.</translation>
     </message>
 </context>
 <context>

@@ -245,6 +245,20 @@ private slots:
         QCOMPARE(found.inner_lip.lower.front(), found.inner_lip.upper.front());
         QCOMPARE(found.inner_lip.lower.back(), found.inner_lip.upper.back());
     }
+    /// Neither the look of shut lips nor that of open ones fits, so the net knows better.
+    void lips_a_little_apart_stay() {
+        FaceLines lines = plain_face();
+        for (Vec2& p : lines.inner_lip.lower)
+            p.y += 5.0;
+        const cv::Mat picture = painted({200, 160}, arch(70.0, 60.0, 100.3, 0.0), [](double below) {
+            return 150.0 - 100.0 * std::exp(-0.5 * below * below / 2.0);
+        });
+        EdgeReports seen;
+        const FaceLines found = on_edges(picture, lines, &seen);
+        QVERIFY(found.inner_lip.lower == lines.inner_lip.lower);
+        QVERIFY(found.inner_lip.upper == lines.inner_lip.upper);
+        QVERIFY(seen.inner_lip.lower.clarity != 0.0); // what the picture shows is told all the same
+    }
     void the_outline_and_tiny_faces_stay() {
         const FaceLines lines = plain_face();
         const cv::Mat picture = painted({200, 160}, arch(0.0, 200.0, 80.0, 9.0), step);

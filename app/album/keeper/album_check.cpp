@@ -3,6 +3,7 @@
 
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/importer.hpp"
+#include "app/album/keeper/name_languages.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/keeper/recording_facts.hpp"
 #include "app/album/metadata/conflicts.hpp"
@@ -378,13 +379,39 @@ private:
         }
     }
 
-    /// How somebody says people's names.
+    /// How somebody says people's names, and in what language they are read.
     void people() {
         const fs::path folder = keeper_.place_of_name("a").parent_path();
         unfinished_recordings(folder);
         for (const std::string& file : recordings_in(folder))
-            check_name(folder / file);
+            if (file.ends_with(NameLanguages::file_end))
+                check_name_language(folder / file);
+            else
+                check_name(folder / file);
         open_to_others(folder, recordings_in(folder));
+    }
+
+    void check_name_language(const fs::path& file) {
+        const auto to_trash = [&] {
+            return keeper_.trash().put({file}, "the language of somebody's name").error();
+        };
+        const auto name = NameLanguages::read(file);
+        if (!name)
+            return found(Kind::damaged_name_language, file, name.error(),
+                         "It goes to the trash, and the language can be chosen again.", to_trash);
+        if (const fs::path place = NameLanguages(keeper_).place_of(name->person); place != file) {
+            const std::string sentence = quoted(file) + " says how the name of " + readable(name->person) +
+                                         " is read, and does not have its place.";
+            if (name_taken(place))
+                return found(Kind::damaged_name_language, file, sentence,
+                             "Another one has it, so this one goes to the trash.", to_trash);
+            return found(Kind::damaged_name_language, file, sentence, "It goes there, " + quoted(place) + ".",
+                         [&] { return move_file(file, place); });
+        }
+        if (!known_people_.contains(name->person) && every_sidecar_was_read_)
+            found(Kind::left_behind, file,
+                  quoted(file) + " says how the name of " + readable(name->person) +
+                      ", who is on no photograph, is read.");
     }
 
     void check_name(const fs::path& file) {
@@ -445,10 +472,11 @@ private:
 } // namespace
 
 std::string_view name_of(Finding::Kind kind) {
-    constexpr std::array<std::string_view, 12> names{
+    constexpr std::array<std::string_view, 13> names{
         "half_written",         "unfinished_recording", "unlisted_recording", "missing_recording",
         "unreadable_recording", "unreadable_sidecar",   "left_behind",        "conflict_copy",
-        "changed_photo",        "open_to_others",       "unfinished_import",  "damaged_trash"};
+        "changed_photo",        "open_to_others",       "unfinished_import",  "damaged_trash",
+        "damaged_name_language"};
     return names[static_cast<std::size_t>(kind)];
 }
 

@@ -29,6 +29,7 @@ struct Finding {
         open_to_others, ///< recordings that other people on this machine may hear
         unfinished_import,
         damaged_trash,
+        damaged_name_language, ///< a file of a name's language that cannot be read or does not have its place
     };
     Kind kind = Kind::half_written;
     std::filesystem::path file;

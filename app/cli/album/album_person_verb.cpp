@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/album_queries.hpp"
 #include "app/album/keeper/album_keeper.hpp"
+#include "app/album/keeper/name_languages.hpp"
 #include "app/album/keeper/path_text.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/cli/album/album_index_words.hpp"
@@ -11,6 +12,7 @@
 
 #include <array>
 #include <cstdio>
+#include <system_error>
 
 namespace tp {
 
@@ -33,17 +35,23 @@ int person_list(const QStringList& words) {
     const auto people = AlbumQueries(*index).topics("person", "", most_people);
     if (!people)
         return refused(people.error());
-    const AlbumKeeper keeper(first_path(line));
+    AlbumKeeper keeper(first_path(line));
+    const NameLanguages languages(keeper);
     for (const TopicEntry& person : *people) {
         const auto spoken = keeper.name_recording(person.name);
+        const auto language = languages.of(person.name);
+        if (!language)
+            std::fprintf(stderr, "%s\n", language.error().c_str());
+        const std::string tag = language ? *language : std::string{};
         if (line.has("json"))
             print_line(
                 {{"person", json_text(person.name)},
                  {"photos", static_cast<qint64>(person.photos)},
-                 {"recording", spoken ? QJsonValue(path_text(*spoken)) : QJsonValue(QJsonValue::Null)}});
+                 {"recording", spoken ? QJsonValue(path_text(*spoken)) : QJsonValue(QJsonValue::Null)},
+                 {"language", tag.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(json_text(tag))}});
         else
-            std::printf("%s\t%zu%s\n", readable(person.name).c_str(), person.photos,
-                        spoken ? "\tname recorded" : "");
+            std::printf("%s\t%zu%s%s\n", readable(person.name).c_str(), person.photos,
+                        spoken ? "\tname recorded" : "", tag.empty() ? "" : ("\tread as " + tag).c_str());
     }
     return exit_done;
 }
@@ -80,9 +88,13 @@ int person_rename(const QStringList& words) {
     const auto changed = keeper.rename_person(photos, from, to);
     if (!changed)
         return refused(changed.error());
-    if (everywhere)
-        if (const std::string problem = keeper.rename_name_recording(from, to); !problem.empty())
+    if (everywhere) {
+        std::string problem = keeper.rename_name_recording(from, to);
+        if (problem.empty())
+            problem = NameLanguages(keeper).rename(from, to);
+        if (!problem.empty())
             return refused(problem);
+    }
     std::printf("%zu photographs changed.\n", *changed);
     return *changed > 0 ? exit_done
                         : refused("Nobody of the name " + quoted(fs::path(from)) + " is on them.");
@@ -125,14 +137,41 @@ int person_record(const QStringList& words) {
     return problem.empty() ? int{exit_done} : refused(problem);
 }
 
+int person_language(const QStringList& words) {
+    VerbLine line(
+        "album person language",
+        "The language that a person's name is read in, or another one from now on; \"\" forgets it.");
+    line.argument("ALBUM", "The album's folder.")
+        .argument("NAME", "The person.")
+        .argument("TAG", "BCP 47, such as fr or pt-BR.", "[TAG]");
+    if (const auto over = line.parse(words, 2, 3))
+        return *over;
+    if (std::error_code error; !fs::is_directory(first_path(line), error))
+        return refused("There is no folder " + quoted(first_path(line)) + ".");
+    AlbumKeeper keeper(first_path(line));
+    NameLanguages languages(keeper);
+    const std::string person = line.arguments()[1].toStdString();
+    if (line.arguments().size() == 3) {
+        const std::string problem = languages.choose(person, line.arguments()[2].toStdString());
+        return problem.empty() ? int{exit_done} : refused(problem);
+    }
+    const auto language = languages.of(person);
+    if (!language)
+        return refused(language.error());
+    if (!language->empty())
+        std::printf("%s\n", language->c_str());
+    return exit_done;
+}
+
 } // namespace
 
 int album_person(const QStringList& words) {
-    static constexpr std::array<SubVerb, 4> verbs{{
+    static constexpr std::array<SubVerb, 5> verbs{{
         {"list", "the people of an album", person_list},
         {"rename", "another name for a person, or two people made one", person_rename},
         {"name", "say who a face is", person_name},
         {"record", "keep how somebody says a name", person_record},
+        {"language", "the language that a name is read in", person_language},
     }};
     return run_sub_verb("album person", verbs, words);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/name_languages.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/care/care_module.hpp"
 #include "care_bench.hpp"
@@ -418,6 +419,53 @@ private slots:
         CARE_TRY_COMPARE(page.bench.record("anna.jpg").persons, std::vector<std::string>{});
         page.session().closePhoto(); // with its faces
         QCOMPARE(page.session().faces()->count(), 0);
+    }
+
+    void the_language_of_a_name_is_chosen_by_keys_by_touch_and_by_a_screen_reader() {
+        Page page({"a.png"});
+        SidecarChanges changes;
+        changes.faces = {{0.5, 0.5, 0.2, 0.2, "Giulia"}, {0.2, 0.5, 0.2, 0.2, ""}};
+        QCOMPARE(write_sidecar(page.bench.photo("a.png"), changes), std::string());
+        page.session().openRow(0);
+        CARE_TRY_VERIFY(page.bench.rests() && !page.session().faces()->looking());
+        const auto language = [&] {
+            AlbumKeeper keeper(page.bench.root());
+            const auto tag = NameLanguages(keeper).of("Giulia");
+            return tag ? *tag : tag.error();
+        };
+        const auto option = [](const char* words) { return QString("Its name is read as: ") + words; };
+        page.session().faces()->choose(0);
+        QVERIFY(named(page, option("italiano")) == nullptr); // this face has no name
+        QVERIFY(page.tab_to("Giulia, 2 of 2"));
+        page.key(Qt::Key_Return);
+        QVERIFY(named(page, option("As the page"))->state().checked);
+        QVERIFY(page.tab_to(option("italiano")));
+        page.key(Qt::Key_Space);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(language(), std::string("it"));
+        QCOMPARE(page.focused(), option("italiano")); // the keyboard stays
+        QVERIFY(named(page, option("italiano"))->state().checked);
+        QVERIFY(!named(page, option("As the page"))->state().checked);
+        QCOMPARE(page.bench.last_said(), QString("Saved: Giulia. The name is read as italiano."));
+        QVERIFY(press(named(page, option("polski"))));
+        QVERIFY(page.bench.rests());
+        QCOMPARE(language(), std::string("pl"));
+        QVERIFY(page.tab_to(option("Türkçe"))); // and so in view
+        QQuickItem* const turkish = page.window.activeFocusItem();
+        const QPoint place = turkish->mapToScene({0.5 * turkish->width(), 0.5 * turkish->height()}).toPoint();
+        QPointingDevice* const finger = QTest::createTouchDevice();
+        QTest::touchEvent(&page.window, finger).press(0, place, &page.window);
+        QTest::touchEvent(&page.window, finger).release(0, place, &page.window);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(language(), std::string("tr"));
+        page.session().undo();
+        QVERIFY(page.bench.rests());
+        QCOMPARE(language(), std::string("pl"));
+        CARE_TRY_VERIFY(named(page, option("polski"))->state().checked);
+        QVERIFY(page.bench.last_said().startsWith("Undone: "));
+        QVERIFY(press(named(page, option("As the page"))));
+        QVERIFY(page.bench.rests());
+        QCOMPARE(language(), std::string());
     }
 
     void a_description_is_saved_when_its_field_is_left() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/name_languages.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "app/care/face_care.hpp"
 #include "care_bench.hpp"
@@ -48,6 +49,19 @@ struct Bench {
         rest();
     }
     void rest() { CARE_TRY_VERIFY(!steps.busy() && !faces.looking()); }
+    /// Names the larger face and opens it again.
+    void name(const QString& name) {
+        faces.choose(0);
+        faces.name(name);
+        rest();
+        CARE_TRY_COMPARE(texts().value(1), name);
+        faces.choose(1);
+        QVERIFY(album.sounded(Earcon::saved));
+    }
+    std::string language_of(const std::string& person) const {
+        const auto language = NameLanguages(*photo.place().keeper).of(person);
+        return language ? *language : language.error();
+    }
     QStringList texts() const {
         QStringList texts;
         for (const QVariant& face : faces.faces())
@@ -134,6 +148,82 @@ private slots:
         QCOMPARE(write_sidecar(bench.album.photo("a.jpg"), changes), std::string());
         bench.open();
         QCOMPARE(bench.texts(), QStringList{"Anna"});
+    }
+
+    void a_name_is_read_in_a_language_of_its_own() {
+        Bench bench;
+        bench.open();
+        bench.name("Giulia");
+        QCOMPARE(bench.faces.language(), -1);
+        const auto italian = static_cast<int>(bench.faces.languages().indexOf("italiano"));
+        QVERIFY(italian >= 0);
+        // the voice is told before it says so
+        connect(&bench.photo, &CaredPhoto::name_languages_read, this,
+                [&](const fs::path& album, const std::vector<NameLanguage>& names) {
+                    QCOMPARE(album, bench.album.root());
+                    SpokenNames spoken;
+                    for (const NameLanguage& name : names)
+                        spoken.push_back({QString::fromStdString(name.person), QString::fromStdString(name.language)});
+                    bench.album.voice.set_name_languages(spoken);
+                });
+        bench.faces.readNameIn(italian);
+        bench.rest();
+        QCOMPARE(bench.album.last_said(), QString("Saved: Giulia. The name is read as italiano."));
+        QCOMPARE(bench.album.voice.names_when_said().back(), (SpokenNames{{"Giulia", "it"}}));
+        QVERIFY(bench.album.sounded(Earcon::saved));
+        QCOMPARE(bench.language_of("Giulia"), std::string("it"));
+        QCOMPARE(bench.faces.language(), italian);
+        QCOMPARE(bench.faces.chosen(), 1); // still open
+        bench.faces.readNameIn(-1);
+        bench.rest();
+        QCOMPARE(bench.album.last_said(), QString("Saved: Giulia is read as the page is."));
+        QCOMPARE(bench.language_of("Giulia"), std::string());
+        QCOMPARE(bench.faces.language(), -1);
+        bench.steps.undo([](const QString&) {});
+        bench.photo.read_again();
+        bench.rest();
+        QCOMPARE(bench.faces.language(), italian);
+        QCOMPARE(bench.steps.next_undo(), QString("the language of the name of Giulia was chosen"));
+    }
+
+    void a_language_that_is_not_offered_is_kept_in_the_list() {
+        Bench bench;
+        bench.open();
+        bench.name("Giulia");
+        const QStringList usual = bench.faces.languages();
+        QCOMPARE(usual, QStringList({"English", "Deutsch", "한국어", "français", "español", "italiano", "português",
+                                     "Nederlands", "polski", "Türkçe", "Tiếng Việt"}));
+        QCOMPARE(NameLanguages(*bench.photo.place().keeper).choose("Giulia", "sv"), std::string());
+        QSignalSpy changed(&bench.faces, &FaceCare::languagesChanged);
+        bench.photo.read_again();
+        bench.rest();
+        QCOMPARE(bench.faces.languages(), usual + QStringList{"svenska"});
+        QCOMPARE(bench.faces.language(), static_cast<int>(usual.size()));
+        bench.faces.readNameIn(0);
+        bench.rest();
+        QCOMPARE(bench.faces.language(), 0);
+        QCOMPARE(changed.size(), 1); // it may be chosen again, and the keyboard stays where it is
+        bench.faces.choose(0);
+        QCOMPARE(bench.faces.languages(), usual);
+    }
+
+    void nothing_is_chosen_for_a_face_without_a_name_or_over_what_cannot_be_read() {
+        Bench bench;
+        bench.open();
+        bench.faces.readNameIn(0); // no face is open
+        bench.faces.choose(0);
+        bench.faces.readNameIn(0);
+        QVERIFY(!bench.steps.busy());
+        bench.name("Giulia");
+        bench.faces.readNameIn(99);
+        QVERIFY(!bench.steps.busy());
+        bench.album.folder.write("album/.touchphoto/people/Giulia.language", "?");
+        bench.faces.readNameIn(0);
+        bench.rest();
+        QVERIFY(bench.album.last_said().contains("Giulia.language"));
+        QVERIFY(bench.album.sounded(Earcon::error));
+        QCOMPARE(bench.album.folder.read("album/.touchphoto/people/Giulia.language"), std::string("?"));
+        QCOMPARE(bench.faces.language(), -1);
     }
 
     void people_are_suggested_those_on_the_photograph_last() {

@@ -97,7 +97,18 @@ private slots:
         QCOMPARE(album({"person", "record", family.album(), "Jörg", "--from", text(family.card / "memo.wav")})
                      .code,
                  0);
+        QCOMPARE(album({"person", "language", family.album(), "Jörg"}).out, QByteArray());
+        QCOMPARE(album({"person", "language", family.album(), "Jörg", "de-AT"}).code, 0);
+        QCOMPARE(album({"person", "language", family.album(), "Jörg", "de_AT"}).code, 1);
+        QCOMPARE(album({"person", "language", family.album(), "Jörg"}).out, QByteArray("de-AT\n"));
+        const QJsonObject person = lines_of(album({"person", "list", family.album(), "--json"})).at(0);
+        QCOMPARE(person["person"].toString(), "Jörg");
+        QCOMPARE(person["language"].toString(), "de-AT");
+        QCOMPARE(album({"person", "list", family.album()}).out,
+                 QByteArray("Jörg\t1\tname recorded\tread as de-AT\n"));
         QCOMPARE(album({"person", "rename", family.album(), "Jörg", "Georg"}).code, 0);
+        QCOMPARE(album({"person", "language", family.album(), "Jörg"}).out, QByteArray());
+        QCOMPARE(album({"person", "language", family.album(), "Georg"}).out, QByteArray("de-AT\n"));
         QVERIFY(fs::exists(family.folder / ".touchphoto/people/Georg.flac"));
         const QJsonObject shown = lines_of(album({"show", family.photo(), "--json"})).at(0);
         QCOMPARE(shown["persons"].toArray(), QJsonArray{"Georg"});
@@ -125,6 +136,8 @@ private slots:
         QVERIFY2(checked.code == 0, checked.out);
         QCOMPARE(lines_of(checked).at(0)["photos"].toInt(), 2);
         QCOMPARE(lines_of(checked).at(0)["recordings"].toInt(), 2);
+        QCOMPARE(album({"person", "language", family.album(), "Georg", ""}).code, 0);
+        QVERIFY(!fs::exists(family.folder / ".touchphoto/people/Georg.language"));
         const QString bundle = text(family.card / "f.touchphoto");
         QCOMPARE(album({"export", family.album(), "--to", bundle}).code, 0);
         const AlbumFolder other;
@@ -231,6 +244,10 @@ private slots:
         QTest::newRow("no folder") << QStringList{"scan", "/missing"} << 1;
         QTest::newRow("nothing to import") << QStringList{"import", "/tmp"} << 2;
         QTest::newRow("no face") << QStringList{"person", "name", "x.jpg", "Anna", "--face", "1,2"} << 2;
+        QTest::newRow("no album for a name")
+            << QStringList{"person", "language", "/missing", "Anna", "fr"} << 1;
+        QTest::newRow("no language") << QStringList{"person", "language", "/tmp", "Anna", "French, please"}
+                                     << 1;
         QTest::newRow("no such entry") << QStringList{"trash", "restore", "/tmp", "../x"} << 1;
         QTest::newRow("no end") << QStringList{"tag", "trim", "x.jpg", "y.flac"} << 2;
         QTest::newRow("no file to write") << QStringList{"export", "/tmp"} << 2;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/speech/dispatcher_worker.hpp"
+#include "audio/speech/spoken_voice.hpp"
 
 #include <QFile>
 #include <QLocalServer>
@@ -115,6 +116,35 @@ private slots:
         }
         QTRY_COMPARE(bench.finished.size(), 1);
         QCOMPARE(bench.finished[0][0].toULongLong(), quint64(7));
+    }
+
+    void a_known_name_is_spoken_in_its_language_from_the_next_text_on() {
+        Bench bench;
+        bench.worker.set_language("de");
+        bench.worker.set_name_languages({{"Giulia", "it"}});
+        bench.worker.speak(1, "Giulia lacht.");
+        QTRY_COMPARE(bench.dispatcher.texts, QStringList({"Giulia ", "lacht."}));
+        bench.worker.set_name_languages({});
+        bench.worker.speak(2, "Giulia lacht.");
+        QTRY_COMPARE(bench.dispatcher.texts, QStringList({"Giulia ", "lacht.", "Giulia lacht."}));
+        QTRY_COMPARE(bench.dispatcher.commands.filter(QRegularExpression("LANGUAGE|SPEAK")).join('|'),
+                     QString("SET SELF LANGUAGE de|SET SELF LANGUAGE it|SPEAK|SET SELF LANGUAGE de|SPEAK|SPEAK"));
+    }
+
+    void names_come_from_the_voice_to_the_dispatcher_before_it_is_there_and_after() {
+        FakeDispatcher dispatcher;
+        qputenv("SPEECHD_ADDRESS", "unix_socket:" + QFile::encodeName(dispatcher.path()));
+        {
+            SpokenVoice voice;
+            voice.set_language("de");
+            voice.set_name_languages({{"Giulia", "it"}});
+            voice.say("Giulia lacht.", Priority::message);
+            QTRY_COMPARE(dispatcher.texts, QStringList({"Giulia ", "lacht."}));
+            voice.set_name_languages({{"Luca", "it"}});
+            voice.say("Giulia, Luca", Priority::fault);
+            QTRY_COMPARE(dispatcher.texts, QStringList({"Giulia ", "lacht.", "Giulia, ", "Luca"}));
+        }
+        qunsetenv("SPEECHD_ADDRESS");
     }
 
     void a_late_end_of_a_cancelled_text_does_not_end_the_next() {

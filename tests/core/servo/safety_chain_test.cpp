@@ -49,6 +49,29 @@ struct Bench {
 class SafetyChainTest : public QObject {
     Q_OBJECT
 private slots:
+    void what_a_device_adds_comes_and_goes_with_the_ramp() {
+        Bench bench;
+        QCOMPARE(SafeForce().share(), 0.0);
+        bench.input.force = Vec2(0.0); // even where the law wants nothing
+        double last = 0.0;
+        for (int i = 0; i < 600; ++i) {
+            bench.input.now += 0.001;
+            const SafeForce safe = bench.chain.pass(bench.input);
+            QCOMPARE(safe.share(), bench.chain.gain());
+            QVERIFY(safe.share() - last < 0.0021);
+            last = safe.share();
+        }
+        QCOMPARE(last, 1.0);
+        QCOMPARE(bench.chain.pass(bench.input).scaled(0.25).share(), 0.25);
+        QCOMPARE(bench.chain.pass(bench.input).scaled(std::numeric_limits<double>::quiet_NaN()).share(), 0.0);
+        bench.chain.disengage();
+        for (int i = 0; i < 21; ++i) {
+            bench.input.now += 0.001;
+            last = bench.chain.pass(bench.input).share();
+        }
+        QCOMPARE(last, 0.0);
+    }
+
     void lets_the_force_in_by_a_ramp() {
         Bench bench;
         double last = 0.0;
@@ -238,8 +261,8 @@ private slots:
     void every_fault_has_a_sentence_of_its_own() {
         std::set<std::string> sentences;
         for (const Fault fault :
-             {Fault::not_a_number, Fault::outside_workspace, Fault::over_speed, Fault::motors_off, Fault::stale_input,
-              Fault::late_ticks, Fault::stalled, Fault::device_lost}) {
+             {Fault::not_a_number, Fault::outside_workspace, Fault::over_speed, Fault::motors_off,
+              Fault::stale_input, Fault::late_ticks, Fault::stalled, Fault::device_lost}) {
             const std::string text = sentence(fault);
             QVERIFY(text.size() > 20 && text.back() == '.');
             sentences.insert(text);

@@ -4,8 +4,10 @@
 #include "device/force_pad/hid_transport.hpp"
 #include "device/force_pad/pad_frames.hpp"
 #include "device/registry.hpp"
+#include "device/usb/usb_devices.hpp"
 #include "found_pad_bench.hpp"
 #include "mock_usb.hpp"
+#include "stranger.hpp"
 
 #include <QTest>
 
@@ -15,9 +17,7 @@
 #include <libusb.h>
 #include <memory>
 #include <string>
-#include <sys/stat.h>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 using namespace tp;
@@ -42,34 +42,7 @@ struct Bench : FoundPadBench {
     }
 };
 
-/// Makes this process one that may use only those of the bed's nodes that are not named; for a while.
-class Stranger {
-public:
-    Stranger(const UsbPadBed& bed, const std::vector<std::string>& forbidden) {
-        for (const std::string node : {UsbPadBed::node, mock::hidraw_node})
-            ::chmod((bed.root() + node).c_str(), 0666);
-        for (const std::string& node : forbidden)
-            good_ = good_ && ::chmod((bed.root() + node).c_str(), 0) == 0;
-        if (!root_)
-            return;
-        // umockdev's own ways to the test bed stay open to all.
-        good_ = good_ && ::chmod(bed.root().c_str(), 0777) == 0;
-        for (const std::string node : {UsbPadBed::node, mock::hidraw_node})
-            ::chmod((bed.root() + "/ioctl" + node).c_str(), 0777);
-        good_ = good_ && ::seteuid(65534) == 0;
-    }
-    ~Stranger() {
-        if (root_ && ::seteuid(0) != 0)
-            qFatal("this process cannot be root again");
-    }
-    Stranger(const Stranger&) = delete;
-    Stranger& operator=(const Stranger&) = delete;
-    bool good() const { return good_; }
-
-private:
-    bool root_ = ::geteuid() == 0; // whom no permission keeps out
-    bool good_ = true;
-};
+const std::vector<std::string> nodes = {UsbPadBed::node, mock::hidraw_node};
 
 } // namespace
 
@@ -320,7 +293,7 @@ private slots:
     void without_permission_a_person_is_told_what_to_do() {
         UsbPadBed bed;
         QVERIFY(bed.plug_in());
-        const Stranger stranger(bed, {UsbPadBed::node});
+        const mock::Stranger stranger(bed.root(), nodes, {UsbPadBed::node});
         QVERIFY(stranger.good());
         const std::vector<FoundPad> found = find_bulk();
         QCOMPARE(found.size(), std::size_t(1));
@@ -357,7 +330,7 @@ private slots:
     void where_hid_cannot_be_opened_it_is_used_over_bulk() {
         UsbPadBed bed;
         QVERIFY(bed.plug_in(true));
-        const Stranger stranger(bed, {mock::hidraw_node});
+        const mock::Stranger stranger(bed.root(), nodes, {mock::hidraw_node});
         QVERIFY(stranger.good());
         const std::vector<ListedDevice> devices = list_devices();
         QCOMPARE(devices.size(), std::size_t(2));
@@ -374,7 +347,7 @@ private slots:
     void where_neither_can_be_opened_it_is_listed_and_says_why() {
         UsbPadBed bed;
         QVERIFY(bed.plug_in(true));
-        const Stranger stranger(bed, {mock::hidraw_node, UsbPadBed::node});
+        const mock::Stranger stranger(bed.root(), nodes, {mock::hidraw_node, UsbPadBed::node});
         QVERIFY(stranger.good());
         QCOMPARE(list_devices().size(), std::size_t(2));
         Result<std::unique_ptr<ForceDevice>> device = device_named("pad:TPC-0001");

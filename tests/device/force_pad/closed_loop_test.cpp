@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "../closed_loop/force_judge.hpp"
 #include "pad_bench.hpp"
 
 #include <QTest>
@@ -6,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <random>
 #include <vector>
 
 using namespace tp;
+using tp::testing::ForceJudge;
 using tp::testing::PadBench;
 
 namespace {
@@ -25,53 +26,11 @@ Contour line_at(Vec2 centre, double y) {
     return contour_through("line", {{centre.x - 40.0, centre.y + y}, {centre.x + 40.0, centre.y + y}}, false);
 }
 
-/// Holds every tick of a bench to what a person may feel; the words of the first breach.
-class Judge {
+/// Judges what the knob of a bench feels.
+class Judge : public ForceJudge {
 public:
     Judge(PadBench& bench, double slack)
-        : bench_(bench), slack_(slack), sent_(bench.loop->snapshot().force()), felt_(bench.model.force()),
-          gain_(bench.loop->snapshot().gain) {}
-
-    QString complaint;
-    bool let_go = false; ///< the person switched the force off
-
-    void judge(double dt = 0.001) {
-        const ServoSnapshot view = bench_.loop->snapshot();
-        const Vec2 sent = view.force();
-        const Vec2 felt = bench_.model.force();
-        const double most = bench_.can.max_force;
-        say(length(sent) > most + 1e-9, "the servo sends more than the pad's limit", length(sent));
-        const bool down = length(sent) <= length(sent_) + 1e-12;
-        // Off may be at once, as when a person lets the force in anew before it was gone.
-        const bool may_drop = view.fault != Fault::none || !view.engaged || view.gain == 0.0;
-        say(!(down && may_drop) && length(sent - sent_) > 40.0 * std::min(dt, 0.003) + 1e-9,
-            "the servo's force changes too fast", length(sent - sent_) / dt);
-        say(length(felt) > most + slack_, "the knob feels more than the pad's limit", length(felt));
-        // One frame may carry the whole of a late tick; the pad's own limit holds for each of its
-        // milliseconds.
-        const double steps = std::max(1.0, std::round(dt / 0.001));
-        say(length(felt) > 2.0 * slack_ && length(felt - felt_) > 0.1 * steps + slack_,
-            "the knob's force changes too fast", length(felt - felt_) / dt);
-        const bool rising = view.gain > gain_ || view.gain >= 1.0;
-        say(view.ticks > 1 && !rising && !let_go && std::strlen(sentence(view.fault)) == 0,
-            "the force goes and nobody says why", view.gain);
-        sent_ = sent;
-        felt_ = felt;
-        gain_ = view.gain;
-    }
-
-private:
-    void say(bool breach, const char* what, double figure) {
-        if (breach && complaint.isEmpty())
-            complaint =
-                QStringLiteral("%1: %2 at %3 s").arg(QLatin1String(what)).arg(figure).arg(bench_.clock.now());
-    }
-
-    PadBench& bench_;
-    double slack_;
-    Vec2 sent_;
-    Vec2 felt_;
-    double gain_;
+        : ForceJudge(*bench.loop, bench.can, [&bench] { return bench.model.force(); }, slack) {}
 };
 
 /// One thing that goes wrong for a while.

@@ -50,12 +50,7 @@ public:
     Bed& operator=(const Bed&) = delete;
 
     bool plug_in(Behaviour behaviour) {
-        const std::string description =
-            "P: /devices/pci0000:00/usb1/1-1\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nA: idVendor=1209\\n\n"
-            "A: idProduct=0001\\n\nA: manufacturer=touchphoto\\n\nA: product=force pad\\n\nA: "
-            "serial=TPC-0001\\n\n"
-            "A: bcdDevice=0100\\n\n\n" +
-            mock::hidraw_description();
+        const std::string description = mock::usb_description() + mock::hidraw_description();
         if (umockdev_testbed_add_from_string(bed_, description.c_str(), nullptr) == FALSE ||
             umockdev_testbed_attach_ioctl(bed_, mock::hidraw_node, ioctls_, nullptr) == FALSE)
             return false;

@@ -1,151 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "../usb/usb_bed.hpp"
 #include "device/force_pad/model_pad.hpp"
 #include "device/force_pad/protocol/frame.hpp"
 #include "mock_hidraw.hpp"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <deque>
-#include <linux/usbdevice_fs.h>
 #include <mutex>
-#include <set>
-#include <string>
-#include <thread>
+#include <span>
 #include <vector>
 
 namespace tp::mock {
 
-/// A force pad on the USB, made by umockdev: /sys tells of it, and the ioctls of its node in /dev/bus/usb are
-/// answered here as the kernel answers them, with the model pad behind its bulk endpoints. It makes a step
-/// and sends its state for each frame that it is sent.
-class UsbPadBed {
+/// A force pad on the USB with the model pad behind its bulk endpoints. It makes a step and sends its state
+/// for each frame that it is sent.
+class UsbPadBed final : public UsbBed {
 public:
-    /// What it does from now on.
-    struct Behaviour {
-        bool silent = false;        ///< takes frames and sends nothing
-        bool deaf = false;          ///< takes no frame
-        bool other_device = false;  ///< sends what is no frame of ours
-        bool odd_packets = false;   ///< a short, an empty and a long packet before each frame
-        bool busy = false;          ///< another program holds the interface
-        bool kernel_driver = false; ///< a driver of the kernel holds it
-        int stalls_in = 0;  ///< that many more halts of the pipe from the pad, each at its next packet
-        int stalls_out = 0; ///< and of the one to it, each at the next frame
-        int errors_in = 0;  ///< that many more packets break on the way
-    };
-    struct Seen {
-        long answered = 0; ///< frames of the pad that the computer has got
-        long odd = 0;      ///< packets of another length that it has got
-        long taken = 0;    ///< frames that the pad has got
-        long given_up = 0; ///< frames that the computer took back before the pad had them: a busy machine is late
-        long halts_cleared = 0;
-        long detached = 0; ///< times the kernel's driver was sent away
-        long attached = 0; ///< and called back
-        long claimed = 0;
-        long released = 0;
+    struct Seen : UsbBed::Seen {
         bool motors = false; ///< of the last force frame taken
         std::int16_t x_mn = 0, y_mn = 0;
     };
 
-    UsbPadBed() : bed_(umockdev_testbed_new()) {
-        usb_ = UMOCKDEV_IOCTL_BASE(g_object_new(umockdev_ioctl_base_get_type(), nullptr));
+    UsbPadBed() {
         hid_ = UMOCKDEV_IOCTL_BASE(g_object_new(umockdev_ioctl_base_get_type(), nullptr));
-        g_signal_connect(usb_, "handle-ioctl", G_CALLBACK(&UsbPadBed::answer_of), this);
         g_signal_connect(hid_, "handle-ioctl", G_CALLBACK(answer_hidraw_ioctl), nullptr);
         model_.place_knob({10.0, 2.0});
-        const std::vector<std::uint8_t> hub = {0x12, 1, 0, 2, 9, 0,  0, 64, 0x6B, 0x1D, 2,    0, 0, 6, 3,
-                                               2,    1, 1, 9, 2, 25, 0, 1,  1,    0,    0xE0, 0, 9, 4, 0,
-                                               0,    1, 9, 0, 0, 0,  7, 5,  0x81, 3,    4,    0, 12};
-        add("P: /devices/pci0000:00/usb1\nN: bus/usb/001/001\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\n"
-            "E: DEVNAME=/dev/bus/usb/001/001\nE: BUSNUM=001\nE: DEVNUM=001\nA: busnum=1\\n\nA: devnum=1\\n\n"
-            "A: speed=480\\n\nA: bConfigurationValue=1\\n\nA: idVendor=1d6b\\n\nA: idProduct=0002\\n\n"
-            "H: descriptors=" +
-            hexadecimal(hub.data(), hub.size()) + "\n\n");
     }
-    ~UsbPadBed() {
-        for (UMockdevIoctlBase* const ioctls : {usb_, hid_})
-            g_object_unref(ioctls);
-        g_object_unref(bed_);
-    }
-    UsbPadBed(const UsbPadBed&) = delete;
-    UsbPadBed& operator=(const UsbPadBed&) = delete;
+    ~UsbPadBed() override { g_object_unref(hid_); }
 
     /// With or without a HID node that the kernel made for its other interface, and with or without the bulk
     /// interface.
     bool plug_in(bool hid = false, bool bulk = true) {
-        {
-            const std::lock_guard lock(mutex_);
-            gone_ = false;
-        }
-        const std::vector<std::uint8_t> bytes = descriptors(bulk);
-        std::string description =
-            "P: /devices/pci0000:00/usb1/1-1\nN: bus/usb/001/002\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\n"
-            "E: DEVNAME=/dev/bus/usb/001/002\nE: BUSNUM=001\nE: DEVNUM=002\nE: MAJOR=189\nE: MINOR=1\n"
-            "E: PRODUCT=1209/1/100\nA: busnum=1\\n\nA: devnum=2\\n\nA: speed=12\\n\n"
-            "A: bConfigurationValue=1\\n\nA: idVendor=1209\\n\nA: idProduct=0001\\n\n"
-            "A: manufacturer=touchphoto\\n\nA: product=force pad\\n\nA: serial=TPC-0001\\n\n"
-            "A: bcdDevice=0100\\n\nH: descriptors=" +
-            hexadecimal(bytes.data(), bytes.size()) + "\n\n";
-        if (hid)
-            description += hidraw_description();
-        return add(description) && umockdev_testbed_attach_ioctl(bed_, node, usb_, nullptr) != FALSE &&
-               (!hid || umockdev_testbed_attach_ioctl(bed_, hidraw_node, hid_, nullptr) != FALSE);
-    }
-    void unplug() {
-        {
-            const std::lock_guard lock(mutex_);
-            gone_ = true;
-            seen_.released += static_cast<long>(holders_.size()); // the kernel's own deed
-            holders_.clear();
-        }
-        umockdev_testbed_uevent(bed_, "/sys/devices/pci0000:00/usb1/1-1", "remove");
-    }
-    /// Nothing in /sys tells of it any more, so that it can be plugged in again.
-    void forget() {
-        umockdev_testbed_detach_ioctl(bed_, node, nullptr);
-        umockdev_testbed_remove_device(bed_, "/sys/devices/pci0000:00/usb1/1-1");
-    }
-    void behave(const Behaviour& behaviour) {
-        const std::lock_guard lock(mutex_);
-        behaviour_ = behaviour;
+        return appear({"1209", "0001", "0100", "touchphoto", "force pad", "TPC-0001", descriptors(bulk)},
+                      hid ? hidraw_description() : std::string()) &&
+               (!hid || umockdev_testbed_attach_ioctl(bed(), hidraw_node, hid_, nullptr) != FALSE);
     }
     Seen seen() {
         const std::lock_guard lock(mutex_);
-        return seen_;
+        Seen all{seen_, motors_, x_mn_, y_mn_};
+        return all;
     }
-    std::string root() const {
-        char* const folder = umockdev_testbed_get_root_dir(bed_);
-        std::string copy = folder;
-        g_free(folder);
-        return copy;
-    }
-    static constexpr const char* node = "/dev/bus/usb/001/002";
 
 private:
-    /// A transfer between its submission and its collection.
-    struct Transfer {
-        UMockdevIoctlData* urb;
-        UMockdevIoctlData* buffer;
-        bool done = false;
-        int status = 0;
-        int length = 0;
-
-        usbdevfs_urb& fields() const { return *reinterpret_cast<usbdevfs_urb*>(urb->data); }
-        bool inward() const { return (fields().endpoint & 0x80) != 0; }
-        void finish(int result, int count) {
-            done = true;
-            status = result;
-            length = count;
-        }
-    };
-
-    bool add(const std::string& description) {
-        return umockdev_testbed_add_from_string(bed_, description.c_str(), nullptr) != FALSE;
-    }
-
     /// PROTOCOL.md's device at full speed; the second interface is the bulk one.
     static std::vector<std::uint8_t> descriptors(bool bulk) {
         constexpr std::uint8_t report_size = sizeof pad::report_descriptor;
@@ -190,136 +89,15 @@ private:
         return all;
     }
 
-    /// Changes what the computer's program sees there.
-    static void update(UMockdevIoctlData* data, std::size_t offset, const void* bytes, std::size_t count) {
-        std::vector<guint8> copy(count); // umockdev takes what it copies as something it might change
-        std::memcpy(copy.data(), bytes, count);
-        umockdev_ioctl_data_update(data, offset, copy.data(), static_cast<gint>(count));
-    }
-
-    static gboolean answer_of(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
-        return static_cast<UsbPadBed*>(self)->answer(client);
-    }
-
-    gboolean answer(UMockdevIoctlClient* client) {
-        const gulong request = umockdev_ioctl_client_get_request(client);
-        if (_IOC_TYPE(request) != 'U')
-            return FALSE;
-        UMockdevIoctlData* const argument = umockdev_ioctl_client_get_arg(client);
-        UMockdevIoctlData* data = nullptr;
-        if (_IOC_SIZE(request) > 0 && request != USBDEVFS_DISCARDURB) {
-            data = umockdev_ioctl_data_resolve(argument, 0, static_cast<gsize>(_IOC_SIZE(request)), nullptr);
-            if (data == nullptr) {
-                umockdev_ioctl_client_complete(client, -1, EFAULT);
-                return TRUE;
-            }
-        }
-        int error = 0;
-        {
-            const std::lock_guard lock(mutex_);
-            error = handle(client, request, argument, data);
-        }
-        if (error == EAGAIN) // the node of a mocked device is always ready: without a rest libusb would spin
-            std::this_thread::sleep_for(std::chrono::microseconds(200));
-        if (data != nullptr && !(request == USBDEVFS_SUBMITURB && error == 0))
-            umockdev_ioctl_data_unref(data);
-        umockdev_ioctl_client_complete(client, error == 0 ? 0 : -1, error);
-        return TRUE;
-    }
-
-    /// 0 or an errno.
-    int handle(UMockdevIoctlClient* client, gulong request, UMockdevIoctlData* argument, UMockdevIoctlData* data) {
-        if (request == USBDEVFS_REAPURB || request == USBDEVFS_REAPURBNDELAY)
-            return collect(data);
-        if (gone_)
-            return ENODEV;
-        switch (request) {
-        case USBDEVFS_GET_CAPABILITIES: {
-            const std::uint32_t can = USBDEVFS_CAP_ZERO_PACKET | USBDEVFS_CAP_BULK_CONTINUATION |
-                                      USBDEVFS_CAP_NO_PACKET_SIZE_LIM | USBDEVFS_CAP_REAP_AFTER_DISCONNECT;
-            update(data, 0, &can, sizeof can);
-            return 0;
-        }
-        case USBDEVFS_DISCONNECT_CLAIM:
-            if (behaviour_.busy)
-                return EBUSY;
-            if (behaviour_.kernel_driver)
-                ++seen_.detached;
-            behaviour_.kernel_driver = false;
-            return claim(client);
-        case USBDEVFS_CLAIMINTERFACE:
-            if (behaviour_.busy || behaviour_.kernel_driver)
-                return EBUSY;
-            return claim(client);
-        case USBDEVFS_RELEASEINTERFACE:
-            if (holders_.erase(client) == 0)
-                return EINVAL; // of one that was unplugged, where another is plugged in now
-            ++seen_.released;
-            return 0;
-        case USBDEVFS_IOCTL:
-            if (reinterpret_cast<usbdevfs_ioctl*>(data->data)->ioctl_code ==
-                static_cast<int>(USBDEVFS_CONNECT))
-                ++seen_.attached;
-            return 0;
-        case USBDEVFS_CLEAR_HALT: {
-            unsigned endpoint = 0;
-            std::memcpy(&endpoint, data->data, sizeof endpoint);
-            (endpoint == pad::bulk_in ? halted_in_ : halted_out_) = false;
-            ++seen_.halts_cleared;
-            return 0;
-        }
-        case USBDEVFS_SUBMITURB:
-            return submit(data);
-        case USBDEVFS_DISCARDURB: {
-            gulong address = 0;
-            std::memcpy(&address, argument->data, sizeof address);
-            for (Transfer& one : transfers_)
-                if (one.urb->client_addr == address && !one.done) {
-                    one.finish(-ENOENT, 0);
-                    seen_.given_up += one.inward() ? 0 : 1;
-                    return 0;
-                }
-            return EINVAL;
-        }
-        default:
-            return ENOTTY;
-        }
-    }
-
-    int claim(UMockdevIoctlClient* client) {
-        holders_.insert(client);
-        ++seen_.claimed;
-        return 0;
-    }
-
-    int submit(UMockdevIoctlData* urb) {
-        const auto length = reinterpret_cast<usbdevfs_urb*>(urb->data)->buffer_length;
-        UMockdevIoctlData* const buffer = umockdev_ioctl_data_resolve(urb, offsetof(usbdevfs_urb, buffer),
-                                                                      static_cast<gsize>(length), nullptr);
-        if (buffer == nullptr)
-            return EFAULT;
-        transfers_.push_back({urb, buffer});
-        return 0;
-    }
-
-    void take(Transfer& out) {
-        if (behaviour_.stalls_out > 0) {
-            --behaviour_.stalls_out;
-            halted_out_ = true;
-        }
-        if (halted_out_)
-            return out.finish(-EPIPE, 0);
+    void hear(std::span<const std::uint8_t> packet) override {
         pad::Frame frame;
-        const int length = out.fields().buffer_length;
-        out.finish(0, length);
-        if (length != static_cast<int>(pad::frame_size))
+        if (packet.size() != pad::frame_size)
             return; // dropped, as PROTOCOL.md has it
-        std::memcpy(frame.bytes, out.buffer->data, pad::frame_size);
-        ++seen_.taken;
+        std::memcpy(frame.bytes, packet.data(), pad::frame_size);
         if (pad::ForceFrame force; pad::decode(frame, force)) {
-            seen_.motors = force.motors;
-            seen_.x_mn = force.x_mn;
-            seen_.y_mn = force.y_mn;
+            motors_ = force.motors;
+            x_mn_ = force.x_mn;
+            y_mn_ = force.y_mn;
         }
         model_.receive(frame);
         model_.step();
@@ -337,65 +115,14 @@ private:
             packets_.push_back(std::move(bytes));
         }
     }
-
-    void fill(Transfer& in) {
-        if (halted_in_)
-            return;
-        if (behaviour_.errors_in > 0) {
-            --behaviour_.errors_in;
-            return in.finish(-EPROTO, 0);
-        }
-        if (packets_.empty())
-            return;
-        if (behaviour_.stalls_in > 0) {
-            --behaviour_.stalls_in;
-            halted_in_ = true;
-            return in.finish(-EPIPE, 0);
-        }
-        const std::vector<std::uint8_t>& packet = packets_.front();
-        if (!packet.empty())
-            update(in.buffer, 0, packet.data(), packet.size());
-        in.finish(0, static_cast<int>(packet.size()));
-        ++(packet.size() == pad::frame_size ? seen_.answered : seen_.odd);
-        packets_.pop_front();
+    bool is_answer(const std::vector<std::uint8_t>& packet) const override {
+        return packet.size() == pad::frame_size;
     }
 
-    int collect(UMockdevIoctlData* into) {
-        for (Transfer& one : transfers_)
-            if (gone_ && !one.done)
-                one.finish(-ESHUTDOWN, 0);
-            else if (!one.done && one.inward())
-                fill(one);
-            else if (!one.done && !behaviour_.deaf)
-                take(one);
-        for (auto one = transfers_.begin(); one != transfers_.end(); ++one) {
-            if (!one->done)
-                continue;
-            update(one->urb, offsetof(usbdevfs_urb, status), &one->status, sizeof one->status);
-            update(one->urb, offsetof(usbdevfs_urb, actual_length), &one->length, sizeof one->length);
-            umockdev_ioctl_data_set_ptr(into, 0, one->urb);
-            umockdev_ioctl_data_unref(one->buffer);
-            umockdev_ioctl_data_unref(one->urb);
-            transfers_.erase(one);
-            return 0;
-        }
-        return gone_ ? ENODEV : EAGAIN;
-    }
-
-    UMockdevTestbed* bed_;
-    UMockdevIoctlBase* usb_ = nullptr;
     UMockdevIoctlBase* hid_ = nullptr;
-
-    std::mutex mutex_; ///< of what follows
-    ModelPad model_{pad::cable_pad()};
-    std::deque<Transfer> transfers_;
-    std::deque<std::vector<std::uint8_t>> packets_; ///< that the pad has to send
-    Behaviour behaviour_;
-    Seen seen_;
-    std::set<const UMockdevIoctlClient*> holders_; ///< opened it and claimed its interface
-    bool halted_in_ = false;
-    bool halted_out_ = false;
-    bool gone_ = false;
+    ModelPad model_{pad::cable_pad()}; ///< of the mutex, as what follows
+    bool motors_ = false;
+    std::int16_t x_mn_ = 0, y_mn_ = 0;
 };
 
 } // namespace tp::mock

@@ -3,6 +3,7 @@
 #include "app/album/keeper/album_check.hpp"
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/importer.hpp"
+#include "app/album/keeper/name_languages.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "audio/recordings/recording_file.hpp"
@@ -261,6 +262,53 @@ private slots:
         found_and_mended(album.folder, Kind::open_to_others);
         fs::permissions(album.keeper.place_of_name("Anna").parent_path(), fs::perms::all);
         found_and_mended(album.folder, Kind::open_to_others);
+    }
+
+    void languages_of_names_in_order_are_not_found() {
+        AlbumOfOne album;
+        QCOMPARE(NameLanguages(album.keeper).choose("Anna", "fr"), std::string());
+        QCOMPARE(kinds(check(album.folder, false)), std::vector<Kind>{});
+        ::chmod(NameLanguages(album.keeper).place_of("Anna").c_str(), 0644);
+        found_and_mended(album.folder, Kind::open_to_others);
+    }
+
+    void a_language_that_cannot_be_read_makes_way() {
+        AlbumOfOne album;
+        NameLanguages names(album.keeper);
+        QCOMPARE(names.choose("Anna", "fr"), std::string());
+        album.folder.write(".touchphoto/people/Anna.language", "");
+        ::chmod(names.place_of("Anna").c_str(), 0600);
+        found_and_mended(album.folder, Kind::damaged_name_language);
+        QCOMPARE(album.keeper.trash().entries().size(), std::size_t{1});
+        QCOMPARE(names.choose("Anna", "de"), std::string());
+    }
+
+    void a_language_without_its_place_goes_there() {
+        AlbumOfOne album;
+        NameLanguages names(album.keeper);
+        QCOMPARE(names.choose("Anna", "fr"), std::string());
+        const fs::path place = names.place_of("Anna"), stray = place.parent_path() / "A copy.language";
+        fs::rename(place, stray);
+        found_and_mended(album.folder, Kind::damaged_name_language);
+        QCOMPARE(*names.of("Anna"), std::string("fr"));
+        fs::rename(place, stray); // where there is another one, that one stays
+        QCOMPARE(names.choose("Anna", "de"), std::string());
+        found_and_mended(album.folder, Kind::damaged_name_language);
+        QCOMPARE(*names.of("Anna"), std::string("de"));
+        QVERIFY(!fs::exists(stray));
+        QCOMPARE(album.keeper.trash().entries().size(), std::size_t{1});
+    }
+
+    void a_language_of_nobody_s_name_is_said_and_stays() {
+        AlbumOfOne album;
+        QCOMPARE(NameLanguages(album.keeper).choose("Nobody here", "fr"), std::string());
+        for (const bool mend : {false, true}) {
+            const CheckReport report = check(album.folder, mend);
+            QCOMPARE(kinds(report), std::vector<Kind>{Kind::left_behind});
+            QVERIFY(report.findings[0].sentence.find("Nobody here") != std::string::npos);
+            QVERIFY(report.findings[0].mend.empty());
+        }
+        QCOMPARE(*NameLanguages(album.keeper).of("Nobody here"), std::string("fr"));
     }
 
     void another_machine_s_sidecar_is_merged_and_told() {

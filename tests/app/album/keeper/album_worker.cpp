@@ -6,6 +6,7 @@
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/bundle.hpp"
 #include "app/album/keeper/importer.hpp"
+#include "app/album/keeper/name_languages.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "audio/recordings/recording_file.hpp"
 
@@ -80,6 +81,8 @@ int main(int, char** words) {
     step("face Anna", [&] { return keeper.name_face(photo, {0.5, 0.5, 0.2, 0.3, "Anna"}); });
     step("name Anna", [&] { return keeper.keep_name_recording("Anna", sound); });
     step("name Anna again", [&] { return keeper.keep_name_recording("Anna", sound); });
+    step("language fr", [&] { return NameLanguages(keeper).choose("Anna", "fr"); });
+    step("language de", [&] { return NameLanguages(keeper).choose("Anna", "de"); });
     step("text", [&] { return keeper.describe(photo, "x-default", "In the garden", "A long afternoon."); });
     if (!files.empty()) {
         step("label " + files[0], [&] {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/falcon/falcon_usb.hpp"
+
+#include "device/falcon/falcon_frame.hpp"
+#include "device/usb/bulk_pipe.hpp"
+#include "device/usb/usb_devices.hpp"
+
+#include <utility>
+
+namespace tp {
+
+namespace {
+
+constexpr UsbKind falcon_on_the_usb{0x0403, 0xCB48, 0x81, 0x02,
+                                    falcon::ftdi::status_size + falcon::packet_size};
+
+class UsbFalconLink final : public FalconLink {
+public:
+    explicit UsbFalconLink(std::unique_ptr<BulkPipe> pipe) : pipe_(std::move(pipe)) {}
+
+    bool control(const falcon::ftdi::Request& request) noexcept override {
+        return pipe_->control(falcon::ftdi::request_type, request.request, request.value, 0);
+    }
+    UsbGot read(UsbPacket& packet, int wait_ms) noexcept override { return pipe_->read(packet, wait_ms); }
+    bool write(std::span<const std::uint8_t> bytes) noexcept override { return pipe_->write(bytes); }
+
+private:
+    std::unique_ptr<BulkPipe> pipe_;
+};
+
+} // namespace
+
+std::vector<FoundFalcon> find_falcons() {
+    std::vector<FoundFalcon> found;
+    if (const UsbContext context = usb_context())
+        for (FoundUsb& one : find_usb(context.get(), falcon_on_the_usb))
+            found.push_back({std::move(one.path), std::move(one.serial_number)});
+    return found;
+}
+
+Result<std::unique_ptr<FalconLink>> open_falcon(const FoundFalcon& falcon) {
+    Result<std::unique_ptr<BulkPipe>> pipe =
+        open_pipe(falcon_on_the_usb, falcon.serial_number, falcon.path, "Falcon");
+    if (!pipe.ok())
+        return Error{pipe.error()};
+    return std::unique_ptr<FalconLink>(std::make_unique<UsbFalconLink>(std::move(pipe).value()));
+}
+
+} // namespace tp

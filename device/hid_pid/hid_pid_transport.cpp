@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/hid_pid/hid_pid_transport.hpp"
+
+#include "device/hid_handles.hpp"
+#include "device/hid_pid/pid_layout.hpp"
+#include "device/hid_pid/report_descriptor.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <hidapi.h>
+#include <utility>
+
+#if defined(__linux__)
+#include <cstdio>
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+namespace tp {
+
+namespace {
+
+/// The kernel's copy, which everyone may read: also before anybody has the permission to open the device.
+std::vector<std::uint8_t> descriptor_of([[maybe_unused]] const std::string& path) {
+    std::vector<std::uint8_t> bytes;
+#if defined(__linux__)
+    const std::string node = path.substr(path.rfind('/') + 1);
+    std::FILE* const file =
+        std::fopen(("/sys/class/hidraw/" + node + "/device/report_descriptor").c_str(), "rb");
+    if (file == nullptr)
+        return bytes;
+    bytes.resize(hid::most_descriptor_bytes + 1); // one more shows that it is too long
+    bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
+    std::fclose(file);
+#endif
+    return bytes;
+}
+
+/// The device's node opened once more, for what must be done without hidapi. −1 where there is none.
+class Node {
+public:
+    explicit Node([[maybe_unused]] const std::string& path) {
+#if defined(__linux__)
+        file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
+#endif
+    }
+    ~Node() {
+#if defined(__linux__)
+        if (file_ >= 0)
+            ::close(file_);
+#endif
+    }
+    Node(const Node&) = delete;
+    Node& operator=(const Node&) = delete;
+
+    void write([[maybe_unused]] const hid::Report& report) const noexcept {
+#if defined(__linux__)
+        if (file_ >= 0 && ::write(file_, report.bytes.data(), report.size) < 0)
+            return; // nothing more can be done from where this is called
+#endif
+    }
+
+private:
+    int file_ = -1;
+};
+
+class HidPidTransport final : public PidTransport {
+public:
+    HidPidTransport(HidHandles handles, const std::string& path)
+        : handles_(std::move(handles)), path_(path), node_(path) {}
+
+    std::vector<std::uint8_t> descriptor() override { return descriptor_of(path_); }
+
+    Got read(hid::Report& report, int wait_ms) noexcept override {
+        const int count =
+            hid_read_timeout(handles_.reader.get(), report.bytes.data(), report.bytes.size(), wait_ms);
+        if (count <= 0)
+            return count < 0 ? Got::lost : Got::nothing;
+        report.size = static_cast<std::size_t>(count);
+        return Got::report;
+    }
+
+    Got input_now(hid::Report& report) noexcept override {
+        const bool numbered = report.bytes[0] != 0;
+        const int count = hid_get_input_report(handles_.reader.get(), report.bytes.data(), report.size);
+        if (count <= 0)
+            return Got::nothing;
+        report.size = static_cast<std::size_t>(count);
+        if (!numbered) { // as reports that come by themselves
+            for (std::size_t i = 1; i < report.size; ++i)
+                report.bytes[i - 1] = report.bytes[i];
+            --report.size;
+        }
+        return Got::report;
+    }
+
+    bool write(const hid::Report& report) noexcept override {
+        return hid_write(handles_.writer(), report.bytes.data(), report.size) >= 0;
+    }
+
+    void write_from_signal(const hid::Report& report) noexcept override { node_.write(report); }
+
+    bool set_feature(const hid::Report& report) noexcept override {
+        return hid_send_feature_report(handles_.writer(), report.bytes.data(), report.size) >= 0;
+    }
+
+    bool get_feature(hid::Report& report) noexcept override {
+        const int count = hid_get_feature_report(handles_.writer(), report.bytes.data(), report.size);
+        if (count <= 0)
+            return false;
+        report.size = static_cast<std::size_t>(count);
+        return true;
+    }
+
+private:
+    HidHandles handles_;
+    std::string path_;
+    Node node_;
+};
+
+} // namespace
+
+std::vector<FoundStick> find_sticks() {
+    std::vector<FoundStick> found;
+    hid_device_info* const all = hid_enumerate(0, 0);
+    for (const hid_device_info* one = all; one != nullptr; one = one->next) {
+        // hidapi lists a node once for each of its collections.
+        if (!found.empty() && found.back().path == one->path)
+            continue;
+        hid::ReportDescriptor descriptor;
+        if (hid::parse_report_descriptor(descriptor_of(one->path), descriptor) ==
+                hid::DescriptorFault::none &&
+            hid::has_constant_force(descriptor))
+            found.push_back(
+                {one->path, plain_hid_text(one->serial_number), plain_hid_text(one->product_string)});
+    }
+    hid_free_enumeration(all);
+    return found;
+}
+
+Result<std::unique_ptr<PidTransport>> open_stick(const FoundStick& stick) {
+    Result<HidHandles> handles = open_hid_handles(stick.path, "force stick");
+    if (!handles.ok())
+        return Error{handles.error()};
+    return std::unique_ptr<PidTransport>(
+        std::make_unique<HidPidTransport>(std::move(handles).value(), stick.path));
+}
+
+} // namespace tp

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/hid_pid/plugged_sticks.hpp"
+
+#include "device/bus_mutex.hpp"
+#include "device/hid_pid/hid_pid_transport.hpp"
+#include "device/hid_pid/pid_stick.hpp"
+#include "device/hid_pid/stick_scale_file.hpp"
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace tp {
+
+std::vector<PluggedDevice> plugged_sticks() {
+    std::vector<PluggedDevice> devices;
+    for (const FoundStick& found : find_sticks()) {
+        const auto open_this = [found] {
+            const std::lock_guard lock(bus_mutex());
+            return open_stick(found);
+        };
+        devices.push_back({"stick:" + (found.serial_number.empty() ? found.path : found.serial_number),
+                           found.product.empty() ? "force stick" : found.product, found.serial_number,
+                           [] { return std::string("hid"); },
+                           [open_this, found] {
+                               const std::string& key =
+                                   found.serial_number.empty() ? found.product : found.serial_number;
+                               return std::make_unique<PidStick>(
+                                   open_this, PidStick::Identity{found.product, found.serial_number},
+                                   kept_stick_scale(stick_scale_file(), key));
+                           }});
+    }
+    return devices;
+}
+
+} // namespace tp

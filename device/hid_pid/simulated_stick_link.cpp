@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/hid_pid/simulated_stick_link.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace tp {
+
+namespace {
+
+PidTransport::Got given(const std::vector<std::uint8_t>& bytes, hid::Report& report) {
+    report.size = std::min(bytes.size(), report.bytes.size());
+    std::copy_n(bytes.begin(), report.size, report.bytes.begin());
+    return PidTransport::Got::report;
+}
+
+} // namespace
+
+bool SimulatedStickLink::happens(double share) {
+    return share > 0.0 && std::uniform_real_distribution<double>(0.0, 1.0)(random_) < share;
+}
+
+void SimulatedStickLink::advance() {
+    constexpr std::size_t most_waiting = 64; // as the system keeps of reports that nobody reads
+    ++now_;
+    ++silent_ms_;
+    while (!to_stick_.empty() && to_stick_.front().due <= now_) {
+        stick_.receive(to_stick_.front().bytes);
+        if (to_stick_.front().bytes[0] == stick_.wire().constant_force)
+            silent_ms_ = 0;
+        to_stick_.pop_front();
+    }
+    stick_.step();
+    std::vector<std::uint8_t> bytes;
+    while (stick_.report(bytes)) {
+        if (troubles.mute || troubles.unplugged || happens(troubles.drop))
+            continue;
+        if (happens(troubles.garble))
+            for (unsigned i = 0; i < 1 + random_() % 4; ++i)
+                bytes[random_() % bytes.size()] = static_cast<std::uint8_t>(random_());
+        if (happens(troubles.cut))
+            bytes.resize(1 + random_() % bytes.size());
+        from_stick_.push_back({now_ + delay_ms_, bytes});
+        if (from_stick_.size() > most_waiting)
+            from_stick_.pop_front();
+    }
+}
+
+std::vector<std::uint8_t> SimulatedStickLink::descriptor() {
+    return {stick_.wire().descriptor.begin(), stick_.wire().descriptor.end()};
+}
+
+PidTransport::Got SimulatedStickLink::read(hid::Report& report, int wait_ms) noexcept {
+    for (;; --wait_ms) {
+        if (troubles.unplugged)
+            return Got::lost;
+        if (!from_stick_.empty() && from_stick_.front().due <= now_) {
+            const std::vector<std::uint8_t> bytes = std::move(from_stick_.front().bytes);
+            from_stick_.pop_front();
+            return given(bytes, report);
+        }
+        if (wait_ms <= 0)
+            return Got::nothing;
+        advance();
+    }
+}
+
+PidTransport::Got SimulatedStickLink::input_now(hid::Report& report) noexcept {
+    if (troubles.no_input_now || report.bytes[0] != stick_.wire().axes)
+        return Got::nothing;
+    return given(stick_.axes_report(), report);
+}
+
+bool SimulatedStickLink::write(const hid::Report& report) noexcept {
+    if (troubles.unplugged)
+        return false;
+    if (!troubles.deaf)
+        to_stick_.push_back(
+            {now_ + 1 + delay_ms_,
+             {report.bytes.begin(), report.bytes.begin() + static_cast<std::ptrdiff_t>(report.size)}});
+    return true;
+}
+
+bool SimulatedStickLink::set_feature(const hid::Report& report) noexcept {
+    while (!to_stick_.empty() || delay_ms_ > 0) { // a feature report waits for what was sent before
+        advance();
+        if (to_stick_.empty())
+            break;
+    }
+    return !troubles.unplugged && stick_.set_feature(report.all());
+}
+
+bool SimulatedStickLink::get_feature(hid::Report& report) noexcept {
+    std::vector<std::uint8_t> bytes;
+    if (troubles.unplugged || troubles.block_load_late-- > 0 || !stick_.get_feature(report.bytes[0], bytes))
+        return false;
+    given(bytes, report);
+    return true;
+}
+
+} // namespace tp

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/servo/servo_loop.hpp"
+
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <utility>
+
+namespace tp::testing {
+
+/// Holds every tick of a loop with a device model behind it to what a person may feel; the words of the first
+/// breach.
+class ForceJudge {
+public:
+    /// `felt` is the force on the model's handle, N, in truth; `slack` N that it may be off what was sent.
+    ForceJudge(const ServoLoop& loop, const Capabilities& can, std::function<Vec2()> felt, double slack)
+        : loop_(loop), most_(can.max_force), felt_now_(std::move(felt)), slack_(slack),
+          sent_(loop.snapshot().force()), felt_(felt_now_()), gain_(loop.snapshot().gain) {}
+
+    QString complaint;
+    bool let_go = false; ///< the person switched the force off
+    /// Whether one force at the handle may follow another after so many seconds, N; for a device that does not limit
+    /// that itself. Empty: 0.1 N in each millisecond, and the slack.
+    std::function<bool(Vec2 before, Vec2 now, double dt)> may_follow;
+
+    /// After each tick, `dt` s after the one before.
+    void judge(double dt = 0.001) {
+        const ServoSnapshot view = loop_.snapshot();
+        const Vec2 sent = view.force();
+        const Vec2 felt = felt_now_();
+        say(length(sent) > most_ + 1e-9, "the servo sends more than the device's limit", length(sent));
+        const bool down = length(sent) <= length(sent_) + 1e-12;
+        // Off may be at once, as when a person lets the force in anew before it was gone.
+        const bool may_drop = view.fault != Fault::none || !view.engaged || view.gain == 0.0;
+        say(!(down && may_drop) && length(sent - sent_) > 40.0 * std::min(dt, 0.003) + 1e-9,
+            "the servo's force changes too fast", length(sent - sent_) / dt);
+        say(length(felt) > most_ + slack_, "the handle feels more than the device's limit", length(felt));
+        // One frame may carry the whole of a late tick; the device's own limit holds for each of its
+        // milliseconds.
+        const double steps = std::max(1.0, std::round(dt / 0.001));
+        const bool follows = may_follow ? may_follow(felt_, felt, dt) : length(felt - felt_) <= 0.1 * steps + slack_;
+        say(length(felt) > 2.0 * slack_ && !follows, "the handle's force changes too fast", length(felt - felt_) / dt);
+        const bool rising = view.gain > gain_ || view.gain >= 1.0;
+        say(view.ticks > 1 && !rising && !let_go && std::strlen(sentence(view.fault)) == 0,
+            "the force goes and nobody says why", view.gain);
+        sent_ = sent;
+        felt_ = felt;
+        gain_ = view.gain;
+    }
+
+private:
+    void say(bool breach, const char* what, double figure) {
+        if (breach && complaint.isEmpty())
+            complaint = QStringLiteral("%1: %2 at %3 s")
+                            .arg(QLatin1String(what))
+                            .arg(figure)
+                            .arg(loop_.snapshot().time);
+    }
+
+    const ServoLoop& loop_;
+    double most_;
+    std::function<Vec2()> felt_now_;
+    double slack_;
+    Vec2 sent_;
+    Vec2 felt_;
+    double gain_;
+};
+
+} // namespace tp::testing

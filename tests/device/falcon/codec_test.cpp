@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/falcon/falcon_frame.hpp"
+#include "device/falcon/ftdi.hpp"
+#include "falcon_check.hpp"
+#include "places.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+using namespace tp::falcon;
+
+namespace {
+
+QByteArray hex(const Packet& packet) {
+    return QByteArray(reinterpret_cast<const char*>(packet.data()), packet_size).toHex(' ');
+}
+
+Reply any_reply(std::mt19937& random) {
+    Reply reply;
+    for (std::int16_t& one : reply.encoders)
+        one = static_cast<std::int16_t>(random());
+    reply.buttons = static_cast<std::uint8_t>(random() % 16);
+    reply.homed = static_cast<std::uint8_t>(random() % 8);
+    return reply;
+}
+
+Command any_command(std::mt19937& random) {
+    Command command;
+    for (std::int16_t& one : command.motors)
+        one = static_cast<std::int16_t>(static_cast<int>(random() % (2 * most_motor + 1)) - most_motor);
+    command.homing = random() % 2 != 0;
+    command.leds = static_cast<std::uint8_t>(2 * (random() % 8));
+    return command;
+}
+
+std::vector<Packet> packets_in(PacketStream& stream, const std::vector<std::uint8_t>& bytes) {
+    std::vector<Packet> found;
+    for (const std::uint8_t byte : bytes)
+        if (const std::optional<Packet> packet = stream.push(byte))
+            found.push_back(*packet);
+    return found;
+}
+
+void append(std::vector<std::uint8_t>& bytes, const Packet& packet) {
+    bytes.insert(bytes.end(), packet.begin(), packet.end());
+}
+
+} // namespace
+
+class FalconCodecTest : public QObject {
+    Q_OBJECT
+private slots:
+    void golden_packets() {
+        // The worked example of the facts: E, 8, A, F, least significant first, is 0xFA8E.
+        Command command;
+        command.motors = {-1394, 0, most_motor};
+        QCOMPARE(hex(encode(command)), QByteArray("3c 4f 49 4b 50 41 41 41 41 41 41 41 42 41 41 3e"));
+        command = {};
+        command.motors = {1, 0x0123, -most_motor};
+        command.homing = true;
+        command.leds = led::red;
+        QCOMPARE(hex(encode(command)), QByteArray("3c 42 41 41 41 44 43 42 41 41 41 41 50 4a 41 3e"));
+        Reply reply;
+        reply.encoders = {-1394, 32767, -32768};
+        reply.buttons = button::centre;
+        reply.homed = 7;
+        QCOMPARE(hex(encode(reply)), QByteArray("3c 4f 49 4b 50 50 50 50 48 41 41 41 49 b5 41 3e"));
+    }
+
+    void encode_then_decode_is_the_identity() {
+        std::mt19937 random(1);
+        for (int i = 0; i < 5000; ++i) {
+            const Reply reply = any_reply(random);
+            QVERIFY(decode_reply(encode(reply)) == reply);
+            const Command command = any_command(random);
+            QVERIFY(decode_command(encode(command)) == command);
+        }
+    }
+
+    void a_motor_never_gets_more_than_it_was_asked_for_and_never_wraps() {
+        QCOMPARE(motor_units(12.9), std::int16_t(12));
+        QCOMPARE(motor_units(-12.9), std::int16_t(-12));
+        QCOMPARE(motor_units(1e300), std::int16_t(most_motor));
+        QCOMPARE(motor_units(-std::numeric_limits<double>::infinity()), std::int16_t(-most_motor));
+        QCOMPARE(motor_units(std::nan("")), std::int16_t(0));
+        Command wild;
+        wild.motors = {32767, -32768, 0};
+        const std::optional<Command> sent = decode_command(encode(wild));
+        QVERIFY(sent);
+        QCOMPARE(sent->motors[0], std::int16_t(most_motor));
+        QCOMPARE(sent->motors[1], std::int16_t(-most_motor));
+    }
+
+    void packets_that_are_none_are_refused() {
+        const Packet good = encode(Reply{});
+        for (std::size_t at = 0; at < packet_size; ++at) {
+            if (at == 14) // of no known meaning in a reply
+                continue;
+            for (const std::uint8_t byte : {std::uint8_t(0x40), std::uint8_t(0xFF), std::uint8_t(0x00)}) {
+                Packet bad = good;
+                bad[at] = byte;
+                QVERIFY2(!decode_reply(bad), qPrintable(QString::number(at)));
+                QVERIFY(!decode_command(bad));
+            }
+        }
+        Command beyond;
+        Packet packet = encode(beyond);
+        packet[1] = 'B'; // 1
+        packet[4] = 'B'; // + 4096
+        QVERIFY(!decode_command(packet));
+    }
+
+    void a_stream_finds_its_packets_again() {
+        std::mt19937 random(2);
+        for (int i = 0; i < 500; ++i) {
+            std::vector<std::uint8_t> bytes;
+            for (unsigned k = 0; k < random() % 40; ++k) // noise, a cut packet
+                bytes.push_back(static_cast<std::uint8_t>(random()));
+            const Packet cut = encode(any_reply(random));
+            bytes.insert(bytes.end(), cut.begin(),
+                         cut.begin() + 1 + static_cast<std::ptrdiff_t>(random() % 15));
+            const std::size_t strays = bytes.size();
+            PacketStream stream;
+            QVERIFY(packets_in(stream, bytes).empty());
+            const Packet first = encode(any_reply(random));
+            const Packet second = encode(any_reply(random));
+            bytes.clear();
+            append(bytes, first);
+            append(bytes, second);
+            const std::vector<Packet> found = packets_in(stream, bytes);
+            QCOMPARE(found.size(), std::size_t(2));
+            QCOMPARE(hex(found[0]), hex(first));
+            QCOMPARE(hex(found[1]), hex(second));
+            QCOMPARE(stream.strays(), std::uint64_t(strays));
+        }
+    }
+
+    void the_status_of_the_bridge_is_dropped() {
+        const std::vector<std::uint8_t> packet = {0x11, 0x60, 'a', 'b'};
+        const ftdi::Received got = ftdi::received(packet);
+        QVERIFY(got.clear_to_send);
+        QCOMPARE(got.payload.size(), std::size_t(2));
+        QCOMPARE(got.payload[0], std::uint8_t('a'));
+        const std::vector<std::uint8_t> status = {0x01, 0x60};
+        QVERIFY(!ftdi::received(status).clear_to_send);
+        QVERIFY(ftdi::received(status).payload.empty());
+        const std::vector<std::uint8_t> broken = {0x11};
+        QVERIFY(!ftdi::received(broken).clear_to_send && ftdi::received(broken).payload.empty());
+    }
+
+    void hostile_bytes_of_the_fuzzer() {
+        const QDir corpus(QString(tp::test::in_source("tests/device/falcon/corpus")));
+        const QStringList names = corpus.entryList(QDir::Files);
+        QVERIFY(names.size() >= 6);
+        for (const QString& name : names) {
+            QFile file(corpus.filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QByteArray bytes = file.readAll();
+            const std::string complaint = tp::test::complaint_about_falcon_bytes(
+                {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+            QVERIFY2(complaint.empty(), (name.toStdString() + ": " + complaint).c_str());
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(FalconCodecTest)
+#include "codec_test.moc"

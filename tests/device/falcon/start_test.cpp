@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/falcon/falcon_start.hpp"
+#include "device/falcon/firmware_image.hpp"
+#include "device/falcon/simulated_falcon_link.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+using namespace tp;
+using namespace tp::falcon;
+using What = FalconStart::Step::What;
+using Trouble = FalconStart::Trouble;
+
+namespace {
+
+std::vector<std::uint8_t> any_image(std::size_t size = 8012) {
+    std::vector<std::uint8_t> image(size);
+    for (std::size_t i = 0; i < size; ++i)
+        image[i] = static_cast<std::uint8_t>((i * 131) ^ (i >> 5));
+    return image;
+}
+
+/// A model Falcon that is started over a simulated cable; and what was asked of the line.
+struct Bench {
+    std::vector<std::uint8_t> image = any_image();
+    ModelFalcon model{image};
+    SimulatedFalconLink link{model};
+    std::vector<ftdi::Request> requests;
+    int steps = 0;
+
+    FalconStart run(std::span<const std::uint8_t> loaded) {
+        FalconStart start(loaded);
+        while (true) {
+            ++steps;
+            const FalconStart::Step step = start.next();
+            if (step.what == What::control) {
+                requests.push_back(step.request);
+                link.control(step.request);
+            } else if (step.what == What::send) {
+                link.write(step.bytes);
+            } else if (step.what == What::listen) {
+                UsbPacket packet;
+                if (link.read(packet, FalconStart::listen_ms) == UsbGot::packet) {
+                    const ftdi::Received got = ftdi::received(packet.content());
+                    start.heard(got.payload, got.clear_to_send);
+                } else {
+                    start.silence();
+                }
+            } else {
+                return start;
+            }
+        }
+    }
+};
+
+} // namespace
+
+class FalconStartTest : public QObject {
+    Q_OBJECT
+private slots:
+    void a_running_firmware_is_found_and_nothing_is_loaded() {
+        Bench bench;
+        bench.model.run_firmware(true);
+        FalconStart start = bench.run(bench.image);
+        QVERIFY(start.next().what == What::running);
+        QCOMPARE(start.loads(), 0);
+        QVERIFY(bench.model.firmware_runs());
+        QVERIFY(bench.requests ==
+                (std::vector<ftdi::Request>{{9, 1}, {3, 0x0002}, {4, 8}, {2, 0}, {0, 1}, {0, 2}}));
+    }
+
+    void a_falcon_just_switched_on_is_loaded_at_once() {
+        Bench bench;
+        FalconStart start = bench.run(bench.image);
+        QVERIFY(start.next().what == What::running);
+        QVERIFY(start.trouble() == Trouble::none);
+        QCOMPARE(start.loads(), 1);
+        QCOMPARE(bench.model.loads_begun(), 1);
+        QVERIFY(bench.model.firmware_runs());
+        // The line as the facts have it, from the loader's greeting to the firmware's packets.
+        const std::vector<ftdi::Request> wanted{
+            {0, 1},      {0, 2},      {9, 16},     {3, 0x4138}, {4, 8},      {2, 0},
+            {1, 0x0200}, {1, 0x0100}, {1, 0x0101}, {1, 0x0100}, {3, 0x0015}, {9, 1},
+            {3, 0x0002}, {4, 8},      {2, 0},      {0, 1},      {0, 2}};
+        QVERIFY(std::vector<ftdi::Request>(bench.requests.begin() + 6, bench.requests.end()) == wanted);
+    }
+
+    void an_image_goes_in_chunks_that_come_back_in_a_packet() {
+        Bench bench;
+        FalconStart start(bench.image);
+        for (int i = 0; i < 5 * 3; ++i) { // nobody answers: it is not running
+            while (start.next().what != What::listen) {
+            }
+            start.silence();
+        }
+        const auto until_sent = [&start] {
+            FalconStart::Step step = start.next();
+            while (step.what == What::control)
+                step = start.next();
+            return step;
+        };
+        FalconStart::Step step = until_sent();
+        QVERIFY(std::vector<std::uint8_t>(step.bytes.begin(), step.bytes.end()) ==
+                (std::vector<std::uint8_t>{0x0A, 0x43, 0x0D}));
+        const std::vector<std::uint8_t> answer{0x0A, 0x44, 0x2C, 0x0D};
+        start.heard(std::span(answer).first(2), false); // in two packets
+        start.heard(std::span(answer).last(2), false);
+        step = until_sent();
+        QVERIFY(step.what == What::listen); // for CTS
+        start.heard({}, false);
+        QVERIFY(start.next().what == What::listen);
+        start.heard({}, true);
+        step = until_sent();
+        QVERIFY(step.bytes.size() == 1 && step.bytes.front() == 0x41);
+        start.heard(std::vector<std::uint8_t>{0x41}, true);
+        std::vector<std::uint8_t> sent;
+        while (sent.size() < bench.image.size()) {
+            step = until_sent();
+            QVERIFY(step.what == What::send && step.bytes.size() <= 62);
+            const std::vector<std::uint8_t> echo(step.bytes.begin(), step.bytes.end());
+            sent.insert(sent.end(), echo.begin(), echo.end());
+            start.heard(std::span(echo).first(echo.size() / 2), true);
+            start.heard(std::span(echo).subspan(echo.size() / 2), true);
+        }
+        QVERIFY(sent == bench.image);
+        QCOMPARE(start.loads(), 1);
+    }
+
+    void a_load_that_fails_is_tried_again_as_a_whole_data() {
+        QTest::addColumn<int>("broken");
+        QTest::addColumn<int>("lossy");
+        QTest::newRow("an echo is wrong") << 1 << 0;
+        QTest::newRow("a byte is lost") << 0 << 1;
+        QTest::newRow("nine times") << 5 << 4;
+    }
+    void a_load_that_fails_is_tried_again_as_a_whole() {
+        QFETCH(int, broken);
+        QFETCH(int, lossy);
+        Bench bench;
+        bench.model.troubles.broken_loads = broken;
+        bench.model.troubles.lossy_loads = lossy;
+        FalconStart start = bench.run(bench.image);
+        QVERIFY(start.next().what == What::running);
+        QCOMPARE(start.loads(), 1 + broken + lossy);
+        QVERIFY(bench.model.firmware_runs());
+    }
+
+    void a_zero_before_the_greeting_is_borne() {
+        Bench bench;
+        bench.model.troubles.eager_zero = true;
+        QVERIFY(bench.run(bench.image).next().what == What::running);
+    }
+
+    void where_cts_never_rises_it_is_tried_all_the_same() {
+        Bench bench;
+        bench.model.troubles.never_clear = true;
+        QVERIFY(bench.run(bench.image).next().what == What::running);
+    }
+
+    void each_way_to_fail_ends_and_says_what_to_do_data() {
+        QTest::addColumn<int>("way");
+        QTest::addColumn<int>("trouble");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("no image") << 0 << static_cast<int>(Trouble::no_image) << "Copy the firmware file";
+        QTest::newRow("the loader is mute") << 1 << static_cast<int>(Trouble::mute_loader) << "power supply";
+        QTest::newRow("every load breaks") << 2 << static_cast<int>(Trouble::broken_load) << "not into a hub";
+        QTest::newRow("it loads and is dead")
+            << 3 << static_cast<int>(Trouble::dead_firmware) << "not the firmware";
+        QTest::newRow("another's firmware")
+            << 4 << static_cast<int>(Trouble::dead_firmware) << "not the firmware";
+        QTest::newRow("nothing comes back") << 5 << static_cast<int>(Trouble::mute_loader) << "power supply";
+    }
+    void each_way_to_fail_ends_and_says_what_to_do() {
+        QFETCH(int, way);
+        QFETCH(int, trouble);
+        QFETCH(QString, says);
+        Bench bench;
+        std::vector<std::uint8_t> loaded = bench.image;
+        if (way == 0)
+            loaded.clear();
+        bench.model.troubles.mute_loader = way == 1;
+        bench.model.troubles.broken_loads = way == 2 ? 1000 : 0;
+        bench.model.troubles.dead_firmware = way == 3;
+        if (way == 4)
+            loaded[4000] ^= 1;
+        bench.link.troubles.mute = way == 5;
+        FalconStart start = bench.run(loaded);
+        QVERIFY(start.next().what == What::failed);
+        QCOMPARE(static_cast<int>(start.trouble()), trouble);
+        QVERIFY(start.loads() <= FalconStart::most_loads);
+        const std::string words = start_sentence(start.trouble(), "the/file");
+        QVERIFY2(words.find(says.toStdString()) != std::string::npos, words.c_str());
+    }
+
+    void firmware_is_looked_for_where_the_page_says() {
+        const QByteArray before = qgetenv("XDG_DATA_HOME");
+        qputenv("XDG_DATA_HOME", "/data");
+        QCOMPARE(firmware_file().string(), std::string("/data/touchphoto/falcon/firmware.bin"));
+        qunsetenv("XDG_DATA_HOME");
+        const QByteArray home = qgetenv("HOME");
+        qputenv("HOME", "/home/anna");
+        QCOMPARE(firmware_file().string(),
+                 std::string("/home/anna/.local/share/touchphoto/falcon/firmware.bin"));
+        qputenv("HOME", home);
+        if (!before.isNull())
+            qputenv("XDG_DATA_HOME", before);
+    }
+
+    void a_file_of_another_size_is_no_firmware_data() {
+        QTest::addColumn<int>("size");
+        QTest::addColumn<bool>("good");
+        QTest::newRow("empty") << 0 << false;
+        QTest::newRow("cut") << 4095 << false;
+        QTest::newRow("the smallest known") << 7914 << true;
+        QTest::newRow("the largest known") << 8492 << true;
+        QTest::newRow("a picture") << 16385 << false;
+    }
+    void a_file_of_another_size_is_no_firmware() {
+        QFETCH(int, size);
+        QFETCH(bool, good);
+        const QTemporaryDir folder;
+        QFile file(folder.filePath("firmware.bin"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray(size, 'x'));
+        file.close();
+        const Result<std::vector<std::uint8_t>> image = firmware_in(file.fileName().toStdString());
+        QCOMPARE(image.ok(), good);
+        if (good)
+            QCOMPARE(image->size(), static_cast<std::size_t>(size));
+        else
+            QVERIFY2(image.error().find("firmware.bin") != std::string::npos, image.error().c_str());
+    }
+
+    void no_file_is_no_firmware_and_no_error() {
+        const QTemporaryDir folder;
+        const Result<std::vector<std::uint8_t>> image =
+            firmware_in(folder.filePath("firmware.bin").toStdString());
+        QVERIFY(image.ok() && image->empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(FalconStartTest)
+#include "start_test.moc"

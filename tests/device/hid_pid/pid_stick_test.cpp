@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stick_bench.hpp"
+
+#include <QTest>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace tp;
+using tp::testing::BorrowedStickLink;
+using tp::testing::StickBench;
+
+namespace {
+
+/// A stick that is opened when a test wants it.
+struct StickToOpen {
+    ModelStick model;
+    SimulatedStickLink link{model};
+    PidStick device;
+
+    explicit StickToOpen(const StickWire& wire = open_controller(), const StickScale& scale = {},
+                         LatestWriter::Thread thread = LatestWriter::Thread::caller)
+        : model(wire),
+          device(
+              [this]() -> Result<std::unique_ptr<PidTransport>> {
+                  return std::unique_ptr<PidTransport>(std::make_unique<BorrowedStickLink>(link));
+              },
+              {"a stick", "0001"}, scale, thread) {}
+};
+
+/// A force of the chain: nothing else can make one.
+SafeForce safe(Vec2 newtons) {
+    Capabilities can;
+    can.max_force = 100.0;
+    SafetyLimits limits;
+    limits.max_force = 100.0;
+    limits.max_force_rate = 1e9;
+    limits.engage_ramp = 1e-9;
+    SafetyChain chain(limits, can, 0.001);
+    chain.engage(0.0);
+    SafetyInput input;
+    input.fresh = true;
+    input.force = newtons;
+    input.now = 0.001;
+    chain.pass(input);
+    input.now = 0.002;
+    return chain.pass(input);
+}
+
+} // namespace
+
+class PidStickTest : public QObject {
+    Q_OBJECT
+
+    static void sticks() {
+        QTest::addColumn<int>("stick");
+        QTest::newRow("open controller") << 0;
+        QTest::newRow("plain controller") << 1;
+        QTest::newRow("sidewinder") << 2;
+    }
+    static StickWire wire_of(int stick) {
+        return stick == 0 ? open_controller() : stick == 1 ? plain_controller() : tp::testing::sidewinder();
+    }
+
+private slots:
+    void it_says_what_it_can_and_that_its_newtons_are_none() {
+        StickToOpen stick;
+        const Result<Capabilities> can = stick.device.open();
+        QVERIFY2(can.ok(), can.error().c_str());
+        QCOMPARE(can->serial_number, std::string("0001"));
+        QVERIFY(!can->calibrated);
+        QCOMPARE(can->max_force, PidStick::most_newtons_unmeasured);
+        QCOMPARE(can->workspace.size(), std::size_t(4));
+        QVERIFY(can->resolution > 0.001 && can->resolution < 0.002); // 120 mm in 65 534 steps
+        QCOMPARE(stick.model.effects(), std::size_t(2));
+    }
+
+    void forces_along_each_axis_have_their_size_and_their_sign_data() { sticks(); }
+    void forces_along_each_axis_have_their_size_and_their_sign() {
+        QFETCH(int, stick);
+        for (const Vec2 sign : {Vec2(-1, -1), Vec2(1, -1), Vec2(-1, 1), Vec2(1, 1)}) {
+            StickToOpen bench(wire_of(stick), {8.0, sign, true});
+            bench.model.sign = sign;
+            QVERIFY(bench.device.open().ok());
+            for (const Vec2 newtons :
+                 {Vec2(2.0, 0.0), Vec2(-2.0, 0.0), Vec2(0.0, 1.5), Vec2(0.0, -1.5), Vec2(1.0, -2.0)}) {
+                bench.device.read(0.001);
+                QVERIFY(bench.device.write(safe(newtons)));
+                bench.device.deliver();
+                bench.link.advance();
+                const Vec2 felt = bench.model.force();
+                QVERIFY2(length(felt - newtons) < 0.05, qPrintable(QString("%1 %2").arg(felt.x).arg(felt.y)));
+                QVERIFY(length(felt) < length(newtons) + 0.02);
+            }
+        }
+    }
+
+    void one_that_was_not_measured_pulls_less_than_it_is_asked_to() {
+        StickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        stick.device.read(0.001);
+        stick.device.write(safe({1.5, 0.0}));
+        stick.device.deliver();
+        stick.link.advance();
+        QVERIFY(stick.model.force().x > 0.1 &&
+                stick.model.force().x < 0.3); // 1.5 N of 60 N, of a stick of 8 N
+    }
+
+    void where_it_stands_is_known_from_the_first_moment_data() { sticks(); }
+    void where_it_stands_is_known_from_the_first_moment() {
+        QFETCH(int, stick);
+        StickToOpen bench(wire_of(stick));
+        bench.model.place_grip({30.0, -15.0});
+        QVERIFY(bench.device.open().ok());
+        const std::optional<DeviceState> state = bench.device.read(0.001);
+        QVERIFY(state.has_value());
+        QVERIFY(length(state->position - Vec2(30.0, -15.0)) < 0.2);
+    }
+    void or_from_its_first_report_where_it_does_not_tell() {
+        StickToOpen stick;
+        stick.link.troubles.no_input_now = true;
+        QVERIFY(stick.device.open().ok());
+        QVERIFY(!stick.device.read(0.001).has_value());
+        stick.model.place_grip({10.0, 0.0});
+        stick.link.advance();
+        QVERIFY(stick.device.read(0.002).has_value());
+    }
+
+    void a_full_memory_is_emptied_once() {
+        StickToOpen stick;
+        stick.model.troubles.room = 4;
+        stick.model.leave_effects(3); // a reset empties it
+        QVERIFY(stick.device.open().ok());
+        QCOMPARE(stick.model.effects(), std::size_t(2));
+        stick.device.stop();
+        stick.link.advance();
+
+        stick.model.troubles.keeps_after_reset = true; // only freeing does
+        stick.model.leave_effects(3);
+        QVERIFY(stick.device.open().ok());
+    }
+    void a_memory_without_room_is_said() {
+        StickToOpen stick;
+        stick.model.troubles.room = 1;
+        const Result<Capabilities> can = stick.device.open();
+        QVERIFY(!can.ok());
+        QVERIFY2(can.error().find("no room") != std::string::npos, can.error().c_str());
+        stick.link.advance();
+        QCOMPARE(stick.model.effects(), std::size_t(0)); // the one that had room is not left on it
+        QVERIFY(!stick.model.motors_on());
+        QVERIFY(!stick.device.write(SafeForce{}));
+    }
+    void an_effect_that_is_refused_is_said() {
+        StickToOpen stick;
+        stick.model.troubles.refuses = true;
+        const Result<Capabilities> can = stick.device.open();
+        QVERIFY(!can.ok());
+        QVERIFY2(can.error().find("does not take up a force") != std::string::npos, can.error().c_str());
+    }
+    void an_answer_may_take_a_while() {
+        StickToOpen stick;
+        stick.link.troubles.block_load_late = 5;
+        QVERIFY(stick.device.open().ok());
+    }
+    void unplugged_while_it_is_opened_is_said() {
+        StickToOpen stick;
+        stick.link.troubles.unplugged = true;
+        const Result<Capabilities> can = stick.device.open();
+        QVERIFY(!can.ok());
+        QVERIFY2(can.error().find("unplugged") != std::string::npos, can.error().c_str());
+    }
+    void what_cannot_be_used_is_said_with_its_reason() {
+        StickWire wire = open_controller();
+        wire.descriptor = wire.descriptor.first(wire.descriptor.size() - 1);
+        StickToOpen cut(wire);
+        QVERIFY(cut.device.open().error().find("makes no sense") != std::string::npos);
+        static const std::vector<std::uint8_t> rumble =
+            tp::testing::bytes_of(tp::testing::saitek_rumble_pad.hex);
+        wire.descriptor = rumble;
+        StickToOpen rumbles(wire);
+        QVERIFY(rumbles.device.open().error().find("its force has no direction") != std::string::npos);
+    }
+
+    void it_opens_again_after_it_was_unplugged() {
+        StickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        stick.device.read(0.001);
+        stick.device.write(safe({1.0, 0.0}));
+        stick.device.deliver();
+        stick.link.troubles.unplugged = true;
+        stick.device.read(0.002);
+        QVERIFY(stick.device.lost());
+        QVERIFY(!stick.device.write(safe({1.0, 0.0})));
+        stick.link.troubles.unplugged = false;
+        QVERIFY(stick.device.open().ok());
+        QVERIFY(!stick.device.lost());
+        stick.device.stop();
+        stick.device.stop();
+    }
+
+    /// The writer's own thread, with the servo's and one that halts: for the thread sanitizer.
+    void a_thread_of_its_own_delivers() {
+        /// Takes everything, from any thread.
+        class Taker final : public PidTransport {
+        public:
+            explicit Taker(std::atomic<int>& forces) : forces_(forces) {}
+            std::vector<std::uint8_t> descriptor() override {
+                const StickWire wire = open_controller();
+                return {wire.descriptor.begin(), wire.descriptor.end()};
+            }
+            Got read(hid::Report&, int) noexcept override { return Got::nothing; }
+            Got input_now(hid::Report& report) noexcept override {
+                report = {};
+                report.bytes[0] = 1;
+                report.size = 13;
+                return Got::report;
+            }
+            bool write(const hid::Report& report) noexcept override {
+                forces_.fetch_add(report.bytes[0] == 5 ? 1 : 0);
+                return true;
+            }
+            void write_from_signal(const hid::Report& report) noexcept override { write(report); }
+            bool set_feature(const hid::Report&) noexcept override { return true; }
+            bool get_feature(hid::Report& report) noexcept override {
+                report.bytes[1] = static_cast<std::uint8_t>(++loaded_);
+                report.bytes[2] = 1;
+                return true;
+            }
+
+        private:
+            std::atomic<int>& forces_;
+            int loaded_ = 0;
+        };
+        std::atomic<int> forces{0};
+        PidStick device(
+            [&forces]() -> Result<std::unique_ptr<PidTransport>> {
+                return std::unique_ptr<PidTransport>(std::make_unique<Taker>(forces));
+            },
+            {"a stick", ""});
+        QVERIFY(device.open().ok());
+        std::thread halter([&device] {
+            for (int i = 0; i < 20; ++i)
+                device.halt();
+        });
+        for (int i = 0; i < 200; ++i) {
+            device.read(0.001 * i);
+            QVERIFY(device.write(safe({0.01 * (i % 7), 0.0})));
+            const int before = forces.load();
+            while (forces.load() == before) // CTest ends a test that waits for ever
+                std::this_thread::yield();
+        }
+        halter.join();
+        device.stop();
+    }
+};
+
+QTEST_APPLESS_MAIN(PidStickTest)
+#include "pid_stick_test.moc"

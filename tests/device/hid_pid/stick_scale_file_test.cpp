@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "byte_mutants.hpp"
+#include "device/hid_pid/stick_scale_file.hpp"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+using namespace tp;
+
+namespace {
+const std::string two_sticks = "touchphoto sticks 1\n8.5 -1 1 FS 0001\n60 1 -1 SideWinder Force Feedback 2\n";
+}
+
+class StickScaleFileTest : public QObject {
+    Q_OBJECT
+private slots:
+    void each_stick_has_its_own() {
+        const std::optional<StickScale> one = stick_scale_in(two_sticks, "FS 0001");
+        QVERIFY(one.has_value());
+        QCOMPARE(one->newtons_at_full, 8.5);
+        QVERIFY(one->sign == Vec2(-1.0, 1.0));
+        QVERIFY(one->measured);
+        QCOMPARE(stick_scale_in(two_sticks, "SideWinder Force Feedback 2")->newtons_at_full, 60.0);
+        QVERIFY(!stick_scale_in(two_sticks, "FS 0002"));
+        QVERIFY(!stick_scale_in(two_sticks, "FS"));
+    }
+    void the_last_line_of_a_stick_counts() {
+        QCOMPARE(stick_scale_in(two_sticks + "9 1 1 FS 0001\n", "FS 0001")->newtons_at_full, 9.0);
+        QCOMPARE(stick_scale_in(two_sticks + "9 1 1 FS 0001", "FS 0001")->newtons_at_full,
+                 9.0); // cut off after it
+    }
+    void what_makes_no_sense_counts_as_none_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("another_version") << QByteArray("touchphoto sticks 2\n8 1 1 A\n");
+        QTest::newRow("no_force") << QByteArray("touchphoto sticks 1\n0 1 1 A\n");
+        QTest::newRow("negative_force") << QByteArray("touchphoto sticks 1\n-8 1 1 A\n");
+        QTest::newRow("force_of_a_lorry") << QByteArray("touchphoto sticks 1\n1e9 1 1 A\n");
+        QTest::newRow("not_a_number") << QByteArray("touchphoto sticks 1\nnan 1 1 A\n");
+        QTest::newRow("sign_of_2") << QByteArray("touchphoto sticks 1\n8 2 1 A\n");
+        QTest::newRow("no_sign") << QByteArray("touchphoto sticks 1\n8 1 A\n");
+        QTest::newRow("comma") << QByteArray("touchphoto sticks 1\n8,5 1 1 A\n");
+    }
+    void what_makes_no_sense_counts_as_none() {
+        QFETCH(QByteArray, text);
+        QVERIFY(!stick_scale_in(text.toStdString(), "A"));
+    }
+    void any_bytes_give_a_sane_scale_or_none() {
+        tp::test::ByteMutator mutator(7);
+        const std::vector<tp::test::Seed> seeds{{"two", two_sticks}};
+        for (int i = 0; i < 3000; ++i)
+            if (const std::optional<StickScale> scale = stick_scale_in(mutator.mutant(seeds), "FS 0001")) {
+                QVERIFY(scale->newtons_at_full >= 0.5 && scale->newtons_at_full <= 200.0);
+                QVERIFY(std::abs(scale->sign.x) == 1.0 && std::abs(scale->sign.y) == 1.0);
+            }
+    }
+    void a_file_that_is_not_there_measures_nothing() {
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("sticks.txt").toStdString();
+        QVERIFY(!kept_stick_scale(file, "FS 0001").measured);
+        QFile kept(folder.filePath("sticks.txt"));
+        QVERIFY(kept.open(QIODevice::WriteOnly));
+        kept.write(two_sticks.c_str());
+        kept.close();
+        QVERIFY(kept_stick_scale(file, "FS 0001").measured);
+        QVERIFY(!kept_stick_scale(file, "").measured);
+        QVERIFY(!kept_stick_scale({}, "FS 0001").measured);
+    }
+    void it_lies_with_the_persons_settings() {
+        qputenv("XDG_CONFIG_HOME", "/somewhere");
+        QCOMPARE(stick_scale_file().string(), std::string("/somewhere/touchphoto/sticks.txt"));
+        qunsetenv("XDG_CONFIG_HOME");
+        qputenv("HOME", "/home/one");
+        QCOMPARE(stick_scale_file().string(), std::string("/home/one/.config/touchphoto/sticks.txt"));
+    }
+};
+
+QTEST_APPLESS_MAIN(StickScaleFileTest)
+#include "stick_scale_file_test.moc"

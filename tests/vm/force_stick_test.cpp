@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// In the virtual machine: a force stick's model as a HID device of the kernel's own, touched through the real
+// hidapi.
+#include "face_touch.hpp"
+#include "touch_bench.hpp"
+
+#include <QTest>
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+
+using namespace tp;
+using namespace tp::vm;
+
+class ForceStickVmTest : public QObject {
+    Q_OBJECT
+
+    struct Bench : TouchBench {
+        Bench() : TouchBench("vm_virtual_stick", {}, "stick:FS-0001") { begin_to_touch(); }
+    };
+
+private slots:
+    /// Every part of the face draws the hand, and nothing is late.
+    void a_face_is_felt_and_no_tick_is_late() {
+        Bench bench;
+        QVERIFY(bench.pulls());
+        const double begun = now();
+        pass(round_the_face);
+        const double ended = now();
+        QVERIFY(bench.end_touching());
+        QCOMPARE(bench.sessions.size(), std::size_t(1));
+        const TouchSession session = bench.sessions[0];
+        say("latest tick", 1e3 * session.latest_s);
+        QCOMPARE(session.missed, std::uint64_t(0));
+        QVERIFY(session.latest_s < 0.5 * tick);
+        std::set<int> felt;
+        for (std::size_t i = 0; i < bench.snapshots.size(); ++i) {
+            const ServoSnapshot& seen = bench.snapshots[i];
+            if (seen.time < begun || seen.time > ended)
+                continue;
+            QCOMPARE(seen.fault, Fault::none);
+            if (length(seen.force()) > 0.1)
+                felt.insert(seen.contour);
+        }
+        const auto face = face_of(test::in_source(TouchBench::portrait));
+        QVERIFY(face.ok());
+        QCOMPARE(felt.size(), face->contours.size());
+    }
+
+    void unplugged_in_mid_touch_and_felt_again() {
+        Bench bench;
+        QVERIFY(bench.pulls());
+        const double pulled_out = now();
+        bench.tell('u');
+        QVERIFY(comes_true([&] { return bench.sessions.size() == 1; }, 10.0));
+        QVERIFY(bench.sessions[0].lost);
+        const Fall fall = fall_after(bench.snapshots, pulled_out, now(), Fault::device_lost);
+        QVERIFY(fall.noticed > 0.0);
+        say("known to be lost after", 1e3 * (fall.noticed - pulled_out));
+        QVERIFY(fall.last_force <= fall.noticed + ramp_down);
+        bench.tell('p');
+        QVERIFY(bench.pulls());
+        QVERIFY(bench.end_touching());
+        QVERIFY(!bench.sessions[1].lost);
+    }
+
+    /// A stick has no watchdog: the program that is told to end takes the force away itself.
+    void terminated_in_mid_touch() {
+        Bench bench;
+        QVERIFY(bench.pulls());
+        const double told = now();
+        bench.terminate_toucher();
+        pass(0.2);
+        const double let_go = last_pull(bench.device_log, told, now()) - told;
+        say("the stick has let go after", 1e3 * let_go);
+        QVERIFY(let_go <= on_the_way);
+    }
+};
+
+QTEST_GUILESS_MAIN(ForceStickVmTest)
+#include "force_stick_test.moc"

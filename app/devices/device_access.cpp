@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/devices/device_access.hpp"
 
+#include "device/usb/plug_watch.hpp"
+
 #include <algorithm>
 #include <utility>
 
 namespace tp {
 
 DeviceAccess DeviceAccess::of_this_computer(std::filesystem::path calibrations) {
-    return {list_devices, device_named, std::move(calibrations)};
+    DeviceAccess access{list_devices, device_named, std::move(calibrations)};
+    access.on_plug = [](std::function<void()> changed) { return std::make_shared<PlugWatch>(std::move(changed)); };
+    return access;
 }
 
 QString key_of(const ListedDevice& device) {

@@ -60,17 +60,21 @@ signals:
 
 private:
     void look();
+    void look_since_something_changed();
     void begin(const ListedDevice& device, bool homes);
 
     DeviceAccess access_;
     std::vector<ListedDevice> there_;
     QTimer timer_;
+    QTimer once_more_; ///< what was plugged in is not all there at once
     bool looking_ = false;
+    bool look_again_ = false; ///< something changed during a look
     bool knows_ = false;
     bool opening_ = false;
     std::uint64_t watched_ = 0; ///< number of the watch; what an older one saw is not told
     std::uint64_t wish_ = 0;    ///< number of the newest wish to open
-    QThreadPool pool_;          ///< last: its work ends first
+    QThreadPool pool_;          ///< late: its work ends before what it uses
+    std::shared_ptr<void> plugs_; ///< while it watches; last: it calls from a thread of its own
 };
 
 } // namespace tp

@@ -5,6 +5,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <functional>
+#include <memory>
+#include <utility>
+
 using namespace tp;
 using tp::testing::DeviceSocket;
 
@@ -31,6 +35,29 @@ private slots:
         desk.watch(true);
         QTRY_VERIFY(desk.knows());
         QCOMPARE(desk.there().size(), std::size_t(1));
+    }
+
+    void a_word_that_something_was_plugged_in_has_it_looked_for_at_once() {
+        DeviceSocket socket;
+        DeviceAccess access = socket.access();
+        access.look_every_ms = 3'600'000;
+        std::function<void()> tell;
+        access.on_plug = [&tell](std::function<void()> changed) {
+            tell = std::move(changed);
+            return std::shared_ptr<void>(&tell, [](void* words) { *static_cast<std::function<void()>*>(words) = nullptr; });
+        };
+        DeviceDesk desk(access);
+        QVERIFY(!tell);
+        desk.watch(true);
+        QTRY_VERIFY(desk.knows());
+        QVERIFY(desk.there().empty());
+        socket.plug_in();
+        tell();
+        QTRY_COMPARE(desk.there().size(), std::size_t(1));
+        QSignalSpy looks(&desk, &DeviceDesk::looked);
+        QTRY_VERIFY(!looks.isEmpty()); // once more, for nodes that come later
+        desk.watch(false);
+        QVERIFY(!tell); // nobody is asked to tell any more
     }
 
     void a_device_is_opened_or_says_why_not() {

@@ -50,9 +50,10 @@ FaceLines on_edges(const cv::Mat& picture, FaceLines lines, EdgeReports* reports
         Opening inner = lines.inner_lip;
         if (gap < open_from_percent)
             inner = fitted(lines.inner_lip, at_shut_lower_lip, at_shut_upper_lip, found.inner_lip);
-        if (gap >= open_percent && 100.0 * inner.mean_gap() / unit_px > one_line_percent)
+        const bool two_edges = gap >= open_percent && 100.0 * inner.mean_gap() / unit_px > one_line_percent;
+        if (two_edges)
             inner = fitted(lines.inner_lip, at_open_lower_lip, at_open_upper_lip, found.inner_lip);
-        if (gap < shut_below_percent || gap >= open_from_percent)
+        if (gap < shut_below_percent || two_edges)
             lines.inner_lip = std::move(inner);
     }
     if (reports)

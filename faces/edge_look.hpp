@@ -54,11 +54,10 @@ inline constexpr const EdgeLook& shut_upper_lip = edge_looks[at_shut_upper_lip];
 inline constexpr const EdgeLook& open_lower_lip = edge_looks[at_open_lower_lip];
 inline constexpr const EdgeLook& open_upper_lip = edge_looks[at_open_upper_lip];
 
-/// Mean gap between the inner lips as a net saw them, below which they are moved onto the line of shut lips,
-/// and from which on onto the edges of open ones. Between them neither look fits and lips stay where the net
-/// put them (mouths opened by a tenth of their width were 1.2 % off when they were moved, and are 0.8 % off
-/// so); what is seen there is only told: one line, `one_line_percent` apart at most, or from `open_percent`
-/// on two edges.
+/// Mean gap between the inner lips as a net saw them, below which they are moved onto the line of shut lips. From
+/// `open_percent` on they are moved onto the edges of open ones; up to `open_from_percent` only if, looked for as shut
+/// ones, they are not found in one line, `one_line_percent` apart at most. All others stay where the net put them:
+/// neither look fits (mouths opened by a tenth of their width were 1.2 % off when they were moved).
 inline constexpr double shut_below_percent = 1.5, open_from_percent = 8.0;
 inline constexpr double open_percent = 4.0, one_line_percent = 1.3;
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <semaphore>
 #include <thread>
 #include <vector>
@@ -23,14 +24,22 @@ public:
             hanging.release();
             let_go.acquire();
         }
-        sent.push_back(message);
+        const std::lock_guard lock(mutex_);
+        sent_.push_back(message);
         return !broken;
     }
-    std::vector<std::uint64_t> sent;
+    std::vector<std::uint64_t> sent() const {
+        const std::lock_guard lock(mutex_);
+        return sent_;
+    }
     bool broken = false;
     std::atomic<bool> hangs{false};
     std::counting_semaphore<8> hanging{0};
     std::counting_semaphore<8> let_go{0};
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<std::uint64_t> sent_;
 };
 
 } // namespace
@@ -43,15 +52,15 @@ private slots:
         const auto wire = std::make_shared<Wire>();
         LatestWriter writer(wire, LatestWriter::Thread::caller);
         writer.deliver();
-        QVERIFY(wire->sent.empty());
+        QVERIFY(wire->sent().empty());
         writer.post(1);
         writer.post(2);
         writer.deliver();
         writer.deliver();
-        QCOMPARE(wire->sent, std::vector<std::uint64_t>{2});
+        QCOMPARE(wire->sent(), std::vector<std::uint64_t>{2});
         writer.post(2); // the same again is news: the device's watchdog wants to hear it
         writer.deliver();
-        QCOMPARE(wire->sent, (std::vector<std::uint64_t>{2, 2}));
+        QCOMPARE(wire->sent(), (std::vector<std::uint64_t>{2, 2}));
     }
 
     void it_ends_with_the_last_message_and_sends_no_more() {
@@ -60,13 +69,13 @@ private slots:
             LatestWriter writer(wire, thread);
             writer.post(7);
             QVERIFY(writer.end(9));
-            QVERIFY(!wire->sent.empty());
-            QCOMPARE(wire->sent.back(), std::uint64_t{9});
-            const std::size_t before = wire->sent.size();
+            QVERIFY(!wire->sent().empty());
+            QCOMPARE(wire->sent().back(), std::uint64_t{9});
+            const std::size_t before = wire->sent().size();
             writer.post(8);
             writer.deliver();
             QVERIFY(writer.end(8));
-            QCOMPARE(wire->sent.size(), before);
+            QCOMPARE(wire->sent().size(), before);
         }
     }
 
@@ -80,7 +89,7 @@ private slots:
         QVERIFY(writer.lost());
         writer.post(2);
         writer.deliver();
-        QCOMPARE(wire->sent.size(), std::size_t{1});
+        QCOMPARE(wire->sent().size(), std::size_t{1});
 
         const auto other = std::make_shared<Wire>();
         LatestWriter told(other, LatestWriter::Thread::own);
@@ -104,7 +113,7 @@ private slots:
         wire->let_go.release();
         while (wire.use_count() > 1) // the thread sends the end, and goes
             std::this_thread::yield();
-        QCOMPARE(wire->sent, (std::vector<std::uint64_t>{5, 0}));
+        QCOMPARE(wire->sent(), (std::vector<std::uint64_t>{5, 0}));
     }
 };
 

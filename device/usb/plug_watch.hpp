@@ -18,6 +18,8 @@ public:
     explicit PlugWatch(std::function<void()> changed);
     /// `changed` is not called any more afterwards.
     ~PlugWatch();
+    /// What happens from now on is told. Any thread.
+    bool listens() const noexcept { return waits_in_.load() != nullptr; }
     PlugWatch(const PlugWatch&) = delete;
     PlugWatch& operator=(const PlugWatch&) = delete;
 

@@ -19,6 +19,8 @@ struct PluggedDevice {
         interface; ///< by which it would be used now; may open the device to find out
     /// Its back end, not yet open, whose open() holds bus_mutex() itself.
     std::function<std::unique_ptr<ForceDevice>()> make;
+    /// ListedDevice has what it means.
+    bool only_when_chosen = false;
 };
 
 } // namespace tp

@@ -34,7 +34,8 @@ std::vector<ListedDevice> list_devices() {
     const std::lock_guard lock(bus_mutex());
     std::vector<ListedDevice> devices{{simulated, "the mouse or a finger on the screen", "", ""}};
     for (const PluggedDevice& device : plugged_devices())
-        devices.push_back({device.name, device.about, device.serial_number, device.interface()});
+        devices.push_back({device.name, device.about, device.serial_number, device.interface(),
+                           device.only_when_chosen});
     return devices;
 }
 

@@ -16,6 +16,8 @@ struct ListedDevice {
     std::string about; ///< as a person is told
     std::string serial_number;
     std::string interface; ///< "hid", "bulk"…: by which it is used now; empty for the simulated device
+    /// It may be something else than a force device, or pull the wrong way: nobody gets it without asking for it.
+    bool only_when_chosen = false;
 };
 
 /// The simulated device first, then what is plugged in, each once. Any thread; it may wait for another.

@@ -19,11 +19,15 @@ QString key_of(const ListedDevice& device) {
 }
 
 const ListedDevice* device_for(const std::vector<ListedDevice>& there, const QString& key) {
-    if (there.empty() || key == no_device_key)
+    if (key == no_device_key)
         return nullptr;
     const auto chosen =
         std::find_if(there.begin(), there.end(), [&key](const ListedDevice& one) { return key_of(one) == key; });
-    return chosen == there.end() ? &there.front() : &*chosen;
+    if (chosen != there.end())
+        return &*chosen;
+    const auto sure =
+        std::find_if(there.begin(), there.end(), [](const ListedDevice& one) { return !one.only_when_chosen; });
+    return sure == there.end() ? nullptr : &*sure;
 }
 
 } // namespace tp

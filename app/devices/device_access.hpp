@@ -36,7 +36,7 @@ QString key_of(const ListedDevice& device);
 inline constexpr const char* no_device_key = "simulated";
 
 /// The one of these real devices that serves a person who chose `key`: that one; where it is not there or nothing
-/// was chosen, the first. Null for none.
+/// was chosen, the first of those that need not be chosen. Null for none.
 const ListedDevice* device_for(const std::vector<ListedDevice>& there, const QString& key);
 
 } // namespace tp

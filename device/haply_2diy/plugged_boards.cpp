@@ -45,7 +45,7 @@ Result<Haply2diy::Board> open_board(const FoundBoard& found, HaplyGeneration gen
     if (!guard)
         return Error{guard.error()};
     return Haply2diy::Board{std::move(*line), std::move(*guard),
-                            HomedNote::of_board(found.serial_number, generation), found.serial_number};
+                            HomedNote::of_board(found.serial_number, generation), {}}; // as plugged() has it
 }
 
 PluggedDevice plugged(const FoundBoard& found, HaplyGeneration generation) {
@@ -55,7 +55,8 @@ PluggedDevice plugged(const FoundBoard& found, HaplyGeneration generation) {
     device.name = (first ? "2diy1:" : "2diy3:") + number;
     device.about = first ? "Arduino board: a Haply 2diy of the first generation?"
                          : "Arduino board: a Haply 2diy of the third generation?";
-    device.serial_number = found.serial_number;
+    // No serial number: the board is listed once for each generation, and only the name tells them apart.
+    device.only_when_chosen = true; // any Arduino looks like one
     device.interface = [] { return std::string("serial"); };
     device.make = [found, generation]() -> std::unique_ptr<ForceDevice> {
         return std::make_unique<Haply2diy>(generation,

@@ -21,6 +21,16 @@ private slots:
         for (const ListedDevice& one : there)
             QCOMPARE(device_for(there, key_of(one)), &one);
     }
+
+    void what_may_be_no_force_device_serves_only_who_chose_it() {
+        const ListedDevice board{"2diy3:A", "Arduino board", "", "serial", true};
+        QCOMPARE(device_for({board}, {}), nullptr);
+        QCOMPARE(device_for({board}, "broken long ago"), nullptr);
+        const std::vector<ListedDevice> there{board, {"2diy1:A", "Arduino board", "", "serial", true}, {"pad:A", "one", "A", "hid"}};
+        QCOMPARE(device_for(there, {}), &there[2]);
+        for (const ListedDevice& one : there) // one board, listed for each generation
+            QCOMPARE(device_for(there, key_of(one)), &one);
+    }
 };
 
 QTEST_GUILESS_MAIN(DeviceAccessTest)

@@ -12,7 +12,7 @@ namespace tp {
 
 namespace {
 
-thread_local bool hushed = false;
+alignas(64) thread_local bool hushed = false; // why aligned: cmake/Compiler.cmake, mold
 
 /// Passes on what goes to std::cerr, except from threads that are hushed.
 class Hush final : public std::streambuf {

@@ -13,7 +13,7 @@
 
 namespace {
 
-thread_local bool counting = false;
+alignas(64) thread_local bool counting = false; // why aligned: cmake/Compiler.cmake, mold
 std::atomic<long> allocations{0};
 
 void* counted_or_null(std::size_t size) noexcept {

@@ -24,7 +24,9 @@ constexpr int beats = 4;
 constexpr int silence_ms = 50;
 constexpr int answer_ms = 30;
 constexpr int patience_ms = 2000; ///< with a line that takes nothing
-constexpr int times = 3;
+/// A command of no torque; more than can be answered without having been obeyed: what the program's last ones
+/// may still be answered with, and one that the board makes of a half frame of the program and half of ours.
+constexpr std::size_t times = 5;
 constexpr unsigned rounds = 20;
 
 int wait_for(int descriptor, short for_what, int wait_ms) {
@@ -49,8 +51,16 @@ bool write_all(std::span<const std::uint8_t> bytes) {
     return true;
 }
 
-/// Whether a board answers to a command, which it does when it has obeyed it.
-bool answered(std::uint8_t id) {
+/// Whether these are a board's answers to commands and nothing else.
+bool are_replies(std::span<const std::uint8_t> bytes, std::uint8_t id) {
+    for (; bytes.size() >= reply_size; bytes = bytes.subspan(reply_size))
+        if (const auto reply = decode_reply(bytes.first<reply_size>()); !reply || reply->device_id != id)
+            return false;
+    return true;
+}
+
+/// Whether the last that a board answers are so many replies to commands.
+bool answered(std::uint8_t id, std::size_t replies) {
     std::vector<std::uint8_t> heard;
     std::array<std::uint8_t, 256> some{};
     while (heard.size() < 4096 && wait_for(line, POLLIN, answer_ms) > 0) {
@@ -58,13 +68,18 @@ bool answered(std::uint8_t id) {
         if (got <= 0)
             return false;
         heard.insert(heard.end(), some.begin(), some.begin() + got);
-        if (heard.size() < reply_size)
-            continue;
-        const auto last = std::span(heard).last<reply_size>();
-        if (const auto reply = decode_reply(last); reply && reply->device_id == id)
+        if (heard.size() >= replies * reply_size && are_replies(std::span(heard).last(replies * reply_size), id))
             return true;
     }
     return false;
+}
+
+/// Whether the board is in step and has taken the torque away, as it was told.
+bool obeys(std::uint8_t id) {
+    for (std::size_t i = 0; i < times; ++i)
+        if (!write_all(encode(Command{id, {}})))
+            return false;
+    return answered(id, times);
 }
 
 void drop_what_came() {
@@ -75,16 +90,13 @@ void drop_what_came() {
 
 void take_torque_away(const SetUp& set_up) {
     drop_what_came();
-    for (int i = 0; i < times; ++i)
-        if (!write_all(encode(Command{set_up.device_id, {}})))
-            return;
-    if (answered(set_up.device_id))
+    if (obeys(set_up.device_id))
         return;
     // The program died in the middle of a frame, or the board is out of step.
     for (unsigned round = 0; round < rounds; ++round) {
         if (!write_all(resynchronisation(set_up, round).view()))
             return;
-        if (answered(set_up.device_id)) {
+        if (answered(set_up.device_id, 1) && obeys(set_up.device_id)) {
             write_all(
                 encode_reset(set_up.device_id)); // its angles are not those it had: nobody shall believe them
             return;

@@ -23,6 +23,7 @@
 #include <mutex>
 #include <poll.h>
 #include <string>
+#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
@@ -197,13 +198,31 @@ private slots:
         PtyBoard board;
         Puller puller(board);
         QVERIFY(board.pulls());
-        ::kill(static_cast<pid_t>(puller.process.processId()), SIGSTOP);
+        const auto process = static_cast<pid_t>(puller.process.processId());
+        ::kill(process, SIGSTOP);
+        siginfo_t stopped{};
+        QCOMPARE(waitid(P_PID, static_cast<id_t>(process), &stopped, WSTOPPED | WNOWAIT), 0);
         board.begin_a_frame();
         puller.process.kill();
         puller.process.waitForFinished(-1);
         until([&] { return board.hung_up(); });
         QVERIFY(!board.pulls());
         QVERIFY(!board.is_set_up()); // its angles are to be believed no more
+    }
+
+    void a_program_killed_while_the_board_is_out_of_step_pulls_no_more() {
+        for (int attempt = 0; attempt < 20; ++attempt) { // each is killed elsewhere in what it sends
+            PtyBoard board;
+            Puller puller(board);
+            QVERIFY(board.pulls());
+            board.begin_a_frame();
+            const std::uint64_t before = board.heard();
+            until([&] { return board.heard() > before + static_cast<std::uint64_t>(attempt % 5); });
+            puller.process.kill();
+            puller.process.waitForFinished(-1);
+            until([&] { return board.hung_up(); });
+            QVERIFY2(!board.pulls(), qPrintable(QString("attempt %1").arg(attempt)));
+        }
     }
 
     void a_program_that_stands_still_is_let_go_of_and_hears_of_it() {

@@ -205,8 +205,8 @@ void LabSession::paint_field() {
     if (field_scale_ < 2.0)
         return paint_field_finely();
     field_work_.ask([this, felt = felt_, area = surface(), scale = field_scale_,
-                     legend = legendPixels()](const std::stop_token&) -> LatestWork::Done {
-        const QImage coarse = draw_force_field(*felt, area, 0.25 * scale);
+                     legend = legendPixels()](const std::stop_token& stop) -> LatestWork::Done {
+        const QImage coarse = draw_force_field(*felt, area, 0.25 * scale, {}, stop);
         QImage image(static_cast<int>(std::lround(area.width() * scale)),
                      static_cast<int>(std::lround(area.height() * scale)) + legend, QImage::Format_RGB32);
         image.fill(QColor(12, 12, 18));
@@ -223,8 +223,9 @@ void LabSession::paint_field() {
 }
 
 void LabSession::paint_field_finely() {
-    field_work_.ask([this, felt = felt_, area = surface(), scale = field_scale_](const std::stop_token&) -> LatestWork::Done {
-        const QImage image = draw_force_field(*felt, area, scale);
+    field_work_.ask([this, felt = felt_, area = surface(),
+                     scale = field_scale_](const std::stop_token& stop) -> LatestWork::Done {
+        const QImage image = draw_force_field(*felt, area, scale, {}, stop);
         return [this, image] {
             field_ = image;
             emit fieldChanged();

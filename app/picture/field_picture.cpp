@@ -26,13 +26,16 @@ struct Frame {
     Vec2 back(double x, double y) const { return {surface.min.x + x / scale, surface.max.y - y / scale}; }
 };
 
-void paint_magnitude(QImage& image, const HapticScene& haptic, const Frame& frame, int height) {
+void paint_magnitude(QImage& image, const HapticScene& haptic, const Frame& frame, int height,
+                     const std::stop_token& stop) {
     const double peak = haptic.profile.peak();
-    for (int y = 0; y < height; ++y)
+    for (int y = 0; y < height && !stop.stop_requested(); ++y) {
+        auto* const row = reinterpret_cast<QRgb*>(image.scanLine(y)); // of Format_RGB32
         for (int x = 0; x < image.width(); ++x) {
             const Guidance at = haptic.law->at(frame.back(x + 0.5, y + 0.5));
-            image.setPixelColor(x, y, field_colour(length(at.force) / peak));
+            row[x] = field_colour(length(at.force) / peak).rgb();
         }
+    }
 }
 
 void paint_arrow(QPainter& painter, QPointF from, QPointF step) {
@@ -90,14 +93,16 @@ void paint_legend(QPainter& painter, const HapticScene& haptic, const Frame& fra
 } // namespace
 
 QImage draw_force_field(const HapticScene& haptic, const Rect& surface, double pixels_per_mm,
-                        const std::vector<Vec2>& way) {
+                        const std::vector<Vec2>& way, const std::stop_token& stop) {
     const double scale =
         std::min(pixels_per_mm, largest_side_px / std::max(surface.width(), surface.height()));
     const Frame frame{surface, scale};
     const int width = std::max(1, static_cast<int>(std::lround(surface.width() * scale)));
     const int height = std::max(1, static_cast<int>(std::lround(surface.height() * scale)));
     QImage image(width, height + legend_height, QImage::Format_RGB32);
-    paint_magnitude(image, haptic, frame, height);
+    paint_magnitude(image, haptic, frame, height, stop);
+    if (stop.stop_requested())
+        return {};
 
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);

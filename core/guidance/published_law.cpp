@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace tp {
 
@@ -18,13 +19,21 @@ std::optional<TwoNearest> two_nearest(const std::vector<Vec2>& vertices, Vec2 fi
         return std::nullopt;
     const auto distance = [&](std::size_t i) { return glm::length(vertices[i] - finger); };
     TwoNearest found{0, 1};
-    if (distance(1) < distance(0))
+    double nearest = distance(0);
+    double next = distance(1);
+    if (next < nearest) {
         std::swap(found.first, found.second);
+        std::swap(nearest, next);
+    }
     for (std::size_t i = 2; i < vertices.size(); ++i) {
-        if (distance(i) < distance(found.first))
+        const double now = distance(i);
+        if (now < nearest) {
             found = {i, found.first};
-        else if (distance(i) < distance(found.second))
+            next = std::exchange(nearest, now);
+        } else if (now < next) {
             found.second = i;
+            next = now;
+        }
     }
     return found;
 }

@@ -42,6 +42,15 @@ private slots:
         QVERIFY(row(20.0) < 40.0);
     }
 
+    void a_field_that_nobody_wants_any_more_is_given_up() {
+        const Scene scene{100.0, 60.0, {contour_through("line", {{-40, 0}, {40, 0}}, false)}};
+        const auto haptic = make_haptic_scene(scene);
+        std::stop_source wish;
+        QVERIFY(!draw_force_field(**haptic, scene.surface(), 1.0, {}, wish.get_token()).isNull());
+        wish.request_stop();
+        QVERIFY(draw_force_field(**haptic, scene.surface(), 1.0, {}, wish.get_token()).isNull());
+    }
+
     void the_overlay_marks_the_contour_and_leaves_the_rest() {
         const cv::Mat grey(200, 300, CV_8UC3, cv::Scalar(90, 90, 90));
         Extraction found;

@@ -117,8 +117,8 @@ private slots:
         LabBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
+        QTRY_VERIFY_WITH_TIMEOUT(window.named("Force |F|: nothing measured yet.") != nullptr, 60000); // come after the page
         const QImage before = window.grabWindow();
-        QVERIFY(window.named("Force |F|: nothing measured yet.") != nullptr);
         bench.hand(43.0, 0.0);
         QVERIFY(window.press("Start the servo"));
         bench.session.advance(3.0);

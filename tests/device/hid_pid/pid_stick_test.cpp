@@ -247,8 +247,8 @@ private slots:
         });
         for (int i = 0; i < 200; ++i) {
             device.read(0.001 * i);
+            const int before = forces.load(); // the writer may be done before write() has returned
             QVERIFY(device.write(safe({0.01 * (i % 7), 0.0})));
-            const int before = forces.load();
             while (forces.load() == before) // CTest ends a test that waits for ever
                 std::this_thread::yield();
         }

@@ -36,6 +36,8 @@ if(TOUCHPHOTO_WHOLE_BUILD)
 endif()
 
 # tp_compile_quickly(test)
+# Not for a test that itself computes much: what of its code the rooms use too would be as slow there, because one copy
+# of a function serves the whole program.
 function(tp_compile_quickly test)
   if(TOUCHPHOTO_WHOLE_BUILD)
     target_precompile_headers(${test} REUSE_FROM tp_precompiled)

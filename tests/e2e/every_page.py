@@ -67,6 +67,7 @@ class Walker:
 
     def __init__(self, running, page, focus):
         self.running, self.page, self.focus, self.atspi = running, page, focus, page.atspi
+        self.frame = None  # of the one window, found once
         self.used = {self.atspi.ROLE_PUSH_BUTTON: "press", self.atspi.ROLE_CHECK_BOX: "toggle",
                      self.atspi.ROLE_RADIO_BUTTON: "toggle", self.atspi.ROLE_LIST_ITEM: "press",
                      self.atspi.ROLE_SLIDER: "increase"}
@@ -88,8 +89,10 @@ class Walker:
                 yield from self.seen(child)
 
     def window(self):
-        return self.awaited("a window", lambda: next((node for node in self.page.everything()
-                                                      if node.getRole() == self.atspi.ROLE_FRAME), None))
+        if self.frame is None:
+            self.frame = self.awaited("a window", lambda: next((node for node in self.page.everything()
+                                                                if node.getRole() == self.atspi.ROLE_FRAME), None))
+        return self.frame
 
     def place(self, node):
         return node.queryComponent().getExtents(self.atspi.DESKTOP_COORDS)

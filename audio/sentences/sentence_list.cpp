@@ -327,6 +327,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "it has no samples."),
     QT_TRANSLATE_NOOP("Sentence", "it has no sound."),
     QT_TRANSLATE_NOOP("Sentence", "it holds \"%1\", which is not a plain file."),
+    QT_TRANSLATE_NOOP("Sentence", "it holds \"%1\", which is packed in an unusual way. Pack it again as an ordinary ZIP file."),
     QT_TRANSLATE_NOOP("Sentence", "it holds \"%1\", which would lie outside the album."),
     QT_TRANSLATE_NOOP("Sentence", "it holds a file in more folders than any album has."),
     QT_TRANSLATE_NOOP("Sentence", "it holds a file without a name."),

@@ -3195,6 +3195,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again; or have yourself added to the group dialout and log in again.</source>
         <translation>Sie dürfen das Gerät „%1“ noch nicht benutzen. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie das Gerät dann ab und stecken Sie es wieder an; oder lassen Sie sich in die Gruppe dialout aufnehmen und melden Sie sich neu an.</translation>
     </message>
+    <message>
+        <source>it holds &quot;%1&quot;, which is packed in an unusual way. Pack it again as an ordinary ZIP file.</source>
+        <translation>Es enthält „%1“, das auf ungewöhnliche Weise gepackt ist. Packen Sie es noch einmal als gewöhnliche ZIP-Datei.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -3183,6 +3183,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again; or have yourself added to the group dialout and log in again.</source>
         <translation>아직 %1 장치를 쓸 권한이 없습니다. resources/udev/70-touchphoto.rules를 /etc/udev/rules.d에 복사한 다음 장치를 뽑았다가 다시 꽂으세요. 또는 dialout 그룹에 추가해 달라고 하고 다시 로그인하세요.</translation>
     </message>
+    <message>
+        <source>it holds &quot;%1&quot;, which is packed in an unusual way. Pack it again as an ordinary ZIP file.</source>
+        <translation>흔하지 않은 방식으로 압축된 “%1”이(가) 들어 있습니다. 일반 ZIP 파일로 다시 압축하세요.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <string_view>
 #include <system_error>
 
 namespace tp {
@@ -40,6 +41,12 @@ Result<fs::path> path_of(archive_entry* entry) {
     if (std::distance(decoded->begin(), decoded->end()) > most_folders)
         return Error{"it holds a file in more folders than any album has."};
     return *decoded;
+}
+
+/// Packed as every program packs a ZIP file. Of the other ways LZMA alone may ask for 4 GiB of memory, in 25 bytes.
+bool is_packed_as_usual(archive* zip) {
+    const std::string_view format = archive_format_name(zip); // "ZIP 2.0 (deflation)", of the last header
+    return format.ends_with("(uncompressed)") || format.ends_with("(deflation)");
 }
 
 class BundleReader {
@@ -78,6 +85,8 @@ private:
             return path.error();
         if (archive_entry_is_encrypted(entry))
             return "it is locked with a password.";
+        if (!is_packed_as_usual(zip_.get()))
+            return "it holds " + quoted(*path) + ", which is packed in an unusual way. Pack it again as an ordinary ZIP file.";
         if (archive_entry_filetype(entry) == AE_IFDIR)
             return make_folder(folder_ / *path, Readers::owner_only);
         if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry))

@@ -2,7 +2,9 @@
 #include "album_folder.hpp"
 #include "app/album/keeper/bundle.hpp"
 #include "made_zip.hpp"
+#include "places.hpp"
 
+#include <QDir>
 #include <QTest>
 
 #include <random>
@@ -69,6 +71,20 @@ private slots:
         QVERIFY(!fs::exists(place / "evil.jpg") && !fs::exists(place / "inner/evil.jpg"));
         for (const auto& file : fs::recursive_directory_iterator(place.path()))
             QVERIFY(!file.is_symlink());
+    }
+
+    void what_is_packed_in_an_unusual_way_is_refused_data() {
+        QTest::addColumn<QString>("bundle");
+        const QDir corpus(in_source("tests/app/album/keeper/bundle_corpus"));
+        for (const char* name : {"lzma", "lzma_asks_for_4_gigabyte", "bzip2"})
+            QTest::newRow(name) << corpus.filePath(name);
+    }
+    void what_is_packed_in_an_unusual_way_is_refused() {
+        QFETCH(QString, bundle);
+        const AlbumFolder place;
+        const std::string problem = unpack_bundle(bundle.toStdString(), place / "album");
+        QVERIFY2(problem.find("is packed in an unusual way") != std::string::npos, problem.c_str());
+        QVERIFY(fs::is_empty(place / "album"));
     }
 
     void a_bomb_goes_off_small() {

@@ -251,6 +251,8 @@ void BrowseSession::enter() {
         narrator_.tell(emptyText(), Priority::message);
     } else if (view() != View::Photos) {
         tell_list();
+    } else if (narrator_.by() == Narrator::By::screen_reader) {
+        narrator_.tell(tr("Your photographs."), Priority::message); // the photograph has the focus, and is read by itself
     } else {
         const QString can =
             hasRecordings() ? tr("Swipe or use the arrow keys to go on; double tap or press Return to hear.")

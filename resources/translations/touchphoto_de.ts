@@ -3990,6 +3990,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Search. Type a name, a place or a word, or move a finger over the letters and lift it on one. The arrow keys go through what is found.</source>
         <translation>Suche. Geben Sie einen Namen, einen Ort oder ein Wort ein, oder fahren Sie mit einem Finger über die Buchstaben und heben ihn auf einem ab. Die Pfeiltasten gehen durch das Gefundene.</translation>
     </message>
+    <message>
+        <source>Your photographs.</source>
+        <translation>Ihre Fotos.</translation>
+    </message>
 </context>
 <context>
     <name>tp::CareSession</name>

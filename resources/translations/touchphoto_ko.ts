@@ -3969,6 +3969,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Search. Type a name, a place or a word, or move a finger over the letters and lift it on one. The arrow keys go through what is found.</source>
         <translation>검색. 이름, 장소 또는 낱말을 입력하거나, 손가락으로 글자 위를 지나가다 원하는 글자에서 떼세요. 화살표 키로 찾은 것을 살펴봅니다.</translation>
     </message>
+    <message>
+        <source>Your photographs.</source>
+        <translation>내 사진.</translation>
+    </message>
 </context>
 <context>
     <name>tp::CareSession</name>

@@ -50,6 +50,16 @@ private slots:
                              "or use the arrow keys to go on."));
     }
 
+    void a_screen_reader_reads_the_photograph_itself_and_is_not_told_it_too() {
+        BrowseBench bench;
+        bench.drawn.five();
+        bench.narrator.set_by(Narrator::By::screen_reader);
+        bench.start();
+        QCOMPARE(bench.narrator.sentence(), QString("Your photographs."));
+        bench.session->next(); // the focus stays, so nothing is read by itself
+        QCOMPARE(bench.narrator.sentence(), bench.session->summary());
+    }
+
     void one_photograph_after_the_other_with_sounds_that_say_so() {
         AtGarden bench;
         bench.session->next();

@@ -79,36 +79,13 @@ FocusScope {
     }
 
     MouseArea {
-        id: mouseArea
-
-        property point rest // where the pointer was as it, or the page under it, came
-        property bool isHand: false // a pointer that only rests is none
-
-        function handAt(x, y) {
-            if (isHand)
-                surface.session.moveTo(x / surface.pixelsPerMm, y / surface.pixelsPerMm)
-            else
-                surface.session.touchDown(x / surface.pixelsPerMm, y / surface.pixelsPerMm)
-            isHand = true
-        }
-
         anchors.fill: parent
         hoverEnabled: true
         preventStealing: true
-        onEntered: rest = Qt.point(mouseX, mouseY)
-        onExited: {
-            if (isHand)
-                surface.session.handGone()
-            isHand = false
-        }
-        onPressed: (mouse) => {
-            surface.forceActiveFocus(Qt.MouseFocusReason)
-            handAt(mouse.x, mouse.y)
-        }
-        onPositionChanged: (mouse) => {
-            if (isHand || Math.abs(mouse.x - rest.x) + Math.abs(mouse.y - rest.y) > 1)
-                handAt(mouse.x, mouse.y)
-        }
+        onEntered: surface.session.touchDown(mouseX / surface.pixelsPerMm, mouseY / surface.pixelsPerMm)
+        onExited: surface.session.handGone()
+        onPressed: surface.forceActiveFocus(Qt.MouseFocusReason)
+        onPositionChanged: (mouse) => surface.session.moveTo(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
     }
     MultiPointTouchArea {
         anchors.fill: parent

@@ -23,7 +23,7 @@ MOST_STOPS = 400  # of Tab on one page; more is no way round
 
 
 class Focus:
-    """Where the keyboard is, as the program tells its clients, and whether words on the page changed."""
+    """Where the keyboard is, as the program tells its clients."""
 
     def __init__(self):
         import gi
@@ -32,25 +32,21 @@ class Focus:
         from gi.repository import Atspi, GLib
 
         self.told = None
-        self.words_changed = False
         self.context = GLib.MainContext.default()
         self.listener = Atspi.EventListener.new(self.note)
         self.listener.register("object:state-changed:focused")
-        self.listener.register("object:property-change:accessible-name")
 
     def note(self, event):
-        if event.type.startswith("object:property-change"):
-            self.words_changed = True
-        elif event.detail1:
+        if event.detail1:
             self.told = event.source
 
-    def after(self, deed, words_do=False):
-        """What is told last after `deed`, and then for a moment no more; none where it stays and words, that do, change."""
+    def after(self, deed):
+        """What is told last after `deed`, and then for a moment no more."""
         self.listen(0.0)
-        self.told, self.words_changed = None, False
+        self.told = None
         deed()
         end = time.monotonic() + desk.PATIENCE
-        while self.told is None and not (words_do and self.words_changed):
+        while self.told is None:
             assert time.monotonic() < end, "the keyboard stays where it is"
             self.listen(0.02)
         self.listen(0.05)
@@ -170,13 +166,8 @@ class Walker:
         first = self.focused()
         stops = [first]
         window = self.place(self.window())
-        features = 0
-        while len(stops) <= MOST_STOPS and features <= MOST_STOPS:
-            on_a_surface = stops[-1].getRole() == self.atspi.ROLE_CANVAS  # where Tab goes from feature to feature first
-            now = self.focus.after(lambda: self.page.keys("Tab"), words_do=on_a_surface)
-            if now is None:
-                features += 1
-                continue
+        while len(stops) <= MOST_STOPS:
+            now = self.focus.after(lambda: self.page.keys("Tab"))
             if now == first:
                 return stops
             place = self.place(now)

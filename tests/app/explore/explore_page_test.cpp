@@ -44,11 +44,6 @@ struct Page {
         const double scale = surface()->width() / session.surfaceWidth();
         return surface()->mapToScene(scale * place).toPoint();
     }
-    /// The mouse comes there; Qt leaves out moves that nobody has looked at when the next one comes.
-    void mouse(QPointF place) {
-        QTest::mouseMove(&window, pixel(place));
-        QCoreApplication::processEvents();
-    }
     /// A place 5 mm inside of the outline's left side, and one higher up.
     QPointF beside(double higher = 0.0) const {
         const QPointF corner = session.frame().from_surface(session.felt().lines[outline].points[1]);
@@ -153,26 +148,11 @@ private slots:
         QTest::touchEvent(&page.window, screen).release(0, high, &page.window);
     }
 
-    void a_mouse_that_only_rests_there_is_no_hand() {
-        Page page;
-        QVERIFY(page.exposed());
-        page.voice.clear();
-        const QPointF before = page.session.pointer();
-        page.mouse(page.beside()); // comes, and stays
-        page.mouse(page.beside());
-        QTest::qWait(50);
-        QCOMPARE(page.session.pointer(), before);
-        QCOMPARE(page.voice.said(), QStringList());
-        QTest::mousePress(&page.window, Qt::LeftButton, {}, page.pixel(page.beside()));
-        QTRY_VERIFY(QLineF(page.session.pointer(), page.beside()).length() < 0.5);
-        QTest::mouseRelease(&page.window, Qt::LeftButton, {}, page.pixel(page.beside()));
-    }
-
     void the_mouse_moves_the_hand_and_the_line_draws_the_finger() {
         Page page;
         QVERIFY(page.exposed());
-        page.mouse(page.beside(20.0));
-        page.mouse(page.beside());
+        QTest::mouseMove(&page.window, page.pixel(page.beside(20.0)));
+        QTest::mouseMove(&page.window, page.pixel(page.beside()));
         QTRY_VERIFY(QLineF(page.session.pointer(), page.beside()).length() < 0.5);
         const double hand = distance_to_feature(page.session, Page::outline, page.session.pointer());
         QTRY_VERIFY(distance_to_feature(page.session, Page::outline, page.session.finger()) < hand - 1.0);
@@ -199,8 +179,8 @@ private slots:
         page.voice.clear();
         const QPointF on =
             page.session.frame().from_surface(page.session.felt().lines[Page::left_eye].points[0]);
-        for (const double above : {7.0, 5.0, 0.0})
-            page.mouse(on + QPointF(0.0, -above));
+        QTest::mouseMove(&page.window, page.pixel(on + QPointF(0.0, -12.0)));
+        QTest::mouseMove(&page.window, page.pixel(on));
         QTRY_COMPARE(page.voice.said(), QStringList("left eye"));
         QVERIFY(page.window.named("Under the finger: left eye") != nullptr);
     }
@@ -244,8 +224,7 @@ private slots:
     void escape_gives_zero_force_and_enter_brings_it_back() {
         Page page;
         QVERIFY(page.exposed());
-        page.mouse(page.beside(20.0));
-        page.mouse(page.beside());
+        QTest::mouseMove(&page.window, page.pixel(page.beside()));
         QTRY_VERIFY(page.session.newtons() > 0.1);
         QTest::keyClick(&page.window, Qt::Key_Escape);
         QTRY_COMPARE(page.session.newtons(), 0.0);

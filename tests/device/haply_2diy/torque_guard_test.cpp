@@ -122,10 +122,11 @@ public:
     /// Nobody has the line open.
     bool hung_up() const { return hung_up_.load(); }
     std::uint64_t heard() const { return heard_.load(); }
-    /// The board gets these before what comes next, as the beginning of a frame that was never ended.
+    /// The board gets these before what comes next, as the beginning of a frame that was never ended: a command
+    /// with the torque of the first motor, 0.1 N·m, which the next bytes of whatever kind complete.
     void begin_a_frame() {
         const std::scoped_lock lock(mutex_);
-        for (const std::uint8_t byte : std::array<std::uint8_t, 4>{2, 5, 0, 0})
+        for (const std::uint8_t byte : std::array<std::uint8_t, 6>{2, 5, 0xcd, 0xcc, 0xcc, 0x3d})
             board_.receive(byte);
     }
 
@@ -143,13 +144,20 @@ private:
             }
             const std::scoped_lock lock(mutex_);
             heard_.fetch_add(static_cast<std::uint64_t>(got));
-            for (ssize_t i = 0; i < got; ++i)
+            for (ssize_t i = 0; i < got; ++i) {
                 board_.receive(bytes[i]);
-            std::vector<std::uint8_t> answer(board_.sent().begin(), board_.sent().end());
-            board_.sent().clear();
-            if (!answer.empty() && ::write(master_, answer.data(), answer.size()) < 0)
-                hung_up_.store(true);
+                send_the_answer();
+            }
         }
+    }
+    void send_the_answer() {
+        const std::vector<std::uint8_t> answer(board_.sent().begin(), board_.sent().end());
+        board_.sent().clear();
+        if (answer.empty())
+            return;
+        if (::write(master_, answer.data(), answer.size()) < 0)
+            hung_up_.store(true);
+        std::this_thread::sleep_for(std::chrono::microseconds(300)); // a board is no faster: it is read before the next
     }
 
     int master_;

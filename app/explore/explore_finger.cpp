@@ -243,6 +243,8 @@ void ExploreSession::follow_finger(Vec2 place, double now) {
     }
     if (touring())
         dwell_.settle(feature);
+    else if (tells_a_zoom(now))
+        return;
     else if (const int stayed = dwell_.follow(feature, now); stayed >= 0 && here_)
         murmur(label_of(stayed));
 }

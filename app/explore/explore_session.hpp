@@ -230,6 +230,8 @@ private:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void zoom_to(const Subject& subject);
     QString zoom_sentence() const;
+    /// A zoom is being told and the hand has rested since: what it is drawn to then is told afterwards.
+    bool tells_a_zoom(double now) const;
     QString where_one_is() const;
     QString person_of(std::size_t face) const;
     QString name_of_face(std::size_t face) const;
@@ -310,6 +312,7 @@ private:
     bool finger_down_ = false;
     bool hushed_ = false;     ///< stopped by the person: the guide waits for the next touch
     double moved_at_ = -1e9;  ///< s, when the hand last moved
+    double zoomed_at_ = -1e9, zoom_told_at_ = -1e9; ///< s, the last zoom, and when its sentence has been spoken
     double tour_progress_ = 0.0;
     std::deque<int> tour_left_;      ///< features of the tour of a face, the next one first
     double tour_goes_on_at_ = 0.0;   ///< s, when its name has been spoken

@@ -147,7 +147,8 @@ class Walker:
     def shape(self, size):
         """Gives the window a size, and waits until it has it."""
         name = str(self.window().name)
-        subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "TouchPhoto", "windowsize", "--sync", *map(str, size)], check=True)
+        command = ["xdotool", "search", "--onlyvisible", "--name", "TouchPhoto", "windowsize", "--sync", *map(str, size)]
+        self.awaited(f"{name} on the display", lambda: subprocess.run(command).returncode == 0)  # 1: it is not there yet
         self.awaited(f"{name} in {size}", lambda: self.place(self.window()).width == size[0])
 
     def go(self, name):

@@ -18,6 +18,7 @@ import sound_server
 from album import Album, preferences, tone
 
 FIRST_HZ, SECOND_HZ = 660, 880  # of the recordings, so that each is told from the other by its pitch
+HEARD_S = 1.5  # of a recording of 2 s; a window at its border counts for neither
 
 
 def seconds_of(samples, hz, rate=sound_server.RATE):
@@ -68,14 +69,14 @@ class Person:
         self.page.keys("Down")
         self.hears("Anna")
         self.page.keys("Up", "Return")
-        self.page.await_name("Pause")
+        sound_server.wait_until(lambda: seconds_of(ear.so_far(), FIRST_HZ) >= HEARD_S)
         self.page.await_name("Play recordings")  # the recording has ended
         self.page.keys("Right")
         self.hears("ben_smiling.jpg; 1 recording.")
         heard = ear.heard()
         first, second = seconds_of(heard, FIRST_HZ), seconds_of(heard, SECOND_HZ)
         print(f"of the first photograph's recording {first:.2f} s were heard, of the second's {second:.2f} s")
-        assert first >= 1.5, first
+        assert first >= HEARD_S, first
         assert second == 0, second
         self.page.keys("Left")
         self.hears("Anna; 1 recording.")
@@ -148,6 +149,7 @@ def inner(program, lab, photos):
         album.run("tag", "add", "--from", tone(os.path.join(folder, "2.wav"), SECOND_HZ, 2.0), "--kind", "story", album.photos[1])
         album.run("person", "name", "--face", "0.5,0.4,0.4,0.5", album.photos[0], "Anna")
         environment = dict(os.environ, XDG_CONFIG_HOME=folder + "/config", XDG_CACHE_HOME=folder + "/cache", HOME=folder)
+        subprocess.run(["xdotool", "mousemove", "0", "0"], check=True)  # nobody holds it; on the face it would say what it lies on
         listener = desk.Listener()
         running = subprocess.Popen([program], env=environment)
         try:

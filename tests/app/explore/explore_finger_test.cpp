@@ -438,6 +438,27 @@ private slots:
         QVERIFY(bench.sounds.hears(Earcon::list_end));
     }
 
+    void what_the_hand_is_drawn_to_after_a_zoom_is_told_when_the_zoom_was() {
+        QPointF beside_the_eye;
+        {
+            Bench before;
+            before.session.zoomIn();
+            beside_the_eye = before.by(left_eye, -1.5 * FeatureTracker::enter_mm);
+        }
+        Bench bench;
+        bench.session.moveTo(beside_the_eye.x(), beside_the_eye.y());
+        bench.time += 2.0;
+        QTest::qWait(100); // the servo comes to rest where nothing pulls
+        bench.session.zoomIn();
+        QCOMPARE(bench.said(), QString("Zoomed to the eyes."));
+        QTRY_COMPARE(bench.session.feature(), left_eye);
+        bench.time += 0.5;
+        QTest::qWait(100); // it is looked at many times meanwhile
+        QCOMPARE(bench.said(), QString("Zoomed to the eyes."));
+        bench.time += 10.0;
+        QTRY_VERIFY((bench.time += 0.1, bench.said() == "left eye"));
+    }
+
     void a_part_fills_the_surface_and_the_photograph_lies_under_it() {
         Bench bench;
         const double before = bench.session.photoRect().width();

@@ -56,7 +56,7 @@ FocusScope {
         anchors { left: surface.left; right: surface.right; top: surface.bottom; bottom: parent.bottom }
         anchors { topMargin: Theme.gap; bottomMargin: page.margin }
         active: page.plotsBeside
-        asynchronous: true // the page is there sooner than its plots
+        asynchronous: true // the page is there sooner than its plots and controls
         visible: active
         sourceComponent: LabPlots {
             session: page.session
@@ -126,10 +126,13 @@ FocusScope {
                 columns: width > 700 ? 2 : 1
             }
         }
-        LabControls {
+        Loader {
             width: parent.width
-            session: page.session
-            onOpenAsked: page.openDialog()
+            asynchronous: true
+            sourceComponent: LabControls {
+                session: page.session
+                onOpenAsked: page.openDialog()
+            }
         }
     }
 

@@ -14,6 +14,8 @@
 #include <QVariant>
 #include <QtGlobal>
 
+#include <algorithm>
+
 /// A page in a window of its own, for tests: what a screen reader finds in it, and every warning of Qt.
 class PageWindow : public QQuickView {
 public:
@@ -28,7 +30,17 @@ public:
         if (rootObject() != nullptr)
             rootObject()->forceActiveFocus();
     }
-    bool exposed() { return status() == Ready && QTest::qWaitForWindowExposed(this); }
+    /// In sight, with what comes after the page.
+    bool exposed() {
+        return status() == Ready && QTest::qWaitForWindowExposed(this) && QTest::qWaitFor([this] { return complete(); });
+    }
+    bool complete() const {
+        const QList<QQuickItem*> items = rootObject()->findChildren<QQuickItem*>();
+        constexpr int loading = 2; // QQuickLoader::Status
+        return std::none_of(items.begin(), items.end(), [](const QQuickItem* item) {
+            return item->inherits("QQuickLoader") && item->property("status").toInt() == loading;
+        });
+    }
 
     /// Everything that a screen reader finds, in reading order.
     static QList<QAccessibleInterface*> everything(QQuickWindow& window) {

@@ -32,14 +32,15 @@ public:
     }
     /// In sight, with what comes after the page.
     bool exposed() {
-        return status() == Ready && QTest::qWaitForWindowExposed(this) && QTest::qWaitFor([this] { return complete(); });
+        return status() == Ready && QTest::qWaitForWindowExposed(this) &&
+               QTest::qWaitFor([this] { return complete(*contentItem()); });
     }
-    bool complete() const {
-        const QList<QQuickItem*> items = rootObject()->findChildren<QQuickItem*>();
+    /// Nothing in it is still being made.
+    static bool complete(const QQuickItem& item) {
         constexpr int loading = 2; // QQuickLoader::Status
-        return std::none_of(items.begin(), items.end(), [](const QQuickItem* item) {
-            return item->inherits("QQuickLoader") && item->property("status").toInt() == loading;
-        });
+        const QList<QQuickItem*> children = item.childItems();
+        return !(item.inherits("QQuickLoader") && item.property("status").toInt() == loading) &&
+               std::all_of(children.begin(), children.end(), [](const QQuickItem* child) { return complete(*child); });
     }
 
     /// Everything that a screen reader finds, in reading order.

@@ -70,7 +70,7 @@ public:
             whole.program->start().answer(0);
         if (page == "folders") // "In another folder", before "I will say so later"
             whole.program->start().answer(static_cast<int>(whole.program->start().answers().size()) - 2);
-        QTRY_VERIFY_WITH_TIMEOUT(!whole.program->album().scanning(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(whole.complete(), 60000);
         if (page == "explore")
             QTRY_COMPARE_WITH_TIMEOUT(whole.program->explore().state(), ExploreSession::State::Ready, 60000);
         if (page == "mend")
@@ -265,7 +265,7 @@ private:
         qputenv("HOME", whole.folder.path().toUtf8()); // the folders that are chosen from
         whole.window->resize(size);
         QVERIFY(whole.shown());
-        QTRY_VERIFY_WITH_TIMEOUT(!whole.program->album().scanning(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(whole.complete(), 60000);
         Choices now = whole.program->preferences().choices();
         now.last_photo = whole.folder.filePath("Family/ben_and_clara.jpg");
         whole.program->preferences().set(now);

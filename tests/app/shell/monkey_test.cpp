@@ -114,7 +114,7 @@ private slots:
         whole.shell().open(page);
         if (page == "explore")
             whole.program->explore().open_file(whole.folder.filePath("Family/ben_and_clara.jpg"));
-        QTRY_VERIFY_WITH_TIMEOUT(!whole.program->album().scanning(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(whole.complete(), 60000);
         Monkey monkey(whole, 20260501);
         for (int i = 0; i < deeds_per_page(); ++i) {
             monkey.do_something();

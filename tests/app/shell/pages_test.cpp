@@ -43,7 +43,7 @@ class LongerWords final : public PseudoLocale {
 
 /// Where a page has all that it shows.
 void settle(WholeProgram& whole) {
-    QTRY_VERIFY_WITH_TIMEOUT(!whole.program->album().scanning(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(whole.complete(), 60000);
     QTest::qWait(50);
 }
 

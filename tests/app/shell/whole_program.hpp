@@ -5,6 +5,7 @@
 #include "audio/speech/recording_voice.hpp"
 #include "fake_loudspeaker.hpp"
 #include "fake_microphone.hpp"
+#include "page_window.hpp"
 #include "places.hpp"
 
 #include <QDir>
@@ -71,6 +72,8 @@ public:
         window->requestActivate();
         return QTest::qWaitForWindowExposed(window.get());
     }
+    /// Its album is read and all of the page is made.
+    bool complete() const { return !program->album().scanning() && PageWindow::complete(*window->contentItem()); }
     std::filesystem::path file(const char* name) const { return folder.filePath(name).toStdString(); }
     tp::Shell& shell() { return program->shell(); }
 

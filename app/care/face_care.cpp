@@ -162,6 +162,8 @@ QString FaceCare::summary() const {
                                                   : in_persons_language(found_->extraction.problem);
     const auto unnamed = static_cast<int>(std::count_if(
         faces_.begin(), faces_.end(), [](const KnownFace& face) { return face.region.name.empty(); }));
+    if (count() == 1)
+        return unnamed == 0 ? tr("One face, with a name.") : tr("One face, without a name.");
     const QString faces = tr("%n face(s)", nullptr, count());
     return unnamed == 0 ? tr("%1, all with a name.").arg(faces)
                         : tr("%1, %2.").arg(faces, tr("%n without a name", nullptr, unnamed));

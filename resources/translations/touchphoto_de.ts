@@ -4474,6 +4474,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Saved: %1. The name is read as %2.</source>
         <translation>Gespeichert: %1. Der Name wird gelesen als %2.</translation>
     </message>
+    <message>
+        <source>One face, with a name.</source>
+        <translation>Ein Gesicht, mit Namen.</translation>
+    </message>
+    <message>
+        <source>One face, without a name.</source>
+        <translation>Ein Gesicht, ohne Namen.</translation>
+    </message>
 </context>
 <context>
     <name>tp::FeatureLabels</name>

@@ -4445,6 +4445,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Saved: %1. The name is read as %2.</source>
         <translation>저장했습니다: %1. 이름을 읽는 언어: %2.</translation>
     </message>
+    <message>
+        <source>One face, with a name.</source>
+        <translation>얼굴 한 개, 이름이 있습니다.</translation>
+    </message>
+    <message>
+        <source>One face, without a name.</source>
+        <translation>얼굴 한 개, 이름이 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>tp::FeatureLabels</name>

@@ -80,6 +80,8 @@ class Ear:
 
     def __init__(self, folder, loudspeaker):
         self.path = os.path.join(folder, loudspeaker + ".wav")
+        if os.path.exists(self.path):  # of an ear before this one
+            os.remove(self.path)
         self.process = subprocess.Popen(["parec", "-d", loudspeaker + ".monitor", "--file-format=wav", "--format=s16le",
                                          f"--rate={RATE}", "--channels=1", self.path])
         wait_until(lambda: os.path.exists(self.path) and os.path.getsize(self.path) > 10000)

@@ -111,6 +111,17 @@ private slots:
         QCOMPARE(bench.faces.summary(), QString("2 face(s), all with a name."));
     }
 
+    void of_one_face_alone_it_says_whether_it_has_a_name() {
+        Bench bench;
+        bench.found.extraction.faces.pop_back();
+        bench.open();
+        QCOMPARE(bench.faces.summary(), QString("One face, without a name."));
+        bench.faces.choose(0);
+        bench.faces.name("Anna");
+        bench.rest();
+        CARE_TRY_COMPARE(bench.faces.summary(), QString("One face, with a name."));
+    }
+
     void nobody_takes_the_name_away() {
         Bench bench;
         bench.open();

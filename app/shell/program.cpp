@@ -13,6 +13,8 @@ namespace tp {
 
 namespace {
 
+constexpr int names_wait_ms = 100; ///< for the languages of names, which a page's first sentence may have
+
 Narrator::By by(Choices::Voice voice) {
     switch (voice) {
     case Choices::Voice::program: return Narrator::By::voice;
@@ -243,6 +245,7 @@ SettingsSession& Program::settings() {
 }
 
 void Program::open_page(const QString& page) {
+    voice_names_.settle(names_wait_ms);
     const QString& last = preferences_.choices().last_photo;
     if (page == "care" && !last.isEmpty())
         return care_for(last);

@@ -3,6 +3,8 @@
 
 #include "audio/sentences/sentences.hpp"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QMetaObject>
 
 #include <system_error>
@@ -74,6 +76,11 @@ void VoiceNames::read() {
             },
             Qt::QueuedConnection);
     });
+}
+
+void VoiceNames::settle(int most_ms) {
+    if (pool_.waitForDone(most_ms))
+        QCoreApplication::sendPostedEvents(this, QEvent::MetaCall);
 }
 
 void VoiceNames::know(const fs::path& album, const std::vector<NameLanguage>& names) {

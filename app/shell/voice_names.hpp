@@ -31,6 +31,8 @@ public:
 
     /// All albums are read again.
     void read();
+    /// Waits until what is being read has been told, at most so long; for who speaks before any event was handled.
+    void settle(int most_ms);
     /// All that is known of this album by now; the voice is told before this returns. Where two albums say
     /// different things of a name, the first in the order of their paths is heard.
     void know(const std::filesystem::path& album, const std::vector<NameLanguage>& names);

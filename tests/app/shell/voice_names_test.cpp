@@ -50,6 +50,15 @@ private slots:
         QVERIFY(bench.voice.said().isEmpty());
     }
 
+    void who_speaks_before_any_event_waits_for_the_names() {
+        Bench bench;
+        bench.say(bench.one, "Giulia", "it");
+        bench.choose({bench.one});
+        VoiceNames names(bench.voice, bench.preferences);
+        names.settle(60000);
+        QCOMPARE(bench.voice.name_languages(), (SpokenNames{{"Giulia", "it"}}));
+    }
+
     void other_folders_have_other_names() {
         Bench bench;
         bench.say(bench.one, "Giulia", "it");

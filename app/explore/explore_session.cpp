@@ -327,10 +327,15 @@ void ExploreSession::zoom_to(const Subject& subject) {
     set_feature(here); // told with the zoom, which it would cut short a moment later
     tell(here < 0 ? zoom_sentence() : tr("%1 %2.").arg(zoom_sentence(), at_the_start(label_of(here))), Priority::touch);
     zoomed_at_ = now();
+    zoomed_from_ = servo_.finger();
     zoom_told_at_ = zoomed_at_ + speech_seconds(sentence_, speech_rate(preferences_.choices().rate));
 }
 
-bool ExploreSession::tells_a_zoom(double now) const { return now < zoom_told_at_ && moved_at_ <= zoomed_at_; }
+bool ExploreSession::tells_a_zoom(double now) const {
+    const bool rests = servo_.real() ? length(servo_.finger() - zoomed_from_) < TentProfile{}.band() // as far as a force draws
+                                     : moved_at_ <= zoomed_at_;
+    return now < zoom_told_at_ && rests;
+}
 
 void ExploreSession::zoomIn() {
     if (state_ != State::Ready)

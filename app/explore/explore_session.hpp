@@ -313,6 +313,7 @@ private:
     bool hushed_ = false;     ///< stopped by the person: the guide waits for the next touch
     double moved_at_ = -1e9;  ///< s, when the hand last moved
     double zoomed_at_ = -1e9, zoom_told_at_ = -1e9; ///< s, the last zoom, and when its sentence has been spoken
+    Vec2 zoomed_from_{0.0};   ///< where the finger was then, surface frame
     double tour_progress_ = 0.0;
     std::deque<int> tour_left_;      ///< features of the tour of a face, the next one first
     double tour_goes_on_at_ = 0.0;   ///< s, when its name has been spoken

@@ -28,13 +28,14 @@ struct Bench {
     ExploreSounds sounds;
     ExploreSession session;
 
-    explicit Bench(bool keeps_calibrations = false)
-        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings(keeps_calibrations)) {
+    /// `time`: what the session's clock shows; null: the real one.
+    explicit Bench(bool keeps_calibrations = false, const double* time = nullptr)
+        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings(keeps_calibrations, time)) {
         socket.hold_at(in_device({0.0, 0.0}));
     }
     std::filesystem::path calibrations() const { return folder.filePath("calibrations.txt").toStdString(); }
-    ExploreSettings settings(bool keeps_calibrations) {
-        ExploreSettings made = patient_settings();
+    ExploreSettings settings(bool keeps_calibrations, const double* time) {
+        ExploreSettings made = time != nullptr ? settings_at(*time) : patient_settings();
         made.devices = socket.access();
         if (keeps_calibrations)
             made.devices.calibrations = calibrations();
@@ -61,6 +62,31 @@ struct Bench {
 class ExploreDeviceTest : public QObject {
     Q_OBJECT
 private slots:
+    void what_the_handle_is_drawn_to_after_a_zoom_is_told_when_the_zoom_was() {
+        double time = 100.0;
+        Bench bench(false, &time);
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        bench.session.zoomIn();
+        const Vec2 eye = bench.session.felt().lines.at(left_eye).points[0];
+        bench.session.zoomOut();
+        bench.socket.hold_at(Bench::in_device(eye - Vec2(1.5 * FeatureTracker::enter_mm, 0.0)));
+        QTest::qWait(100);
+        time += 10.0;
+        bench.session.zoomIn();
+        QVERIFY(bench.said("Zoomed to the eyes."));
+        bench.voice.clear();
+        time += 0.1;
+        bench.socket.hold_at(Bench::in_device(eye)); // as the force draws it
+        QTRY_COMPARE(bench.session.feature(), left_eye);
+        time += 0.5;
+        QTest::qWait(100); // it is looked at many times meanwhile
+        QCOMPARE(bench.voice.said(), QStringList());
+        time += 10.0;
+        QTRY_VERIFY((time += 0.1, bench.said("left eye")));
+    }
+
     void a_device_that_is_there_gets_the_force_when_the_person_comes() {
         Bench bench;
         bench.socket.plug_in();

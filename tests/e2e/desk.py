@@ -39,6 +39,17 @@ def at_a_desk(script, *more_tools, size="1400x900", seconds=280):
     return subprocess.run(command + sys.argv[1:], env=environment, timeout=seconds).returncode
 
 
+def verdict(journey, *words):
+    """Goes on a journey and says how it ended; an exit status."""
+    try:
+        journey(*words)
+    except AssertionError as fault:
+        print(f"FAIL: {fault}")
+        return 1
+    print("PASS")
+    return 0
+
+
 def is_at_a_desk():
     return INNER in os.environ
 
@@ -61,8 +72,14 @@ class Page:
     """The program's window as a screen reader sees it, and the keyboard before it."""
 
     def __init__(self):
+        import gi
         import pyatspi
 
+        gi.require_version("Atspi", "2.0")
+        from gi.repository import Atspi
+
+        patience_ms = int(1000 * PATIENCE)  # of 800 ms; a busy machine stores a sheet before it answers
+        Atspi.set_timeout(patience_ms, patience_ms)
         self.atspi = pyatspi
 
     def everything(self):

@@ -21,6 +21,7 @@ struct PluggedDevice {
     std::function<std::unique_ptr<ForceDevice>()> make;
     /// ListedDevice has what it means.
     bool only_when_chosen = false;
+    std::string scale_key = {};
 };
 
 } // namespace tp

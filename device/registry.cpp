@@ -35,7 +35,7 @@ std::vector<ListedDevice> list_devices() {
     std::vector<ListedDevice> devices{{simulated, "the mouse or a finger on the screen", "", ""}};
     for (const PluggedDevice& device : plugged_devices())
         devices.push_back({device.name, device.about, device.serial_number, device.interface(),
-                           device.only_when_chosen});
+                           device.only_when_chosen, device.scale_key});
     return devices;
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/cli/device_measures.hpp"
 #include "app/cli/guidance_options.hpp"
 #include "app/cli/verbs.hpp"
-#include "app/devices/calibration_steps.hpp"
 #include "core/files/whole_file.hpp"
 #include "core/servo/servo_loop.hpp"
-#include "device/calibration_file.hpp"
 #include "device/force_pad/force_pad.hpp"
 #include "device/recording/recording_device.hpp"
 #include "device/recording/replay_device.hpp"
@@ -12,12 +11,9 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QStandardPaths>
 
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <iostream>
 #include <memory>
 #include <set>
 #include <string>
@@ -27,13 +23,12 @@ namespace tp {
 
 namespace {
 
-constexpr double fault_lasts_s = 0.5; ///< one that heals sooner ends nothing
 constexpr std::size_t largest_recording = std::size_t{1} << 30;
 
 int list(const QStringList& words) {
     VerbLine line("devices",
                   "Lists the force devices that can be used now. See also devices test, home,\n"
-                  "calibrate, record and replay.");
+                  "calibrate, measure, record and replay.");
     line.option("json", "A JSON object a line: name, about, serial_number, interface.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
@@ -119,94 +114,6 @@ int home(const QStringList& words) {
         return refused(can.error());
     const auto homed = device.home();
     return homed ? exit_done : refused(homed.error());
-}
-
-/// "250x150", in mm.
-Result<Vec2> screen_size(const QString& text) {
-    const QStringList parts = text.split('x');
-    const Vec2 size = parts.size() == 2 ? Vec2(parts[0].toDouble(), parts[1].toDouble()) : Vec2(0.0);
-    if (!(size.x >= 50.0 && size.x <= 2000.0 && size.y >= 50.0 && size.y <= 2000.0))
-        return Error{"--screen is the screen's width and height in mm, such as 250x150."};
-    return size;
-}
-
-/// Holds each mark in turn, without any force on the device; a fault ends it with its sentence.
-Result<Calibration> calibrated(ServoLoop& loop, const ForceDevice& device, Vec2 screen, double inset) {
-    const Rect area{{0.0, -screen.y}, {screen.x, 0.0}};
-    const Vec2 marks[] = {{inset, -inset}, {screen.x - inset, -inset}, {screen.x - inset, inset - screen.y}, {inset, inset - screen.y}};
-    const char* const corners[] = {"top left", "top right", "bottom right", "bottom left"};
-    CalibrationSteps steps(area);
-    SteadyClock clock;
-    while (steps.mark() != CalibrationSteps::all_touched) {
-        const int mark = steps.mark();
-        say("Put the knob on the " + std::string(corners[mark]) + " mark, keep it still, and press Return.");
-        std::string line;
-        if (!std::getline(std::cin, line))
-            return Error{"The calibration was ended. Nothing was changed."};
-        steps.lift();
-        double well_at = clock.now();
-        do {
-            std::this_thread::sleep_for(std::chrono::milliseconds(16));
-            const ServoSnapshot seen = loop.snapshot();
-            const double now = clock.now();
-            if (seen.fault == Fault::none)
-                well_at = now;
-            else if (disables(seen.fault) || now - well_at > fault_lasts_s)
-                return Error{seen.fault == Fault::motors_off && !device.complaint().empty() ? device.complaint() : sentence(seen.fault)};
-            if (seen.ticks > 0 && seen.fault == Fault::none)
-                steps.sample(marks[mark], seen.finger(), now);
-        } while (steps.mark() == mark);
-    }
-    return steps.calibration();
-}
-
-int calibrate_verb(const QStringList& words) {
-    VerbLine line("devices calibrate",
-                  "Finds out where a device lies on the screen: its knob is put on a mark at each corner, one\n"
-                  "after the other. What is found is kept for the pages; no force is on the device.");
-    line.argument("name", "The device's name, as devices lists it.", "NAME");
-    line.option("screen", "The screen's width and height in mm.", "WxH")
-        .option("inset", "How far each mark is from both edges, in mm.", "mm", "10")
-        .option("file", "Where it is kept instead of with the settings of TouchPhoto.", "FILE");
-    if (const auto ended = line.parse(words, 1, 1))
-        return *ended;
-    const auto screen = screen_size(line.text("screen"));
-    const auto inset = line.positive("inset");
-    if (!screen || !inset)
-        return wrong_usage("devices calibrate", screen ? inset.error() : screen.error());
-    const std::string name = line.arguments().first().toStdString();
-    auto made = device_named(name);
-    if (!made)
-        return refused(made.error());
-    const std::unique_ptr<ForceDevice> device = std::move(made).value();
-    const auto can = device->open();
-    if (!can)
-        return refused(can.error());
-    SteadyClock clock;
-    ServoSettings settings = settings_for_reading({});
-    settings.rate = can->rate;
-    ServoLoop loop(*device, *can, clock, settings);
-    loop.start();
-    const auto found = calibrated(loop, *device, *screen, *inset);
-    loop.stop();
-    if (!found)
-        return refused(found.error());
-    if (found->residual_mm > most_residual_mm)
-        return refused(QString("The calibration misses its marks by %1 mm, and at most %2 mm are allowed. See that the device "
-                               "does not slip, keep the knob still on each mark, and calibrate again. Nothing was changed.")
-                           .arg(found->residual_mm, 0, 'f', 1)
-                           .arg(most_residual_mm, 0, 'f', 1)
-                           .toStdString());
-    if (!is_plausible(found->device_to_surface))
-        return refused("The device's millimetres are not the screen's. See that --screen is right, and calibrate again. Nothing "
-                       "was changed.");
-    const QString usual = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/touchphoto/calibrations.txt";
-    const std::filesystem::path file = (line.has("file") ? line.text("file") : usual).toStdU16String();
-    const std::string key = can->serial_number.empty() ? name : can->serial_number;
-    if (const std::string why = keep_calibration(file, key, *found); !why.empty())
-        return refused(why);
-    std::printf("residual    %.2f mm\nsamples     %zu\nkept for    %s\n", found->residual_mm, found->used, key.c_str());
-    return exit_done;
 }
 
 int record(const QStringList& words) {
@@ -318,7 +225,9 @@ int devices_verb(const QStringList& words) {
     if (first == "home")
         return home(words.mid(1));
     if (first == "calibrate")
-        return calibrate_verb(words.mid(1));
+        return calibrate_device(words.mid(1));
+    if (first == "measure")
+        return measure_stick(words.mid(1));
     if (first == "record")
         return record(words.mid(1));
     if (first == "replay")

@@ -18,6 +18,7 @@ public:
 
     ServoLoop& loop() { return loop_; }
     const ServoLoop& loop() const { return loop_; }
+    ForceDevice& device() { return *device_; }
     const ForceDevice& device() const { return *device_; }
 
 private:

@@ -41,10 +41,17 @@ FocusScope {
         sourceComponent: CalibrationView { devices: page.session.devices }
         onLoaded: item.forceActiveFocus()
     }
-    TpScroll {
+    Loader {
         anchors.fill: parent
-        focus: !page.session.choosing && !page.session.devices.calibrating
-        visible: !page.session.choosing && !page.session.devices.calibrating
+        active: page.session.devices.measuring
+        sourceComponent: MeasuringView { devices: page.session.devices }
+        onLoaded: item.forceActiveFocus()
+    }
+    TpScroll {
+        readonly property bool alone: !page.session.choosing && !page.session.devices.calibrating && !page.session.devices.measuring
+        anchors.fill: parent
+        focus: alone
+        visible: alone
         enabled: visible
         margin: 2 * Theme.gap
 
@@ -167,6 +174,14 @@ FocusScope {
             text: qsTr("Home the device")
             hint: qsTr("Put its handle on the mark first, and leave it there")
             onClicked: page.session.devices.home()
+        }
+        TpButton {
+            objectName: "measure"
+            width: parent.width
+            visible: page.session.devices.measurable
+            text: qsTr("Measure the stick")
+            hint: qsTr("How strong it is and which way it pulls. You need a kitchen scale or a luggage scale")
+            onClicked: page.session.devices.measure()
         }
         TpButton {
             objectName: "tryForce"

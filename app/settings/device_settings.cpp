@@ -6,6 +6,7 @@
 #include "core/geometry/calibration.hpp"
 #include "core/guidance/haptic_scene.hpp"
 #include "device/calibration_file.hpp"
+#include "device/hid_pid/stick_scale_file.hpp"
 
 #include <QLocale>
 
@@ -109,6 +110,7 @@ void DeviceSettings::begin(Doing what) {
     wanted_ = what;
     doing_ = Doing::opening;
     key_ = key_of(*device);
+    scale_key_ = device->scale_key;
     const ListedDevice wish = *device;
     desk_.watch(false);
     if (what == Doing::homing)
@@ -120,11 +122,16 @@ void DeviceSettings::begin(Doing what) {
 void DeviceSettings::tryForce() { begin(Doing::trying); }
 void DeviceSettings::calibrate() { begin(Doing::calibrating); }
 void DeviceSettings::home() { begin(Doing::homing); }
+void DeviceSettings::measure() {
+    if (serving() != nullptr && !measurable())
+        return narrator_.tell(tr("This device knows its newtons itself; only force sticks are measured."), Priority::touch);
+    begin(Doing::measuring);
+}
 
 void DeviceSettings::opened(OpenDevice& open) {
     drive_ = std::make_unique<DeviceDrive>(std::move(open.device), open.can,
                                            wanted_ == Doing::calibrating ? settings_for_reading(setup_.servo) : setup_.servo);
-    drive_->loop().set_max_force(preferences_.choices().max_force_n);
+    drive_->loop().set_max_force(wanted_ == Doing::measuring ? StickTrial::pull_n : preferences_.choices().max_force_n);
     drive_->loop().start();
     doing_ = wanted_;
     pull_from_.reset();
@@ -132,9 +139,13 @@ void DeviceSettings::opened(OpenDevice& open) {
     faulty_from_ = -1.0;
     steps_.reset();
     touch_.reset();
+    if (doing_ == Doing::measuring)
+        measuring_.emplace(drive_->device(), drive_->loop());
     timer_.start();
     emit changed();
-    if (doing_ == Doing::trying)
+    if (doing_ == Doing::measuring)
+        narrator_.tell_then(tr("%1 Escape ends it.").arg(instruction()), [this] { told_ = true; });
+    else if (doing_ == Doing::trying)
         narrator_.tell_then(tr("The strongest force, %1 newtons: to the right, then to the left. Escape ends it.")
                                 .arg(QLocale().toString(preferences_.choices().max_force_n, 'f', 1)),
                             [this] {
@@ -163,6 +174,8 @@ void DeviceSettings::poll() {
     }
     if (doing_ == Doing::calibrating && seen.fault == Fault::none)
         return sample(seen.finger());
+    if (doing_ == Doing::measuring && told_)
+        return poll_measuring();
     if (doing_ != Doing::trying || !pull_from_)
         return;
     if (time - *pull_from_ >= 2.0 * pull_s)
@@ -170,27 +183,21 @@ void DeviceSettings::poll() {
     const int due = time - *pull_from_ >= pull_s ? 2 : 1;
     if (pulls_ < due) {
         pulls_ = due;
-        pull(due == 1 ? pull_mm : -pull_mm);
+        pull(due == 1 ? 1.0 : -1.0);
     }
 }
 
-/// A line beside the finger whose tent has the strongest force as its peak, where the finger is: as strong as it says,
-/// and it settles on the line.
 void DeviceSettings::pull(double toward) {
-    constexpr double long_mm = 200.0;
-    const Vec2 middle = drive_->loop().snapshot().finger() + Vec2(toward, 0.0);
-    const Scene line{2.0 * long_mm, 2.0 * long_mm,
-                     {contour_through("line", {middle - Vec2(0.0, long_mm), middle + Vec2(0.0, long_mm)}, false)}};
-    if (Result<std::unique_ptr<HapticScene>> made =
-            make_haptic_scene(line, {preferences_.choices().max_force_n / pull_mm, pull_mm})) {
-        drive_->loop().render(std::move(*made));
-        drive_->loop().engage();
-    }
+    drive_->loop().render(line_that_pulls(drive_->loop().snapshot().finger(), Vec2(toward, 0.0),
+                                          preferences_.choices().max_force_n, pull_mm));
+    drive_->loop().engage();
 }
 
 // --- calibration ---
 
 QString DeviceSettings::instruction() const {
+    if (measuring_)
+        return measuring_->words();
     switch (mark()) {
     case CalibrationSteps::top_left: return tr("Touch the top left corner and keep still until I speak.");
     case CalibrationSteps::top_right: return tr("Now the top right corner.");
@@ -245,13 +252,47 @@ QString DeviceSettings::result() {
         .arg(in_millimetres(found->residual_mm));
 }
 
+// --- measuring ---
+
+void DeviceSettings::poll_measuring() {
+    if (!measuring_->poll(now()))
+        return;
+    if (measuring_->trial().step() == StickTrial::Step::failed)
+        return end(instruction() + ' ' + tr("Nothing was changed."), Priority::fault);
+    emit changed();
+    if (weighing())
+        narrator_.tell(instruction(), Priority::message);
+}
+
+void DeviceSettings::weighed(const QString& text) {
+    if (!weighing())
+        return;
+    bool number = false;
+    double grams = QLocale().toDouble(text.trimmed(), &number);
+    if (!number)
+        grams = text.trimmed().toDouble(&number);
+    const Result<bool> done = measuring_->weighed(number ? grams : -1.0, now());
+    if (!done)
+        return narrator_.tell(in_persons_language(done.error()), Priority::touch);
+    if (!*done)
+        return narrator_.tell(tr("That is too little to be read well. The stick pulls twice as strongly now: weigh again."),
+                              Priority::message);
+    const StickScale found = measuring_->trial().assumed();
+    const std::string why = keep_stick_scale(setup_.access.stick_scales, scale_key_, found);
+    end(why.empty() ? tr("The stick is measured: %1 newtons at most. That is kept for this stick.")
+                          .arg(QLocale().toString(found.newtons_at_full, 'f', 1))
+                    : in_persons_language(why));
+}
+
 // --- its end ---
 
 bool DeviceSettings::stop() {
     if (doing_ == Doing::nothing)
         return false;
     narrator_.stop();
-    end(doing_ == Doing::calibrating ? tr("Calibration ended. Nothing was changed.") : tr("Stopped. The force is off."),
+    end(doing_ == Doing::calibrating ? tr("Calibration ended. Nothing was changed.")
+        : doing_ == Doing::measuring ? tr("Measurement ended. The force is off. Nothing was changed.")
+                                     : tr("Stopped. The force is off."),
         Priority::touch);
     return true;
 }
@@ -260,6 +301,8 @@ void DeviceSettings::end(const QString& sentence, Priority priority) {
     const bool was_doing = std::exchange(doing_, Doing::nothing) != Doing::nothing;
     timer_.stop();
     desk_.cancel();
+    measuring_.reset();
+    told_ = false;
     if (drive_) {
         drive_->loop().disengage();
         desk_.release(std::move(drive_));

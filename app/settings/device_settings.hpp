@@ -3,6 +3,7 @@
 
 #include "app/devices/calibration_steps.hpp"
 #include "app/devices/device_desk.hpp"
+#include "app/devices/stick_measuring.hpp"
 #include "app/narration/narrator.hpp"
 #include "app/preferences/preferences.hpp"
 #include "core/servo/servo_loop.hpp"
@@ -18,11 +19,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace tp {
 
-/// The force devices on the settings page: which there are, a try-out of the strongest force, and the calibration of one
-/// that lies on the screen.
+/// The force devices on the settings page: which there are, a try-out of the strongest force, the calibration of one that lies
+/// on the screen, and the measuring of a stick.
 class DeviceSettings final : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -36,7 +38,11 @@ class DeviceSettings final : public QObject {
     /// Whether it is calibrated and how well, in a sentence.
     Q_PROPERTY(QString calibration READ calibration NOTIFY changed)
     Q_PROPERTY(bool calibrating READ calibrating NOTIFY changed)
-    /// The corner to be touched (CalibrationSteps::Mark), and the words for it.
+    /// It is a stick whose strength a person can measure; it is being measured; its pull waits to be weighed.
+    Q_PROPERTY(bool measurable READ measurable NOTIFY changed)
+    Q_PROPERTY(bool measuring READ measuring NOTIFY changed)
+    Q_PROPERTY(bool weighing READ weighing NOTIFY changed)
+    /// The corner to be touched (CalibrationSteps::Mark), and the words for what is to be done now.
     Q_PROPERTY(int mark READ mark NOTIFY changed)
     Q_PROPERTY(QString instruction READ instruction NOTIFY changed)
 public:
@@ -55,6 +61,9 @@ public:
     bool there() const { return serving() != nullptr; }
     QString calibration() const;
     bool calibrating() const { return doing_ == Doing::calibrating; }
+    bool measurable() const { return there() && !serving()->scale_key.empty(); }
+    bool measuring() const { return doing_ == Doing::measuring; }
+    bool weighing() const { return measuring_ && measuring_->trial().step() == StickTrial::Step::weigh; }
     int mark() const { return steps_ ? steps_->mark() : CalibrationSteps::top_left; }
     QString instruction() const;
     /// What the choice of the one with that index in `names` is remembered by; nothing where there is none.
@@ -70,6 +79,9 @@ public:
     /// Pulls the finger with the strongest force to the right, then to the left, 2.5 s in all.
     Q_INVOKABLE void tryForce();
     Q_INVOKABLE void calibrate();
+    Q_INVOKABLE void measure();
+    /// What the scale shows while the stick pulls, in grams as a person writes them.
+    Q_INVOKABLE void weighed(const QString& grams);
     /// The handle stands on its mark: the device counts from there.
     Q_INVOKABLE void home();
     /// Where the area to be touched lies on the screen, mm from its top left corner, x right, y down.
@@ -84,7 +96,7 @@ signals:
     void changed();
 
 private:
-    enum class Doing { nothing, opening, trying, calibrating, homing };
+    enum class Doing { nothing, opening, trying, calibrating, homing, measuring };
 
     double now() const;
     const ListedDevice* serving() const;
@@ -94,6 +106,7 @@ private:
     void poll();
     void pull(double toward);
     void sample(Vec2 device);
+    void poll_measuring();
     void finish();
     QString result();
     void end(const QString& sentence, Priority priority = Priority::message);
@@ -107,11 +120,14 @@ private:
     Doing wanted_ = Doing::nothing; ///< once it is open
     std::unique_ptr<DeviceDrive> drive_;
     QString key_;                    ///< of the open device
+    std::string scale_key_;          ///< of the open stick
     std::optional<double> pull_from_; ///< s, when the try-out's first pull began
     int pulls_ = 0;
     double faulty_from_ = -1.0; ///< s; negative: no fault
     std::optional<CalibrationSteps> steps_;
     std::optional<Vec2> touch_; ///< screen frame
+    bool told_ = false; ///< what the stick is going to do
+    std::optional<StickMeasuring> measuring_; ///< goes before the drive it uses
     DeviceDesk desk_;           ///< last: its work ends first
 };
 

@@ -80,6 +80,10 @@ public:
     /// A person has put the handle on its mark, and it counts from there. An open device, before anything
     /// ticks: it may wait for an answer.
     virtual Result<bool> home() { return Error{"This device needs no homing."}; }
+    /// A device that tells no newtons is taken to be this strong (N of its whole force) and to pull this way (1 or
+    /// −1 for each axis) from the next write on, until it is opened again; false where the device knows better.
+    /// For measuring it. Any thread.
+    virtual bool assume(double /*newtons_at_full*/, Vec2 /*sign*/) noexcept { return false; }
     /// Why it has done so and what to do, for a person; empty where there is nothing to say. Any thread.
     virtual std::string complaint() const { return {}; }
 };

@@ -66,6 +66,12 @@ public:
 
     void place_grip(Vec2 place) { body_.put(place); }
     void move_hand(Vec2 place) { body_.hand = place; }
+    /// A hand takes the grip where it is: N/mm and N·s/m between the two.
+    void hold(double stiffness, double damping) {
+        body_.hand = body_.place;
+        plant_.hand_stiffness = stiffness;
+        plant_.hand_damping = damping;
+    }
     Vec2 grip() const { return body_.place; }
     /// N, what its motors do to the grip in truth; x to the right, y away from the person.
     Vec2 force() const { return force_; }

@@ -46,9 +46,7 @@ StickMessage unpacked_message(std::uint64_t word) {
 
 std::string stick_is_gone() { return sentence(OpenProblem::gone, this_system(), "force stick"); }
 
-int share_of_newtons(double newtons, double newtons_at_full) {
-    return static_cast<int>(std::clamp(newtons / newtons_at_full, -1.0, 1.0) * hid::full_share);
-}
+int whole_share(double share) { return static_cast<int>(std::clamp(share, -1.0, 1.0) * hid::full_share); }
 
 } // namespace
 
@@ -155,6 +153,12 @@ void PidStick::take_effects_away() noexcept {
     control(layout.control.disable);
 }
 
+bool PidStick::assume(double newtons_at_full, Vec2 sign) noexcept {
+    share_per_newton_[0].store(sign.x / newtons_at_full, std::memory_order_relaxed);
+    share_per_newton_[1].store(sign.y / newtons_at_full, std::memory_order_relaxed);
+    return true;
+}
+
 Result<Capabilities> PidStick::open() {
     stop();
     Result<std::unique_ptr<PidTransport>> opened = opener_();
@@ -163,6 +167,7 @@ Result<Capabilities> PidStick::open() {
     writer_.reset();
     line_ = std::make_shared<Line>();
     line_->transport = std::move(opened).value();
+    assume(scale_.newtons_at_full, scale_.sign);
     ticked_ = heard_ = safety_switch_off_ = stuck_ = off_ = false;
     motors_on_ = true;
     taken_ = 0;
@@ -275,8 +280,8 @@ void PidStick::keep_the_effects_alive(bool given_no_force) noexcept {
 
 void PidStick::post(Vec2 newtons) noexcept {
     StickMessage message;
-    message.share = {share_of_newtons(scale_.sign.x * newtons.x, scale_.newtons_at_full),
-                     share_of_newtons(scale_.sign.y * newtons.y, scale_.newtons_at_full)};
+    message.share = {whole_share(share_per_newton_[0].load(std::memory_order_relaxed) * newtons.x),
+                     whole_share(share_per_newton_[1].load(std::memory_order_relaxed) * newtons.y)};
     message.starts = starts_;
     message.enables = enables_;
     writer_->post(packed_message(message));

@@ -49,6 +49,7 @@ public:
     Result<Capabilities> open() override;
     std::optional<DeviceState> read(double now) noexcept override;
     bool write(const SafeForce& force) noexcept override;
+    bool assume(double newtons_at_full, Vec2 sign) noexcept override;
     void halt() noexcept override;
     /// Waits a second at most for a writer that hangs in the system; it is then left to end by itself.
     void stop() noexcept override;
@@ -91,7 +92,8 @@ private:
 
     Opener opener_;
     Identity identity_;
-    StickScale scale_;
+    StickScale scale_; ///< as it was made
+    std::array<std::atomic<double>, 2> share_per_newton_; ///< of each axis, signed
     LatestWriter::Thread thread_;
     std::shared_ptr<Line> line_;
     std::unique_ptr<LatestWriter> writer_; ///< stays until the next open, for halt() from anywhere

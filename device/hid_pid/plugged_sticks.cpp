@@ -19,8 +19,8 @@ std::vector<PluggedDevice> plugged_sticks() {
             const std::lock_guard lock(bus_mutex());
             return open_stick(found);
         };
-        const StickScale scale = kept_stick_scale(
-            stick_scale_file(), found.serial_number.empty() ? found.product : found.serial_number);
+        const std::string key = found.serial_number.empty() ? found.product : found.serial_number;
+        const StickScale scale = kept_stick_scale(stick_scale_file(), key);
         devices.push_back({"stick:" + (found.serial_number.empty() ? found.path : found.serial_number),
                            found.product.empty() ? "force stick" : found.product, found.serial_number,
                            [] { return std::string("hid"); },
@@ -28,7 +28,7 @@ std::vector<PluggedDevice> plugged_sticks() {
                                return std::make_unique<PidStick>(
                                    open_this, PidStick::Identity{found.product, found.serial_number}, scale);
                            },
-                           !scale.measured});
+                           !scale.measured, key});
     }
     return devices;
 }

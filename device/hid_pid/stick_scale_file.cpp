@@ -2,6 +2,7 @@
 #include "device/hid_pid/stick_scale_file.hpp"
 
 #include "core/base/result.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/files/whole_file.hpp"
 
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <locale>
 #include <sstream>
+#include <system_error>
 
 namespace tp {
 
@@ -16,8 +18,31 @@ namespace {
 
 constexpr std::string_view stick_scale_head = "touchphoto sticks 1\n";
 constexpr std::size_t largest_scale_file = 1 << 16;
-constexpr double least_newtons = 0.5;
-constexpr double greatest_newtons = 200.0;
+
+/// One line's key and what it says, where it makes sense.
+struct StickLine {
+    StickScale scale;
+    std::string key;
+};
+
+std::optional<StickLine> stick_line(const std::string& line) {
+    std::istringstream words(line);
+    words.imbue(std::locale::classic());
+    StickLine found;
+    StickScale& scale = found.scale;
+    if (!(words >> scale.newtons_at_full >> scale.sign.x >> scale.sign.y >> std::ws) ||
+        !std::getline(words, found.key))
+        return std::nullopt;
+    const bool sane = scale.newtons_at_full >= least_stick_newtons &&
+                      scale.newtons_at_full <= greatest_stick_newtons && std::abs(scale.sign.x) == 1.0 &&
+                      std::abs(scale.sign.y) == 1.0;
+    scale.measured = true;
+    return sane ? std::optional(found) : std::nullopt;
+}
+
+bool is_key(std::string_view key) {
+    return !key.empty() && key.front() != ' ' && key.find_first_of("\n\r") == std::string_view::npos;
+}
 
 } // namespace
 
@@ -27,22 +52,9 @@ std::optional<StickScale> stick_scale_in(std::string_view text, std::string_view
         return found;
     std::istringstream lines{std::string(text.substr(stick_scale_head.size()))};
     std::string line;
-    while (std::getline(lines, line)) {
-        std::istringstream words(line);
-        words.imbue(std::locale::classic());
-        StickScale scale;
-        std::string name;
-        if (!(words >> scale.newtons_at_full >> scale.sign.x >> scale.sign.y >> std::ws) ||
-            !std::getline(words, name))
-            continue;
-        const bool sane = scale.newtons_at_full >= least_newtons &&
-                          scale.newtons_at_full <= greatest_newtons && std::abs(scale.sign.x) == 1.0 &&
-                          std::abs(scale.sign.y) == 1.0;
-        if (!sane || name != key)
-            continue;
-        scale.measured = true;
-        found = scale;
-    }
+    while (std::getline(lines, line))
+        if (const std::optional<StickLine> one = stick_line(line); one && one->key == key)
+            found = one->scale;
     return found;
 }
 
@@ -51,6 +63,37 @@ StickScale kept_stick_scale(const std::filesystem::path& file, std::string_view 
         return {};
     const Result<std::string> text = read_whole(file, largest_scale_file);
     return text.ok() ? stick_scale_in(*text, key).value_or(StickScale{}) : StickScale{};
+}
+
+std::string keep_stick_scale(const std::filesystem::path& file, const std::string& key,
+                             const StickScale& scale) {
+    const auto not_kept = [](const std::string& why) {
+        return "What was measured of the stick could not be kept: " + why;
+    };
+    if (file.empty() || !is_key(key))
+        return not_kept(file.empty() ? "there is no folder for settings." : "the stick has no name to keep it by.");
+    std::string before;
+    std::error_code error;
+    if (std::filesystem::exists(file, error)) {
+        const Result<std::string> text = read_whole(file, largest_scale_file);
+        if (!text.ok())
+            return not_kept(text.error());
+        before = *text;
+    }
+    std::ostringstream after;
+    after.imbue(std::locale::classic());
+    after << stick_scale_head;
+    if (before.starts_with(stick_scale_head)) {
+        std::istringstream lines(before.substr(stick_scale_head.size()));
+        for (std::string line; std::getline(lines, line);)
+            if (const std::optional<StickLine> one = stick_line(line); !one || one->key != key)
+                after << line << '\n';
+    }
+    after << scale.newtons_at_full << ' ' << scale.sign.x << ' ' << scale.sign.y << ' ' << key << '\n';
+    std::string why = make_folder(file.parent_path(), Readers::owner_only);
+    if (why.empty())
+        why = replace_file(file, after.str(), Readers::owner_only);
+    return why.empty() ? std::string() : not_kept(why);
 }
 
 std::filesystem::path stick_scale_file() {

@@ -10,6 +10,9 @@
 
 namespace tp {
 
+constexpr double least_stick_newtons = 0.5; ///< of the whole force; what is beyond either counts as no measure
+constexpr double greatest_stick_newtons = 200.0;
+
 /// What was measured of a stick, in a text of lines of "newtons_at_full sign_x sign_y key" after one that
 /// says what this is; the key is the stick's serial number, or its product where it has none. A line that
 /// makes no sense counts as none; of several the last one counts.
@@ -17,6 +20,11 @@ std::optional<StickScale> stick_scale_in(std::string_view text, std::string_view
 
 /// The same of a file; what is assumed of a stick that was not measured where there is none.
 StickScale kept_stick_scale(const std::filesystem::path& file, std::string_view key);
+
+/// Adds it to the file, or puts it in the place of what was measured before; other lines stay as they are.
+/// The sentence that says why not, else empty.
+std::string keep_stick_scale(const std::filesystem::path& file, const std::string& key,
+                             const StickScale& scale);
 
 /// touchphoto/sticks.txt in the person's folder for settings; empty where the environment names no such
 /// folder.

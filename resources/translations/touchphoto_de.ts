@@ -782,6 +782,41 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>MeasuringView</name>
+    <message>
+        <source>Measuring the stick</source>
+        <translation>Den Kraftstick messen</translation>
+    </message>
+    <message>
+        <source>Grams on the scale</source>
+        <translation>Gramm auf der Waage</translation>
+    </message>
+    <message>
+        <source>Type, or use the slider below</source>
+        <translation>Tippen oder den Regler unten benutzen</translation>
+    </message>
+    <message>
+        <source>Grams, in steps of five</source>
+        <translation>Gramm, in Fünferschritten</translation>
+    </message>
+    <message>
+        <source>%1 grams</source>
+        <translation>%1 Gramm</translation>
+    </message>
+    <message>
+        <source>The scale shows this</source>
+        <translation>Das zeigt die Waage</translation>
+    </message>
+    <message>
+        <source>End the measurement</source>
+        <translation>Messung beenden</translation>
+    </message>
+    <message>
+        <source>Nothing is changed. Key: Escape</source>
+        <translation>Nichts wird geändert. Taste: Escape</translation>
+    </message>
+</context>
+<context>
     <name>MendPage</name>
     <message>
         <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
@@ -3199,6 +3234,30 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>it holds &quot;%1&quot;, which is packed in an unusual way. Pack it again as an ordinary ZIP file.</source>
         <translation>Es enthält „%1“, das auf ungewöhnliche Weise gepackt ist. Packen Sie es noch einmal als gewöhnliche ZIP-Datei.</translation>
     </message>
+    <message>
+        <source>A stick cannot be as strong or as weak as that. See that the scale shows grams and pulls straight towards you, and weigh again.</source>
+        <translation>So stark oder so schwach kann ein Kraftstick nicht sein. Achten Sie darauf, dass die Waage Gramm zeigt und gerade auf Sie zu zieht, und wiegen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The stick does not pull now. Hold the grip where it is, and weigh again.</source>
+        <translation>Der Kraftstick zieht gerade nicht. Halten Sie den Griff, wo er ist, und wiegen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>What the scale shows must be a number of grams from 0 to 100000.</source>
+        <translation>Was die Waage zeigt, muss eine Zahl von 0 bis 100000 Gramm sein.</translation>
+    </message>
+    <message>
+        <source>What was measured of the stick could not be kept: %1</source>
+        <translation>Was am Kraftstick gemessen wurde, konnte nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>the stick has no name to keep it by.</source>
+        <translation>der Kraftstick hat keinen Namen, unter dem es sich speichern ließe.</translation>
+    </message>
+    <message>
+        <source>there is no folder for settings.</source>
+        <translation>es gibt keinen Ordner für Einstellungen.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -3377,6 +3436,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Put its handle on the mark first, and leave it there</source>
         <translation>Stellen Sie erst seinen Griff auf die Marke und lassen Sie ihn dort</translation>
+    </message>
+    <message>
+        <source>Measure the stick</source>
+        <translation>Den Kraftstick messen</translation>
+    </message>
+    <message>
+        <source>How strong it is and which way it pulls. You need a kitchen scale or a luggage scale</source>
+        <translation>Wie stark er ist und wohin er zieht. Sie brauchen eine Küchenwaage oder eine Kofferwaage</translation>
     </message>
 </context>
 <context>
@@ -3569,6 +3636,37 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Key: 0</source>
         <translation>Taste: 0</translation>
+    </message>
+</context>
+<context>
+    <name>StickMeasuring</name>
+    <message>
+        <source>The stick will move by itself, a little to the right and back, then a little away from you and back. Let it stand free, and keep your hands off it.</source>
+        <translation>Der Kraftstick bewegt sich gleich von selbst, ein wenig nach rechts und zurück, dann ein wenig von Ihnen weg und zurück. Lassen Sie ihn frei stehen und nehmen Sie die Hände von ihm.</translation>
+    </message>
+    <message>
+        <source>It is known now which way it pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.</source>
+        <translation>Wohin er zieht, ist jetzt bekannt. Halten Sie seinen Griff mit einer Küchenwaage oder einer Kofferwaage gerade auf Sie zu: Der Kraftstick zieht von Ihnen weg. Wenn der Griff still steht, geben Sie ein, wie viel Gramm die Waage zeigt.</translation>
+    </message>
+    <message>
+        <source>The stick is measured.</source>
+        <translation>Der Kraftstick ist gemessen.</translation>
+    </message>
+    <message>
+        <source>The stick did not stand still. Let go of it, see that nothing touches it, and measure again.</source>
+        <translation>Der Kraftstick stand nicht still. Lassen Sie ihn los, achten Sie darauf, dass nichts ihn berührt, und messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The stick did not move. See that its power supply is plugged in, keep your hands off it, and measure again.</source>
+        <translation>Der Kraftstick hat sich nicht bewegt. Sehen Sie nach, ob sein Netzteil angesteckt ist, nehmen Sie die Hände von ihm, und messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The stick moved to the side of where it was to move. It cannot be measured so: see that nothing touches it and that it stands straight, and measure again.</source>
+        <translation>Der Kraftstick hat sich neben die Richtung bewegt, in die er sollte. So kann er nicht gemessen werden: Achten Sie darauf, dass nichts ihn berührt und dass er gerade steht, und messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The stick did not come back as it went. See that nothing touches it, and measure again.</source>
+        <translation>Der Kraftstick kam nicht so zurück, wie er gegangen war. Achten Sie darauf, dass nichts ihn berührt, und messen Sie noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -4133,6 +4231,26 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The device is homed: it knows where its handle is.</source>
         <translation>Der Nullpunkt ist gesetzt: Das Gerät weiß jetzt, wo sein Griff ist.</translation>
+    </message>
+    <message>
+        <source>This device knows its newtons itself; only force sticks are measured.</source>
+        <translation>Dieses Gerät kennt seine Newton selbst; nur Kraftsticks werden gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 Escape ends it.</source>
+        <translation>%1 Escape beendet es.</translation>
+    </message>
+    <message>
+        <source>That is too little to be read well. The stick pulls twice as strongly now: weigh again.</source>
+        <translation>Das ist zu wenig, um es gut abzulesen. Der Kraftstick zieht jetzt doppelt so stark: Wiegen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The stick is measured: %1 newtons at most. That is kept for this stick.</source>
+        <translation>Der Kraftstick ist gemessen: höchstens %1 Newton. Das ist für diesen Stick gespeichert.</translation>
+    </message>
+    <message>
+        <source>Measurement ended. The force is off. Nothing was changed.</source>
+        <translation>Messung beendet. Die Kraft ist aus. Nichts wurde geändert.</translation>
     </message>
 </context>
 <context>

@@ -778,6 +778,41 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>MeasuringView</name>
+    <message>
+        <source>Measuring the stick</source>
+        <translation>힘 스틱 재기</translation>
+    </message>
+    <message>
+        <source>Grams on the scale</source>
+        <translation>저울의 그램 수</translation>
+    </message>
+    <message>
+        <source>Type, or use the slider below</source>
+        <translation>입력하거나 아래 슬라이더를 쓰십시오</translation>
+    </message>
+    <message>
+        <source>Grams, in steps of five</source>
+        <translation>그램, 다섯 단위로</translation>
+    </message>
+    <message>
+        <source>%1 grams</source>
+        <translation>%1그램</translation>
+    </message>
+    <message>
+        <source>The scale shows this</source>
+        <translation>저울이 이렇게 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>End the measurement</source>
+        <translation>재기 끝내기</translation>
+    </message>
+    <message>
+        <source>Nothing is changed. Key: Escape</source>
+        <translation>아무것도 바뀌지 않습니다. 키: Escape</translation>
+    </message>
+</context>
+<context>
     <name>MendPage</name>
     <message>
         <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
@@ -3187,6 +3222,30 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>it holds &quot;%1&quot;, which is packed in an unusual way. Pack it again as an ordinary ZIP file.</source>
         <translation>흔하지 않은 방식으로 압축된 “%1”이(가) 들어 있습니다. 일반 ZIP 파일로 다시 압축하세요.</translation>
     </message>
+    <message>
+        <source>A stick cannot be as strong or as weak as that. See that the scale shows grams and pulls straight towards you, and weigh again.</source>
+        <translation>스틱이 그렇게 세거나 약할 수는 없습니다. 저울이 그램을 보여 주고 곧게 자기 쪽으로 당기는지 확인하고 다시 다십시오.</translation>
+    </message>
+    <message>
+        <source>The stick does not pull now. Hold the grip where it is, and weigh again.</source>
+        <translation>스틱이 지금 당기지 않습니다. 손잡이를 그 자리에 잡고 다시 다십시오.</translation>
+    </message>
+    <message>
+        <source>What the scale shows must be a number of grams from 0 to 100000.</source>
+        <translation>저울이 보여 주는 것은 0에서 100000까지의 그램 수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>What was measured of the stick could not be kept: %1</source>
+        <translation>스틱에서 잰 것을 저장할 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>the stick has no name to keep it by.</source>
+        <translation>저장할 때 쓸 스틱의 이름이 없습니다.</translation>
+    </message>
+    <message>
+        <source>there is no folder for settings.</source>
+        <translation>설정 폴더가 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -3365,6 +3424,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Put its handle on the mark first, and leave it there</source>
         <translation>먼저 손잡이를 표시 위에 놓고 그대로 두세요</translation>
+    </message>
+    <message>
+        <source>Measure the stick</source>
+        <translation>힘 스틱 재기</translation>
+    </message>
+    <message>
+        <source>How strong it is and which way it pulls. You need a kitchen scale or a luggage scale</source>
+        <translation>얼마나 세고 어느 쪽으로 당기는지. 주방 저울이나 여행 가방 저울이 필요합니다</translation>
     </message>
 </context>
 <context>
@@ -3557,6 +3624,37 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Key: 0</source>
         <translation>0 키</translation>
+    </message>
+</context>
+<context>
+    <name>StickMeasuring</name>
+    <message>
+        <source>The stick will move by itself, a little to the right and back, then a little away from you and back. Let it stand free, and keep your hands off it.</source>
+        <translation>스틱이 저절로 조금 오른쪽으로 갔다가 돌아오고, 이어서 조금 앞쪽으로 갔다가 돌아옵니다. 자유롭게 세워 두고 손을 떼십시오.</translation>
+    </message>
+    <message>
+        <source>It is known now which way it pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.</source>
+        <translation>이제 어느 쪽으로 당기는지 압니다. 주방 저울이나 여행 가방 저울로 손잡이를 곧게 자기 쪽으로 잡으십시오. 스틱은 앞쪽으로 당깁니다. 손잡이가 멈추면 저울이 보여 주는 그램 수를 입력하십시오.</translation>
+    </message>
+    <message>
+        <source>The stick is measured.</source>
+        <translation>스틱을 쟀습니다.</translation>
+    </message>
+    <message>
+        <source>The stick did not stand still. Let go of it, see that nothing touches it, and measure again.</source>
+        <translation>스틱이 가만히 있지 않았습니다. 손을 떼고 아무것도 닿지 않는지 확인하고 다시 재십시오.</translation>
+    </message>
+    <message>
+        <source>The stick did not move. See that its power supply is plugged in, keep your hands off it, and measure again.</source>
+        <translation>스틱이 움직이지 않았습니다. 전원 어댑터가 꽂혀 있는지 확인하고 손을 뗀 채 다시 재십시오.</translation>
+    </message>
+    <message>
+        <source>The stick moved to the side of where it was to move. It cannot be measured so: see that nothing touches it and that it stands straight, and measure again.</source>
+        <translation>스틱이 가야 할 쪽에서 벗어나 움직였습니다. 그렇게는 잴 수 없습니다. 아무것도 닿지 않고 곧게 서 있는지 확인하고 다시 재십시오.</translation>
+    </message>
+    <message>
+        <source>The stick did not come back as it went. See that nothing touches it, and measure again.</source>
+        <translation>스틱이 간 대로 돌아오지 않았습니다. 아무것도 닿지 않는지 확인하고 다시 재십시오.</translation>
     </message>
 </context>
 <context>
@@ -4111,6 +4209,26 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The device is homed: it knows where its handle is.</source>
         <translation>기준점을 맞추었습니다. 이제 장치가 손잡이의 위치를 압니다.</translation>
+    </message>
+    <message>
+        <source>This device knows its newtons itself; only force sticks are measured.</source>
+        <translation>이 장치는 자기 뉴턴을 스스로 압니다. 힘 스틱만 잽니다.</translation>
+    </message>
+    <message>
+        <source>%1 Escape ends it.</source>
+        <translation>%1 Escape 키로 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>That is too little to be read well. The stick pulls twice as strongly now: weigh again.</source>
+        <translation>너무 적어 잘 읽을 수 없습니다. 이제 스틱이 두 배로 세게 당깁니다. 다시 다십시오.</translation>
+    </message>
+    <message>
+        <source>The stick is measured: %1 newtons at most. That is kept for this stick.</source>
+        <translation>스틱을 쟀습니다: 최대 %1뉴턴. 이 스틱의 값으로 저장했습니다.</translation>
+    </message>
+    <message>
+        <source>Measurement ended. The force is off. Nothing was changed.</source>
+        <translation>재기를 끝냈습니다. 힘이 꺼졌습니다. 바뀐 것은 없습니다.</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,15 @@ public:
         const std::lock_guard lock(state_->mutex);
         state_->complaint = std::move(why);
     }
+    /// It is a force stick now, so strong (N of its whole force) and with such signs, whose grip stands free.
+    void be_a_stick(double newtons_at_full, Vec2 sign) {
+        const std::lock_guard lock(state_->mutex);
+        state_->newtons_at_full = newtons_at_full;
+        state_->sign = sign;
+        state_->stick = state_->free = true;
+    }
+    /// A hand holds the stick's grip where it is.
+    void hold() { state_->free = false; }
     /// It was told that its handle stands on the mark.
     bool homed() const { return state_->homed; }
     /// N, what is on its handle now.
@@ -64,7 +73,9 @@ public:
         access.list = [state = state_] {
             ++state->looks;
             std::vector<ListedDevice> there{{"simulated", "the mouse", "", ""}};
-            if (state->plugged)
+            if (state->plugged && state->stick)
+                there.push_back({std::string("stick:") + serial_number, "a stick", serial_number, "hid", false, serial_number});
+            else if (state->plugged)
                 there.push_back({std::string("pad:") + serial_number, "force pad", serial_number, "hid"});
             return there;
         };
@@ -80,9 +91,13 @@ private:
         Vec2 place{0.0};
         Vec2 force{0.0};
         double strongest = 0.0;
+        double newtons_at_full = 0.0;
+        Vec2 sign{1.0};
         std::string refusal;
         std::string complaint;
         std::atomic<bool> plugged{false};
+        std::atomic<bool> stick{false};
+        std::atomic<bool> free{false};
         std::atomic<bool> in_use{false};
         std::atomic<bool> homed{false};
         std::atomic<int> looks{0};
@@ -122,8 +137,11 @@ private:
                 state_->force = Vec2(0.0); // there is no motor any more
                 return false;
             }
-            state_->force = force.newtons();
-            state_->strongest = std::max(state_->strongest, length(force.newtons()));
+            state_->force = state_->stick ? state_->newtons_at_full / assumed_ * state_->sign * assumed_sign_ * force.newtons()
+                                          : force.newtons();
+            state_->strongest = std::max(state_->strongest, length(state_->force));
+            if (constexpr double friction_n = 0.3; state_->free && length(state_->force) > friction_n)
+                state_->place += 0.03 * state_->force; // mm in a tick
             return true;
         }
         void halt() noexcept override {}
@@ -141,6 +159,12 @@ private:
             state_->force = Vec2(0.0);
             state_->in_use = false;
         }
+        bool assume(double newtons_at_full, Vec2 sign) noexcept override {
+            const std::lock_guard lock(state_->mutex);
+            assumed_ = newtons_at_full;
+            assumed_sign_ = sign;
+            return state_->stick;
+        }
         bool lost() const noexcept override { return lost_; }
         bool motors_off() const noexcept override {
             const std::lock_guard lock(state_->mutex);
@@ -155,6 +179,8 @@ private:
         std::shared_ptr<State> state_;
         std::atomic<bool> lost_{false}; ///< for good: what is plugged in again is opened again
         bool open_ = false;
+        double assumed_ = 60.0;
+        Vec2 assumed_sign_{-1.0, -1.0};
     };
 
     std::shared_ptr<State> state_ = std::make_shared<State>();

@@ -47,12 +47,13 @@ private slots:
     }
 
     void what_is_not_there_is_said_so() {
-        for (const char* const verb : {"test", "home"}) {
+        for (const char* const verb : {"test", "home", "measure"}) {
             const Run run = lab({"devices", verb, "pad:none"});
             QCOMPARE(run.code, 1);
             QVERIFY(is_one_sentence(run.err) || run.err.contains("lists what is there"));
         }
         QCOMPARE(lab({"devices", "home", "simulated"}).code, 1);
+        QVERIFY(lab({"devices", "measure", "simulated"}).err.contains("only force sticks are measured"));
         QCOMPARE(lab({"devices", "calibrate", "pad:none", "--screen", "250x150"}).code, 1);
         for (const char* screen : {"", "250", "250x", "1x1", "axb", "250x150x3"})
             QCOMPARE(lab({"devices", "calibrate", "simulated", "--screen", screen}).code, 2);

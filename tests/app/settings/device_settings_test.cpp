@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/calibration_file.hpp"
+#include "device/hid_pid/stick_scale_file.hpp"
 #include "settings_bench.hpp"
 
 #include <QTest>
@@ -115,6 +116,62 @@ private slots:
         bench.socket.refuse("Another program uses the force pad.");
         bench.devices().home();
         QTRY_VERIFY(bench.said("Another program uses the force pad."));
+    }
+
+    void a_stick_is_measured_with_a_scale_and_kept() {
+        Bench bench;
+        bench.socket.be_a_stick(8.0, {1.0, -1.0});
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.devices().measurable());
+        bench.devices().measure();
+        QTRY_VERIFY(bench.said("Let it stand free, and keep your hands off it. Escape ends it."));
+        bench.wait_in_time([&] { return bench.devices().weighing(); });
+        QVERIFY(bench.devices().weighing());
+        QVERIFY(bench.said("enter how many grams the scale shows."));
+        bench.socket.hold();
+        bench.devices().weighed("much");
+        QVERIFY(bench.said("must be a number of grams"));
+        for (int i = 0; i < 8 && bench.devices().weighing(); ++i) {
+            bench.wait_in_time([] { return false; }, 1.0);
+            bench.devices().weighed(QString::number(1e3 * bench.socket.force().y / 9.80665, 'f', 1));
+        }
+        QVERIFY(!bench.devices().measuring());
+        QVERIFY2(bench.said("The stick is measured: 8.0 newtons at most."), qPrintable(bench.voice.said().join('\n')));
+        const StickScale kept = kept_stick_scale(bench.stick_scales(), DeviceSocket::serial_number);
+        QVERIFY(kept.measured && kept.sign == Vec2(1.0, -1.0));
+        QVERIFY(std::abs(kept.newtons_at_full - 8.0) < 0.1);
+        QTRY_VERIFY(!bench.socket.in_use());
+        QVERIFY(bench.socket.force() == Vec2(0.0));
+    }
+
+    void a_measurement_that_is_ended_or_fails_changes_nothing() {
+        Bench bench;
+        bench.socket.be_a_stick(8.0, {1.0, 1.0});
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.devices().measurable());
+        bench.devices().measure();
+        bench.wait_in_time([&] { return bench.devices().weighing(); });
+        QVERIFY(bench.session.back());
+        QCOMPARE(bench.voice.said().back(), QString("Measurement ended. The force is off. Nothing was changed."));
+        QTRY_VERIFY(!bench.socket.in_use());
+        bench.socket.hold();
+        QTRY_VERIFY(bench.devices().measurable());
+        bench.devices().measure();
+        bench.wait_in_time([&] { return !bench.voice.said().isEmpty() && bench.said("The stick did not move."); }, 30.0);
+        QVERIFY(bench.said("The stick did not move."));
+        QVERIFY(!bench.devices().measuring());
+        QVERIFY(!std::filesystem::exists(bench.stick_scales()));
+        QTRY_VERIFY(!bench.socket.in_use());
+    }
+
+    void only_a_stick_is_measured() {
+        Bench bench;
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.has_device());
+        QVERIFY(!bench.devices().measurable());
+        bench.devices().measure();
+        QVERIFY(bench.said("only force sticks are measured"));
+        QVERIFY(bench.socket.opened() == 0);
     }
 
     void escape_ends_it() {

@@ -7,6 +7,7 @@
 #include "device_socket.hpp"
 
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <filesystem>
 
@@ -24,14 +25,25 @@ struct SettingsBench {
                                 {"/home/x/preferences.json", "/nowhere", [this] { ++discarded; }}, devices()};
 
     std::filesystem::path calibrations() const { return folder.filePath("calibrations.txt").toStdString(); }
+    std::filesystem::path stick_scales() const { return folder.filePath("sticks.txt").toStdString(); }
     tp::DeviceSettings::Setup devices() {
         tp::DeviceSettings::Setup setup{socket.access(), {}, [this] { return time; }};
         setup.access.calibrations = calibrations();
+        setup.access.stick_scales = stick_scales();
         setup.servo.limits.stall = 60.0; // a busy test machine is never too late
         setup.servo.limits.stale_after = 60.0;
+        setup.servo.limits.engage_ramp = 0.02; // the page's time is not the servo's
         setup.servo.limits.late_periods = 60000.0;
         setup.servo.limits.max_speed = 1e9;
         return setup;
+    }
+    /// Lets the page's time pass five times as fast as the servo's, until it is so or for so many seconds.
+    template <typename Condition>
+    void wait_in_time(Condition met, double seconds = 60.0) {
+        for (double t = 0.0; t < seconds && !met(); t += 0.1) {
+            time += 0.1;
+            QTest::qWait(20);
+        }
     }
     bool said(const QString& part) const { return !voice.said().filter(part).isEmpty(); }
 

@@ -10,6 +10,7 @@
 #include <QScreen>
 #include <QSize>
 
+#include <cmath>
 #include <memory>
 
 using namespace tp;
@@ -93,6 +94,52 @@ private slots:
         QTRY_VERIFY(window.named("Take this folder") != nullptr);
         QTest::keyClick(&window, Qt::Key_Escape);
         QVERIFY(!bench.session.choosing());
+    }
+
+    void a_stick_is_measured_by_a_screen_reader_and_keys_data() {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("wide") << QSize(1280, 800);
+        QTest::newRow("smallest") << QSize(480, 560);
+    }
+    void a_stick_is_measured_by_a_screen_reader_and_keys() {
+        QFETCH(QSize, size);
+        const Warnings warnings;
+        SettingsBench bench;
+        bench.socket.hold_at({0.0, 100.0});
+        bench.socket.be_a_stick(8.0, {-1.0, 1.0});
+        bench.socket.plug_in();
+        bench.session.enter();
+        PageWindow window(page, &bench.session, size);
+        QVERIFY(window.exposed());
+        DeviceSettings& devices = *bench.session.devices();
+        QTRY_VERIFY(window.named("Measure the stick") != nullptr);
+        QVERIFY(window.press("Measure the stick"));
+        QTRY_VERIFY(window.named("End the measurement") != nullptr);
+        QVERIFY(window.named("Speed of speech: Fast") == nullptr);
+        QVERIFY(window.named("The scale shows this") == nullptr); // nothing to be weighed yet
+        bench.wait_in_time([&] { return devices.weighing(); });
+        QTRY_VERIFY(window.named("The scale shows this") != nullptr);
+        QCOMPARE(window.faulty_targets().join("; "), QString());
+        QCOMPARE(PageWindow::tab_order(window), PageWindow::reading_order(window));
+        bench.socket.hold();
+        const auto grams = [&bench] { return 1e3 * bench.socket.force().y / StickTrial::standard_gravity; };
+        bench.wait_in_time([&] { return grams() > 100.0; }, 20.0);
+        QAccessibleInterface* slider = window.named("Grams, in steps of five");
+        QVERIFY(slider != nullptr);
+        for (int i = 0; i < 8 && devices.weighing(); ++i) {
+            slider->valueInterface()->setCurrentValue(5.0 * std::round(grams() / 5.0) + (i == 0 ? 5.0 : 0.0));
+            QVERIFY(window.press("The scale shows this"));
+            bench.wait_in_time([] { return false; }, 1.0);
+        }
+        QVERIFY(!devices.measuring());
+        QVERIFY(bench.said("The stick is measured:"));
+        QTRY_VERIFY(window.named("Speed of speech: Fast") != nullptr);
+        QTRY_VERIFY(window.named("Measure the stick") != nullptr); // again, where the person wants to
+        QVERIFY(window.press("Measure the stick"));
+        QTRY_VERIFY(devices.measuring());
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QVERIFY(!devices.measuring());
+        QTRY_VERIFY(!bench.socket.in_use());
     }
 
     void a_device_is_chosen_and_calibrated_by_a_screen_reader_keys_and_touch_data() {

@@ -73,6 +73,35 @@ private slots:
         QVERIFY(!kept_stick_scale(file, "").measured);
         QVERIFY(!kept_stick_scale({}, "FS 0001").measured);
     }
+    void what_is_measured_takes_the_place_of_what_was_and_leaves_the_rest() {
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("new/sticks.txt").toStdString();
+        QCOMPARE(keep_stick_scale(file, "FS 0001", {8.5, {-1.0, 1.0}, true}), std::string());
+        QCOMPARE(keep_stick_scale(file, "Side Winder", {21.123456789, {1.0, 1.0}, true}), std::string());
+        QFile text(QString::fromStdString(file.string()));
+        QVERIFY(text.open(QIODevice::Append));
+        text.write("a line of a later version\n7 1 1 FS 0001");
+        text.close();
+        QCOMPARE(keep_stick_scale(file, "FS 0001", {9.0, {1.0, -1.0}, true}), std::string());
+        QCOMPARE(kept_stick_scale(file, "FS 0001").newtons_at_full, 9.0);
+        QVERIFY(kept_stick_scale(file, "FS 0001").sign == Vec2(1.0, -1.0));
+        QVERIFY(std::abs(kept_stick_scale(file, "Side Winder").newtons_at_full - 21.1235) < 1e-4);
+        QVERIFY(text.open(QIODevice::ReadOnly));
+        const QByteArray all = text.readAll();
+        QCOMPARE(all.count("FS 0001"), 1);
+        QVERIFY(all.contains("a line of a later version\n"));
+    }
+    void what_cannot_be_kept_is_said_and_nothing_lost() {
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("sticks.txt").toStdString();
+        for (const char* const key : {"", " x", "a\nb"})
+            QVERIFY(keep_stick_scale(file, key, {}).ends_with("no name to keep it by."));
+        QVERIFY(!std::filesystem::exists(file));
+        QVERIFY(!keep_stick_scale({}, "A", {}).empty());
+        std::filesystem::create_directory(file);
+        QVERIFY(!keep_stick_scale(file, "A", {}).empty());
+        QVERIFY(std::filesystem::is_directory(file));
+    }
     void it_lies_with_the_persons_settings() {
         qputenv("XDG_CONFIG_HOME", "/somewhere");
         QCOMPARE(stick_scale_file().string(), std::string("/somewhere/touchphoto/sticks.txt"));

@@ -31,6 +31,11 @@ constexpr double least_confidence = 0.5;
 constexpr double least_confidence_turned = 0.95;
 /// In which a picture is first looked at on its side: a face of 40 px in it can be felt.
 constexpr int longest_turned_px = 1280;
+/// What a photograph keeps of its longest side where its decoder shrinks it: the detector looks at 1280 px.
+constexpr int longest_shrunk_px = 1600;
+/// Of faces for which the shrunk pixels are enough: eyes that are 150 px apart, outer corner to outer corner. Contours are as
+/// exact from there on (faces/README.md, errors over the size of the picture).
+constexpr double least_shrunk_face_px = 300.0;
 constexpr double same_within = 0.4; ///< of a face's size; two heads cannot be that near
 
 /// Somebody asked the search to stop.
@@ -73,21 +78,29 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-std::vector<Contour> contours_of(const FaceLines& lines) {
-    const auto opening = [](const char* name, const Opening& edges) {
+std::vector<Contour> contours_of(const FaceLines& lines, double tolerance_px) {
+    const auto opening = [tolerance_px](const char* name, const Opening& edges) {
         const std::size_t corner = edges.lower.size() - 1;
-        return fewest_pieces(name, uncrossed(edges.around(), corner), true, {0, corner},
-                             contour_tolerance_px);
+        return fewest_pieces(name, uncrossed(edges.around(), corner), true, {0, corner}, tolerance_px);
     };
     return {opening(feature::left_eye, lines.left_eye), opening(feature::right_eye, lines.right_eye),
             opening(feature::outer_lip, lines.outer_lip), opening(feature::inner_lip, lines.inner_lip),
-            fewest_pieces(feature::outline, lines.outline, false, {}, contour_tolerance_px)};
+            fewest_pieces(feature::outline, lines.outline, false, {}, tolerance_px)};
 }
 
 /// One for each of the contours, in their order.
 std::vector<ContourQuality> qualities_of(const QualitySigns& signs) {
     return {quality_of(signs, at_left_eye), quality_of(signs, at_right_eye), quality_of(signs, at_outer_lip),
             quality_of(signs, at_inner_lip), quality_of(signs, at_outline)};
+}
+
+/// A face of a picture that is `shrink` times smaller, in places of the whole one.
+void enlarge(Face& face, double shrink) {
+    const auto whole = [shrink](Vec2 place) { return shrink * place; };
+    face.box = {whole(face.box.min), whole(face.box.max)};
+    for (auto* const contours : {&face.contours, &face.extras})
+        for (Contour& contour : *contours)
+            contour = mapped(contour, whole);
 }
 
 struct LocatedFace {
@@ -102,6 +115,21 @@ struct LocatedFace {
 
 bool is_same(const LocatedFace& a, const LocatedFace& b) {
     return length(a.centre() - b.centre()) < same_within * std::max(a.detection.size(), b.detection.size());
+}
+
+/// What `search` says; where it throws, there are no faces, a sentence that says why, and true.
+template <typename Search>
+bool carefully(Extraction& result, Search search) {
+    try {
+        return search();
+    } catch (const Stopped&) {
+        result.faces.clear();
+        result.problem = "The search for faces was stopped.";
+    } catch (const std::exception& reason) {
+        result.faces.clear();
+        result.problem = std::string("The search for faces failed (") + reason.what() + ").";
+    }
+    return true;
 }
 
 } // namespace
@@ -208,6 +236,26 @@ struct FaceExtractor::Parts {
         std::vector<LocatedFace> located = locate(picture, Effort::thorough, result.milliseconds, stop);
         if (surest(located) < least_confidence_turned)
             look_turned(picture, located, result, stop);
+        describe(picture, located, contour_tolerance_px, result, stop);
+    }
+
+    /// The same from fewer pixels, where the faces are sure and large enough in these; false: they are not.
+    bool extract_shrunk(const ShrunkPicture& picture, Extraction& result, const std::stop_token& stop) const {
+        const std::vector<LocatedFace> located =
+            locate(picture.pixels, Effort::usual, result.milliseconds, stop);
+        if (surest(located) < least_confidence_turned ||
+            std::ranges::any_of(located, [](const LocatedFace& face) {
+                return face.detection.size() < least_shrunk_face_px;
+            }))
+            return false;
+        describe(picture.pixels, located, contour_tolerance_px / picture.shrink, result, stop);
+        for (Face& face : result.faces)
+            enlarge(face, picture.shrink);
+        return true;
+    }
+
+    void describe(const cv::Mat& picture, const std::vector<LocatedFace>& located, double tolerance_px,
+                  Extraction& result, const std::stop_token& stop) const {
         Stopwatch watch;
         for (const LocatedFace& face : located) {
             stop_if_asked(stop);
@@ -227,11 +275,11 @@ struct FaceExtractor::Parts {
                 problem = problem_of(signs);
             result.faces.push_back({face.detection.box,
                                     face.detection.score,
-                                    contours_of(lines),
+                                    contours_of(lines, tolerance_px),
                                     std::move(problem),
                                     qualities_of(signs),
                                     {},
-                                    extra_contours(face.points, lines, contour_tolerance_px)});
+                                    extra_contours(face.points, lines, tolerance_px)});
             result.milliseconds.contours += watch.lap();
         }
         result.problem =
@@ -271,13 +319,31 @@ std::string problem_with_model(const PluggableModel& model, const std::filesyste
 
 Extraction FaceExtractor::extract(const std::filesystem::path& photo, const std::stop_token& stop) {
     Stopwatch watch;
-    const Result<cv::Mat> picture = read_picture(photo);
-    const double decode = watch.lap();
+    double decode = 0.0;
     Extraction result;
-    if (picture)
-        result = extract(*picture, stop);
-    else
-        result.problem = picture.error();
+    Result<ShrunkPicture> shrunk = read_picture_shrunk(photo, longest_shrunk_px);
+    decode += watch.lap();
+    if (!shrunk) {
+        result.problem = shrunk.error();
+    } else if (shrunk->shrink == 1) {
+        result = extract(shrunk->pixels, stop);
+    } else {
+        result.width = shrunk->size.width;
+        result.height = shrunk->size.height;
+        const bool enough = carefully(result, [&] { return parts_->extract_shrunk(*shrunk, result, stop); });
+        if (!enough) {
+            const ExtractionTimes in_vain = result.milliseconds;
+            shrunk->pixels.release();
+            watch.lap();
+            const Result<cv::Mat> picture = read_picture(photo);
+            decode += watch.lap();
+            result = picture ? extract(*picture, stop) : Extraction{};
+            if (!picture)
+                result.problem = picture.error();
+            result.milliseconds.detect += in_vain.detect;
+            result.milliseconds.landmarks += in_vain.landmarks;
+        }
+    }
     result.milliseconds.decode = decode;
     return result;
 }
@@ -299,15 +365,10 @@ Extraction FaceExtractor::extract(const cv::Mat& picture, const std::stop_token&
                          std::to_string(picture.rows) + " pixels, too small to show a face.";
         return result;
     }
-    try {
+    carefully(result, [&] {
         parts_->extract(picture, result, stop);
-    } catch (const Stopped&) {
-        result.faces.clear();
-        result.problem = "The search for faces was stopped.";
-    } catch (const std::exception& reason) {
-        result.faces.clear();
-        result.problem = std::string("The search for faces failed (") + reason.what() + ").";
-    }
+        return true;
+    });
     return result;
 }
 

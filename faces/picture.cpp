@@ -178,8 +178,19 @@ cv::Mat turned(const cv::Mat& picture, int degrees) {
 
 namespace {
 
-/// Upright, and as small as it fits into `box`.
-Result<cv::Mat> decode_for(const Bytes& bytes, double largest_px, cv::Size box) {
+Error no_memory() { return Error{"There is not enough memory for this picture."}; }
+
+/// A file's bytes, and how they are to be read.
+struct StoredPicture {
+    const Bytes& bytes;
+    PictureKind kind;
+    PictureMetadata metadata;
+    int orientation; ///< EXIF's, still to be undone
+};
+
+/// What `look` makes of the bytes; anything thrown becomes a sentence.
+template <typename Value, typename Look>
+Result<Value> looked_at(const Bytes& bytes, Look look) {
     try {
         quiet_opencv();
         const PictureKind kind = kind_of(bytes);
@@ -189,35 +200,79 @@ Result<cv::Mat> decode_for(const Bytes& bytes, double largest_px, cv::Size box) 
             return Error{"The file is not a picture of a kind that can be read."};
         const PictureMetadata metadata = metadata_of(bytes);
         const int orientation = kind == PictureKind::tiff ? 1 : metadata.orientation; // OpenCV turns a TIFF by itself
-        const cv::Size stored_box = orientation >= 5 ? cv::Size(box.height, box.width) : box;
-        const Result<cv::Mat> picture = decode(bytes, kind, metadata, largest_px, stored_box);
-        return picture ? Result<cv::Mat>(upright(shrunk_to_fit(*picture, stored_box), orientation)) : picture;
+        return look(StoredPicture{bytes, kind, metadata, orientation});
     } catch (const std::bad_alloc&) {
-        return Error{"There is not enough memory for this picture."};
+        return no_memory();
     } catch (const std::exception&) {
         return Error{"The picture cannot be decoded."};
     }
 }
 
-Result<cv::Mat> read_for(const std::filesystem::path& file, cv::Size box) {
+template <typename Value, typename Look>
+Result<Value> looked_at_file(const std::filesystem::path& file, Look look) {
     try {
         const Result<Bytes> bytes = read_bytes(file);
-        return bytes ? decode_for(*bytes, largest_picture_px, box) : Error{bytes.error()};
+        return bytes ? looked_at<Value>(*bytes, look) : Error{bytes.error()};
     } catch (const std::bad_alloc&) {
-        return Error{"There is not enough memory for this picture."};
+        return no_memory();
     }
+}
+
+cv::Size across(cv::Size size, int orientation) { return orientation >= 5 ? cv::Size(size.height, size.width) : size; }
+
+/// Upright, and as small as it fits into `box`.
+auto to_fit(cv::Size box, double largest_px) {
+    return [box, largest_px](const StoredPicture& stored) {
+        const cv::Size stored_box = across(box, stored.orientation);
+        const Result<cv::Mat> picture = decode(stored.bytes, stored.kind, stored.metadata, largest_px, stored_box);
+        return picture ? Result<cv::Mat>(upright(shrunk_to_fit(*picture, stored_box), stored.orientation)) : picture;
+    };
+}
+
+/// The most by which a stored JPEG may be shrunk so that its longest side keeps `longest_px`.
+int even_shrink(const StoredPicture& stored, int longest_px) {
+    if (stored.kind != PictureKind::jpeg)
+        return 1;
+    const JpegHeader header = jpeg_header(stored.bytes);
+    for (const int shrink : {8, 4, 2})
+        if (std::max(header.width, header.height) / shrink >= longest_px &&
+            (stored.orientation == 1 || (header.width % shrink == 0 && header.height % shrink == 0)))
+            return shrink;
+    return 1;
+}
+
+Result<ShrunkPicture> shrunk_upright(const StoredPicture& stored, int longest_px) {
+    const int shrink = even_shrink(stored, longest_px);
+    if (shrink == 1) {
+        Result<cv::Mat> whole = to_fit(no_box(), largest_picture_px)(stored);
+        return whole ? Result<ShrunkPicture>(ShrunkPicture{*whole, whole->size(), 1}) : Error{whole.error()};
+    }
+    const JpegHeader header = jpeg_header(stored.bytes);
+    if (auto objection = objection_to_size(header.width, header.height, stored.kind, largest_picture_px);
+        !objection.empty())
+        return Error{objection};
+    const Result<cv::Mat> pixels = decode_jpeg(stored.bytes, header, shrink);
+    if (!pixels)
+        return Error{pixels.error()};
+    return ShrunkPicture{upright(*pixels, stored.orientation),
+                         across({header.width, header.height}, stored.orientation), shrink};
 }
 
 } // namespace
 
 Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px) {
-    return decode_for(bytes, largest_px, no_box());
+    return looked_at<cv::Mat>(bytes, to_fit(no_box(), largest_px));
 }
 
-Result<cv::Mat> read_picture(const std::filesystem::path& file) { return read_for(file, no_box()); }
+Result<cv::Mat> read_picture(const std::filesystem::path& file) { return read_picture_to_fit(file, no_box()); }
 
 Result<cv::Mat> read_picture_to_fit(const std::filesystem::path& file, cv::Size box) {
-    return read_for(file, box);
+    return looked_at_file<cv::Mat>(file, to_fit(box, largest_picture_px));
+}
+
+Result<ShrunkPicture> read_picture_shrunk(const std::filesystem::path& file, int longest_px) {
+    return looked_at_file<ShrunkPicture>(
+        file, [longest_px](const StoredPicture& stored) { return shrunk_upright(stored, longest_px); });
 }
 
 } // namespace tp

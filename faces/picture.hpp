@@ -25,6 +25,16 @@ Result<cv::Mat> decode_picture(const Bytes& bytes, double largest_px = largest_p
 /// `read_picture` and shrinking. A JPEG is decoded at a half, a quarter or an eighth where that is enough.
 Result<cv::Mat> read_picture_to_fit(const std::filesystem::path& file, cv::Size box);
 
+/// A photograph that its decoder made smaller.
+struct ShrunkPicture {
+    cv::Mat pixels; ///< 8-bit BGR, upright
+    cv::Size size;  ///< px, of the whole picture, upright
+    int shrink = 1; ///< pixels of the whole picture for one of these, each way: place times this is the place in the whole
+};
+/// `read_picture` with fewer pixels: a JPEG at a half, a quarter or an eighth of its size, whatever leaves its longest side
+/// at least `longest_px`. Other photographs, and those whose sides would not come out even after they are turned, as they are.
+Result<ShrunkPicture> read_picture_shrunk(const std::filesystem::path& file, int longest_px);
+
 /// The picture shrunk (areas averaged) until it fits into `box`; itself where it does.
 cv::Mat shrunk_to_fit(const cv::Mat& picture, cv::Size box);
 /// The picture shrunk (areas averaged) until no side is longer than `longest_px`; itself where none is.

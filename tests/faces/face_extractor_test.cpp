@@ -185,6 +185,52 @@ private slots:
         QVERIFY2(error < 1.0, qPrintable(QString::number(error)));
     }
 
+    void a_large_file_gives_the_contours_of_the_whole_picture_data() {
+        QTest::addColumn<double>("scale");
+        QTest::addColumn<int>("face_px");
+        QTest::addColumn<bool>("sooner"); // from fewer pixels
+        QTest::newRow("large") << 4.0 << 0 << true;
+        QTest::newRow("just large enough") << 3.6 << 0 << true;
+        QTest::newRow("50 megapixel") << 7.8 << 0 << true;
+        QTest::newRow("small face in a large picture") << 0.0 << 120 << false;
+        QTest::newRow("no face") << 0.0 << 0 << false;
+    }
+    void a_large_file_gives_the_contours_of_the_whole_picture() {
+        NEEDS_PORTRAITS();
+        QFETCH(double, scale);
+        QFETCH(int, face_px);
+        QFETCH(bool, sooner);
+        QTemporaryDir folder;
+        const std::filesystem::path file = (folder.path() + "/large.jpg").toStdString();
+        FaceExtractor faces = extractor();
+        const cv::Mat portrait = portraits::one();
+        cv::Mat large(2400, 3200, CV_8UC3, cv::Scalar(180, 170, 160));
+        if (scale > 0.0)
+            cv::resize(portrait, large, {}, scale, scale, cv::INTER_CUBIC);
+        else if (face_px > 0)
+            large = with_face_of(portrait, faces.extract(portrait).faces.at(0).box.width(), face_px, large.size());
+        cv::imwrite(file.string(), large, {cv::IMWRITE_JPEG_QUALITY, 97});
+        const Extraction whole = faces.extract(*read_picture(file));
+        const Extraction found = faces.extract(file);
+        QCOMPARE(found.width, large.cols);
+        QCOMPARE(found.height, large.rows);
+        QCOMPARE(found.problem, whole.problem);
+        QCOMPARE(found.faces.size(), whole.faces.size());
+        QCOMPARE(same(found, whole), !sooner); // the same bits where all pixels were looked at
+        if (!sooner)
+            return;
+        const Face &a = found.faces.at(0), &b = whole.faces.at(0);
+        const double error = largest_error(b.contours, a.contours);
+        qInfo("%d × %d px: %.2f %% from the whole picture's contours; decode %.0f, detect %.0f, landmarks %.0f, edges "
+              "%.0f ms, of all its pixels detect %.0f, landmarks %.0f, edges %.0f ms",
+              large.cols, large.rows, error, found.milliseconds.decode, found.milliseconds.detect,
+              found.milliseconds.landmarks, found.milliseconds.edges, whole.milliseconds.detect,
+              whole.milliseconds.landmarks, whole.milliseconds.edges);
+        QVERIFY2(error < 0.3, qPrintable(QString::number(error)));
+        QVERIFY(std::abs(a.box.width() - b.box.width()) < 0.03 * b.box.width());
+        QCOMPARE(a.extras.size(), b.extras.size());
+    }
+
     void small_faces_are_found_or_said_to_be_too_small_data() {
         QTest::addColumn<int>("face_px");
         for (int px : {80, 40, 25, 20})

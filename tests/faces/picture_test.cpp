@@ -199,6 +199,43 @@ private slots:
             }
     }
 
+    void a_jpeg_is_shrunk_to_places_that_lie_where_they_lay() {
+        for (const cv::Size size : {cv::Size(800, 600), cv::Size(803, 597)})
+            for (int orientation = 1; orientation <= 8; ++orientation) {
+                const fs::path file =
+                    written("shrunk.jpg", encoded(stored_as(sample(size.width, size.height), orientation), ".jpg"));
+                tag_orientation(file, orientation);
+                const cv::Mat whole = *read_picture(file);
+                const auto shrunk = read_picture_shrunk(file, 200);
+                QVERIFY2(shrunk.ok(), shrunk.error().c_str());
+                QVERIFY(shrunk->size == whole.size());
+                // Sides of an odd size that are turned would leave a part of a pixel at the wrong end.
+                QCOMPARE(shrunk->shrink, size.width == 800 || orientation == 1 ? 4 : 1);
+                cv::Mat expected = whole;
+                if (shrunk->shrink > 1) {
+                    const cv::Size even(shrunk->shrink * (whole.cols / shrunk->shrink), shrunk->shrink * (whole.rows / shrunk->shrink));
+                    cv::resize(whole(cv::Rect({0, 0}, even)), expected, even / shrunk->shrink, 0, 0, cv::INTER_AREA);
+                }
+                const cv::Mat seen = shrunk->pixels(cv::Rect({0, 0}, expected.size()));
+                QVERIFY2(cv::norm(seen, expected, cv::NORM_INF) <= 12.0, qPrintable(QString::number(orientation)));
+            }
+    }
+
+    void what_is_no_large_jpeg_is_not_shrunk() {
+        const fs::path small = written("small.jpg", encoded(sample(299, 201), ".jpg"));
+        const fs::path png = written("large.png", encoded(sample(900, 700), ".png"));
+        for (const fs::path& file : {small, png}) {
+            const auto shrunk = read_picture_shrunk(file, 200);
+            QVERIFY(shrunk.ok());
+            QCOMPARE(shrunk->shrink, 1);
+            QCOMPARE(cv::norm(shrunk->pixels, *read_picture(file), cv::NORM_INF), 0.0);
+        }
+        QCOMPARE(read_picture_shrunk("/nowhere.jpg", 200).error(), read_picture("/nowhere.jpg").error());
+        const std::vector<unsigned char> bytes = encoded(sample(900, 700), ".jpg");
+        const fs::path cut = written("cut.jpg", {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 2)});
+        QCOMPARE(read_picture_shrunk(cut, 200).error(), read_picture(cut).error());
+    }
+
     void ignores_an_orientation_that_makes_no_sense() {
         const fs::path file = written("odd.jpg", encoded(sample(), ".jpg"));
         tag_orientation(file, 77);

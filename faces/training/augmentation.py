@@ -59,9 +59,9 @@ def degraded(crop, rng):
     """Blur, lost resolution or JPEG, 8-bit in and out."""
     size = crop.shape[0]
     if rng.random() < 0.3:
-        crop = cv2.GaussianBlur(crop, (0, 0), rng.uniform(0.4, 1.5))
+        crop = cv2.GaussianBlur(crop, (0, 0), 0.4 * np.exp(rng.uniform(0.0, np.log(12.0)) * rng.random()))
     if rng.random() < 0.2:
-        part = rng.uniform(0.3, 0.7)
+        part = rng.uniform(0.15, 0.7)
         crop = cv2.resize(cv2.resize(crop, None, fx=part, fy=part, interpolation=cv2.INTER_AREA), (size, size))
     if rng.random() < 0.15:
         _, data = cv2.imencode(".jpg", crop, [cv2.IMWRITE_JPEG_QUALITY, int(rng.integers(25, 90))])
@@ -89,6 +89,11 @@ def covered(crop, rng):
             line = np.cumsum(np.vstack([start + rng.normal(0, 0.06, 2), rng.normal([0.0, 0.15], 0.06, (6, 2))]), 0)
             cv2.polylines(mask, [(line * size * 8).astype(np.int32)], False, 255, int(rng.integers(1, 3)),
                           cv2.LINE_AA, 3)
+    elif kind < 0.88:  # a wall, a book, somebody else's shoulder: all beyond a line
+        colour = rng.uniform(0, 255, 3)
+        angle, reach = rng.uniform(0.0, 2.0 * np.pi), rng.uniform(0.0, 0.35) * size
+        y, x = np.mgrid[:size, :size] - 0.5 * size
+        mask[np.cos(angle) * x + np.sin(angle) * y > reach] = 255
     else:
         colour = rng.uniform(0, 255, 3)
         at, extent = rng.uniform(0.0, 1.0, 2), rng.uniform(0.08, 0.3, 2)
@@ -124,7 +129,7 @@ def relit(crops, rng):
     slope = np.cos(direction) * at[None, None, :, None] + np.sin(direction) * at[None, :, None, None]
     strength = each(0.0, 0.7) * (rng.random((count, 1, 1, 1)) < 0.4)
     x *= np.maximum(0.1, 1.0 + strength.astype(np.float32) * slope)
-    strength = each(2.0, 12.0) * (rng.random((count, 1, 1, 1)) < 0.3)
+    strength = np.exp(each(np.log(2.0), np.log(30.0))) * (rng.random((count, 1, 1, 1)) < 0.3)
     noisy = np.flatnonzero(strength[:, 0, 0, 0])
     x[noisy] += rng.standard_normal((len(noisy), size, size, 3), np.float32) * strength[noisy].astype(np.float32)
     return np.clip(x, 0.0, 255.0)

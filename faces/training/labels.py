@@ -3,29 +3,28 @@
 import numpy as np
 
 from photos import read_photo, training_names
-from teacher import Teacher
+from teacher import Seen, Teacher
 
 
 def teacher_labels(faces, work, log):
-    """name → (140, 2) points and (2, 2) corners of the face in px of the photo, for every portrait in which the teacher
-    is sure of a face."""
+    """name → `Seen` in px of the photo, for every portrait in which the teacher is sure of a face."""
     kept = work / "teacher_labels.npz"
     if not kept.exists():
         ask_teacher(faces, kept, log)
     with np.load(kept) as file:
-        return {name: (points.astype(float), box.astype(float))
-                for name, points, box in zip(file["names"].tolist(), file["points"], file["boxes"])}
+        return {name: Seen(points.astype(float), skin.astype(float))
+                for name, points, skin in zip(file["names"].tolist(), file["points"], file["skins"])}
 
 
 def ask_teacher(faces, kept, log):
     teacher = Teacher(faces)
     names, labels = training_names(faces), {}
     for i, name in enumerate(names):
-        found = teacher.locate(read_photo(faces, name))
+        found = teacher.locate(read_photo(faces / "photos", name))
         if found is not None:
             labels[name] = found
         if (i + 1) % 100 == 0:
             log(f"teacher: {i + 1} of {len(names)} portraits, {len(labels)} labelled")
-    points, boxes = zip(*labels.values())
-    np.savez(kept, names=np.array(list(labels)), points=np.array(points, np.float32),
-             boxes=np.array(boxes, np.float32))
+    np.savez(kept, names=np.array(list(labels)),
+             points=np.array([seen.points for seen in labels.values()], np.float32),
+             skins=np.array([seen.skin for seen in labels.values()], np.float32))

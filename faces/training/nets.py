@@ -4,6 +4,7 @@
 Input: B × 3 × size × size, (BGR − 127.5) / 255. A contour net answers B × 2n, each point as fractions of the window's
 side from its middle. The detector answers B × 8 × h/8 × w/8: score, centre (2), size, eyes (4); `detector_scenes.py`.
 """
+import cv2
 import torch
 from torch import nn
 from torch.nn import functional
@@ -66,6 +67,49 @@ class Detector(nn.Module):
         near = self.near(x)
         around = functional.interpolate(self.joint(self.far(near)), scale_factor=4.0, mode="nearest")
         return self.answer(near + around)
+
+
+def layers_of(net):
+    """The convolutions and linear layers in the order in which they are run, each with its batch normalisation or None."""
+    modules = [m for m in net.modules() if isinstance(m, (nn.Conv2d, nn.Linear, nn.BatchNorm2d))]
+    return [(m, after if isinstance(after, nn.BatchNorm2d) else None)
+            for m, after in zip(modules, modules[1:] + [None]) if not isinstance(m, nn.BatchNorm2d)]
+
+
+def started_from(net, file, pixels):
+    """The net with the weights of an exported one of its kind, to be trained on. In an exported net the normalisations
+    are part of the convolutions; here they get the means and variances that `pixels` (B, 3, s, s) have, and answer as before."""
+    exported = cv2.dnn.readNetFromONNX(str(file))
+    stored = [exported.getLayer(i) for i in range(1, len(exported.getLayerNames()) + 1)]
+    stored = [layer.blobs for layer in stored if layer.type in ("Convolution", "InnerProduct")]
+    layers = layers_of(net)
+    if len(stored) == len(layers) + 1:  # `factorised`
+        narrow, wide = stored[-2:]
+        stored[-2:] = [(wide[0] @ narrow[0], wide[1])]
+    if [blobs[0].size for blobs in stored] != [layer.weight.numel() for layer, _ in layers]:
+        raise SystemExit(f"{file} has other layers than the net that is to be trained.")
+    for (layer, norm), blobs in zip(layers, stored):
+        layer.weight.data = torch.from_numpy(blobs[0].reshape(layer.weight.shape).copy())
+        bias = torch.from_numpy(blobs[1].reshape(-1).copy())
+        if norm is None:
+            layer.bias.data = bias
+        else:
+            norm.bias.data = bias
+            norm.register_forward_pre_hook(normalises_what_it_sees)
+    with torch.no_grad():
+        net.eval()(pixels)
+    for _, norm in layers:
+        if norm is not None:
+            norm._forward_pre_hooks.clear()
+    return net
+
+
+def normalises_what_it_sees(norm, inputs):
+    variance, mean = torch.var_mean(inputs[0], (0, 2, 3), unbiased=False)
+    norm.running_mean.copy_(mean)
+    norm.running_var.copy_(variance)
+    norm.weight.data = (variance + norm.eps).sqrt()
+    norm.bias.data = norm.bias.data + mean
 
 
 def factorised(net, rank):

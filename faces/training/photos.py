@@ -40,18 +40,21 @@ def training_names(faces):
     return [name for name in names_of(faces) if not is_held_out(name, held_out)]
 
 
-def read_photo(faces, name):
+def read_photo(folder, name):
     """8-bit BGR."""
-    picture = cv2.imread(str(faces / "photos" / name))
+    picture = cv2.imread(str(folder / name))
     if picture is None:
-        raise SystemExit(f"The portrait {faces / 'photos' / name} cannot be read.")
+        raise SystemExit(f"The portrait {folder / name} cannot be read.")
     return picture
 
 
-def read_truth(faces):
+def truth_file(faces):
+    return faces / "photos" / "london_truth.json"
+
+
+def read_truth(file):
     """name → contour name → (n, 2) points placed by hand, px. Closed lines start at the corner nearest the picture's
     left edge and go over the top."""
-    with open(faces / "photos" / "london_truth.json", encoding="utf-8") as file:
-        people = json.load(file)
+    people = json.loads(file.read_text(encoding="utf-8"))
     return {name: {contour: np.array(person[key]) for contour, key in KEYS.items()}
             for name, person in people.items()}

@@ -9,7 +9,7 @@ import crops
 from augmentation import Jitter, covered, degraded, jittered, relit, turned_aside, with_glare
 from contours import BROW, COUNT, EYE, LIP, MIRROR, MOUTH, MOUTH_MIRROR, NOSE, OUTLINE, OUTLINE_MIRROR, SLICES
 from crops import Frame, inverse, mapped, warp
-from portraits import warped
+from portraits import turned, warped
 
 
 @dataclass
@@ -75,7 +75,7 @@ BROW_LINE, NOSE_LINE = (BROW, (), True), (NOSE, (), False)
 TASKS = {
     "eye": Task(crops.EYE_PX, EYE, eye_question, Jitter(0.07, 0.16, 0.08), 140.0, ("closed",), (closed(EYE),),
                 glare=0.15),
-    "mouth": Task(crops.MOUTH_PX, 2 * LIP, mouth_question, Jitter(0.07, 0.16, 0.08), 140.0, ("open",),
+    "mouth": Task(crops.MOUTH_PX, 2 * LIP, mouth_question, Jitter(0.07, 0.16, 0.08), 140.0, ("open", "lips"),
                   (closed(LIP), closed(LIP))),
     "outline": Task(crops.OUTLINE_PX, OUTLINE, outline_question, Jitter(0.04, 0.1, 0.06), 60.0, ("open",),
                     (OPEN_OUTLINE,), aside=0.3),
@@ -105,7 +105,8 @@ class Batches:
     def __init__(self, task, portraits, seed, size=48):
         self.task, self.seed, self.size = task, seed, size
         plain = [portrait.shrunk(task.apart) for portrait in portraits]
-        self.portraits = plain + [copy for kind in task.warps for copy in warped(plain, kind, seed)]
+        heads = plain + turned(plain, seed)
+        self.portraits = heads + [copy for kind in task.warps for copy in warped(heads, kind, seed)]
         weights = np.array([p.weight for p in self.portraits])
         self.shares = weights / weights.sum()
 
@@ -120,7 +121,7 @@ class Batches:
         if rng.random() < task.glare:
             eye = points[:EYE]
             crop = with_glare(crop, eye.mean(0), np.ptp(eye, 0).max(), rng)
-        if rng.random() < 0.12:
+        if rng.random() < 0.15:
             crop = covered(crop, rng)
         return degraded(crop, rng), points
 

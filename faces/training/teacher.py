@@ -4,6 +4,8 @@
 Two passes find the face; then the answers for several views (mirrored, shifted, scaled, turned) are averaged, which
 takes out much of what depends on where the window happens to lie.
 """
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
 
@@ -63,6 +65,18 @@ def outer_rims(mesh):
     return np.array([right + radii[0] * outwards, left - radii[1] * outwards])
 
 
+@dataclass
+class Seen:
+    """A face as the teacher sees it, px of the picture."""
+    points: np.ndarray  # (140, 2), ours
+    skin: np.ndarray    # (468, 3), its mesh from the forehead to the chin, the third coordinate away from the camera
+
+    @property
+    def box(self):
+        """(2, 2): least and largest corner of the mesh."""
+        return np.stack([self.skin[:, :2].min(0), self.skin[:, :2].max(0)])
+
+
 class Teacher:
     def __init__(self, faces):
         models = faces / "models"
@@ -80,26 +94,29 @@ class Teacher:
         return max(rows[:, :14].astype(float) / scale, key=lambda row: row[2] * row[3])
 
     def answer(self, picture, frame):
-        """Mesh points (478, 2) in px of the picture, and the presence score."""
+        """Mesh points (478, 3) in px of the picture, the third away from the camera, and the presence score."""
         crop, to_picture = take_crop(picture, frame, INPUT_PX)
         self.mesh.setInput(cv2.dnn.blobFromImage(crop, 1.0 / 255.0, swapRB=True))
         points, presence = self.mesh.forward(["t473", "t472"])
-        return mapped(to_picture, points.reshape(-1, 3)[:, :2].astype(float)), float(presence.reshape(-1)[0])
+        points = points.reshape(-1, 3).astype(float)
+        solid = np.c_[mapped(to_picture, points[:, :2]), points[:, 2] * (frame.side / INPUT_PX)]
+        return solid, float(presence.reshape(-1)[0])
 
     @staticmethod
     def frame_of(mesh):
-        return frame_around(mesh[:SKIN], angle_of(mesh[LEFT_EYE[0]] - mesh[RIGHT_EYE[0]]), MARGIN)
+        flat = mesh[:, :2]
+        return frame_around(flat[:SKIN], angle_of(flat[LEFT_EYE[0]] - flat[RIGHT_EYE[0]]), MARGIN)
 
     @staticmethod
     def points_of(mesh):
         """Our (140, 2) points."""
+        mesh = mesh[:, :2]
         outline = silhouette_below_eyes(mesh[:SKIN], mesh[RIGHT_EYE[0]], mesh[LEFT_EYE[0]])
         return np.vstack([mesh[RIGHT_EYE + LEFT_EYE + OUTER_LIP + INNER_LIP], outline, mesh[IRISES], outer_rims(mesh),
                           mesh[RIGHT_BROW + LEFT_BROW + NOSE]])
 
     def locate(self, picture, views=VIEWS):
-        """(140, 2) points and the (2, 2) least and largest corner of the whole mesh, forehead and all, in px;
-        nothing where no face is sure."""
+        """What is seen of the largest face; nothing where no face is sure."""
         row = self.face_in(picture)
         enlarged = 1.0
         if row is None or max(row[2:4]) < SMALLEST_BOX:
@@ -117,16 +134,16 @@ class Teacher:
         if views is not ONE_VIEW:  # the views are the last pass
             mesh, _ = self.answer(picture, self.frame_of(mesh))
         base = self.frame_of(mesh)
-        total, box = np.zeros((COUNT, 2)), None
+        total, skin = np.zeros((COUNT, 2)), None
         for sx, sy, scale, turn, mirrored in views:
             frame = Frame(base.centre + base.side * np.array([sx, sy]), base.side * scale, base.angle + turn, mirrored)
             seen, _ = self.answer(picture, frame)
-            box = np.stack([seen[:SKIN].min(0), seen[:SKIN].max(0)]) if box is None else box
+            skin = seen[:SKIN] if skin is None else skin
             total += self.points_of_mirrored(seen) if mirrored else self.points_of(seen)
-        return total / len(views) / enlarged, box / enlarged
+        return Seen(total / len(views) / enlarged, skin / enlarged)
 
     @classmethod
     def points_of_mirrored(cls, mesh):
         """The same from a mesh that was found in a mirror, where the person's right is their left."""
         across = np.array([-1.0, 1.0])
-        return (cls.points_of(mesh * across) * across)[MIRROR]
+        return (cls.points_of(mesh[:, :2] * across) * across)[MIRROR]

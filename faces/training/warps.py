@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Expressions that portraits seldom show, made by moving their pixels: mouths that open, lids that close.
+"""Faces that portraits seldom show, made by moving their pixels: mouths that open, lids that close, other lips.
 
 A warp is given as the source place of every pixel; the labels move by the same rule forwards.
 """
@@ -126,6 +126,46 @@ def paint_mouth(out, gap, from_top, from_bottom, was_open, width, drop, rng):
 def blend(out, mask, colour, softness):
     mask = cv2.GaussianBlur(mask.astype(np.float32), (0, 0), max(0.6, softness))[..., None]
     out += mask * (np.asarray(colour, np.float32) - out)
+
+
+def other_lips(picture, points, rng):
+    """Lips thicker or thinner, each with a colour nearer to the skin's or not: official portraits show few full lips and
+    few whose colour is the skin's."""
+    inner, outer = points[SLICES["inner_lip"]], points[SLICES["outer_lip"]]
+    frame = CornerFrame(inner[0], inner[10])
+    width = frame.width
+    low, high = window(picture, outer, 0.6 * width)
+    u, v = frame.grid(low, high)
+    shown, moved, lips = v.copy(), points.copy(), []
+    new = frame.of(outer)
+    for side, direction, room in ((UPPER, -1.0, 0.3), (LOWER, 1.0, 0.4)):
+        edge, rim = frame.of(inner[side]), frame.of(outer[side])
+        times = np.exp(rng.uniform(np.log(0.75), np.log(1.7)))
+
+        def beyond(u, v, edge=edge, direction=direction):
+            return direction * (v - np.interp(u, edge[:, 0], edge[:, 1]))
+        thick = np.maximum(0.0, direction * (np.interp(u, rim[:, 0], rim[:, 1], 0.0, 0.0) -
+                                             np.interp(u, edge[:, 0], edge[:, 1])))
+        still = np.maximum(thick + room * width, 1.3 * times * thick)  # beyond it nothing moves
+        away = beyond(u, v)
+        lip = (away >= 0.0) & (away <= times * thick)
+        skin = (away > times * thick) & (away < still)
+        squeezed = thick + (away - times * thick) * (still - thick) / np.maximum(still - times * thick, 1e-3)
+        shown = np.where(lip, v + direction * (away / times - away), shown)
+        shown = np.where(skin, v + direction * (squeezed - away), shown)
+        lips.append(lip & (thick > 0.0))
+        new[side, 1] += direction * (times - 1.0) * np.maximum(0.0, beyond(rim[:, 0], rim[:, 1]))
+    out = remapped(picture, frame, low, high, u, shown)
+    around = ~(lips[0] | lips[1]) & (np.abs(u - 0.5 * width) < 0.7 * width)
+    skin_colour = out[around].mean(0) if around.any() else out.mean((0, 1))
+    for lip in lips:
+        if lip.any():
+            toward = rng.uniform(0.0, 0.9) * (skin_colour - out[lip].mean(0))
+            blend(out, lip, np.clip(out + toward, 0, 255), width / 50)
+    result = picture.copy()
+    result[low[1]:high[1], low[0]:high[0]] = np.clip(out, 0, 255).astype(np.uint8)
+    moved[SLICES["outer_lip"]] = frame.back(new)
+    return result, moved
 
 
 def closed_eyes(picture, points, rng):

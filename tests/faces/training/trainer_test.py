@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The parts of the trainer that need neither portraits nor torch: labels under a mirror, hold-out, metric, windows,
 warps, scenes."""
+import copy
 import importlib.util
 import sys
 import unittest
@@ -25,6 +26,7 @@ import photos
 import portraits
 import tasks
 import trainer_packages
+import turned_heads
 import warps
 from contours import CLOSED, CONTOURS, MIRROR, SLICES
 from correction import Correction
@@ -49,10 +51,19 @@ def drawn_face(apart=120.0, middle=(200.0, 180.0)):
     return points * apart + middle
 
 
+def skin_of(points):
+    """(468, 3): half an ellipsoid around the face, as the teacher's mesh of it."""
+    middle, half = points[:105].mean(0), 0.5 * np.ptp(points[:105], axis=0) * [1.02, 1.15]
+    at = np.arange(468) + 0.5  # evenly on a disc (Vogel 1979)
+    out, turn = np.sqrt(at / 468), at * np.pi * (3.0 - np.sqrt(5.0))
+    flat = np.stack([out * np.cos(turn), out * np.sin(turn)], -1)
+    return np.c_[middle + flat * half, -half[0] * np.sqrt(1.0 - out ** 2)]
+
+
 def portrait_of(points):
     rng = np.random.default_rng(7)
     picture = cv2.resize(rng.integers(0, 255, (45, 40, 3)).astype(np.uint8), (400, 450))
-    return portraits.Portrait(picture, points, np.stack([points.min(0), points.max(0)]), 1.0)
+    return portraits.Portrait(picture, points, skin_of(points), 1.0)
 
 
 class Mirror(unittest.TestCase):
@@ -101,7 +112,7 @@ class HoldOut(unittest.TestCase):
         training = {photos.person_of(name) for name in photos.training_names(photos.DEFAULT_FACES)}
         self.assertTrue(training)
         self.assertFalse(training & photos.held_out_people())
-        with_truth = {photos.person_of(name) for name in photos.read_truth(photos.DEFAULT_FACES)}
+        with_truth = {photos.person_of(name) for name in photos.read_truth(photos.truth_file(photos.DEFAULT_FACES))}
         self.assertLessEqual(photos.held_out_people(), with_truth)
 
 
@@ -216,6 +227,102 @@ class Augmentation(unittest.TestCase):
                 opening = [(ring[1:8] - ring[:8:-1])[:, 1] for ring in (before, after)]
                 self.assertTrue((opening[1] >= -1e-6).all())
                 self.assertLess(opening[1].max(), 0.75 * opening[0].max())
+
+
+    def test_other_lips_move_their_rim_and_nothing_else(self):
+        face = drawn_face()
+        moved_by = []
+        for seed in range(8):
+            picture = np.zeros((450, 400, 3), np.uint8)
+            low, high = face[SLICES["outer_lip"]][5], face[SLICES["outer_lip"]][15]  # below and above the middle
+            for x, y in (low, high):
+                cv2.circle(picture, (int(x), int(y)), 2, (255, 255, 255), -1)
+            with unittest.mock.patch("warps.blend"):  # the colours stay
+                shown, moved = warps.other_lips(picture, face, np.random.default_rng(seed))
+            stays = np.ones(contours.COUNT, bool)
+            stays[SLICES["outer_lip"]] = False
+            np.testing.assert_array_equal(moved[stays], face[stays])
+            y, x = np.nonzero(shown[..., 0] > 100)
+            for at in moved[SLICES["outer_lip"]][[5, 15]]:
+                self.assertLess(np.hypot(x + 0.5 - at[0], y + 0.5 - at[1]).min(), 2.5)
+            moved_by.append(np.ptp(moved[SLICES["outer_lip"]][:, 1]) / np.ptp(face[SLICES["outer_lip"]][:, 1]))
+        self.assertGreater(max(moved_by), 1.2)
+        self.assertLess(min(moved_by), 0.95)
+
+
+class TurnedHeads(unittest.TestCase):
+    SEEN = slice(0, 72)  # eyes and lips
+
+    def test_no_turn_changes_nothing(self):
+        face = portrait_of(drawn_face())
+        picture, points, skin = turned_heads.turned_head(face.picture, face.points, face.skin, 0.0, 0.0)
+        self.assertLess(np.abs(picture.astype(int) - face.picture).max(), 3)
+        np.testing.assert_allclose(points[self.SEEN], face.points[self.SEEN], atol=1e-6)
+        np.testing.assert_allclose(skin, face.skin, atol=1e-9)
+
+    def test_labels_move_with_the_pixels(self):
+        face = portrait_of(drawn_face())
+        for i in (4, 20, 37, 47, 105):
+            picture = np.zeros((450, 400, 3), np.uint8)
+            x, y = face.points[i]
+            cv2.circle(picture, (int(x), int(y)), 3, (255, 255, 255), -1)
+            for yaw, nod in ((0.4, 0.0), (-0.5, 0.0), (0.0, 0.3), (0.3, -0.2)):
+                shown, points, _ = turned_heads.turned_head(picture, face.points, face.skin, yaw, nod)
+                weight = shown[..., 0].astype(float)
+                self.assertGreater(weight.sum(), 1000.0)
+                rows, columns = np.mgrid[0:450, 0:400] + 0.5
+                found = np.array([(columns * weight).sum(), (rows * weight).sum()]) / weight.sum()
+                self.assertLess(np.linalg.norm(found - points[i]), 1.5, (i, yaw, nod))
+
+    def test_a_head_in_a_mirror_turns_the_other_way(self):
+        face = portrait_of(drawn_face())
+        across, shift = [-1.0, 1.0], [400.0, 0.0]
+        mirrored_skin = face.skin * [-1.0, 1.0, 1.0] + [400.0, 0.0, 0.0]
+        mirrored = ((face.points * across) + shift)[MIRROR]
+        _, points, _ = turned_heads.turned_head(face.picture, face.points, face.skin, 0.4, 0.1)
+        _, seen, _ = turned_heads.turned_head(face.picture[:, ::-1], mirrored, mirrored_skin, -0.4, 0.1)
+        self.assertLess(np.abs(((seen * across) + shift)[MIRROR] - points)[self.SEEN].max(), 0.3)
+
+    def test_the_far_side_becomes_narrow_and_hides(self):
+        face = portrait_of(drawn_face())
+        _, points, _ = turned_heads.turned_head(face.picture, face.points, face.skin, 0.6, 0.0)
+
+        def width(seen, name):
+            return np.ptp(seen[SLICES[name]][:, 0])
+        self.assertLess(width(points, "left_eye") / width(face.points, "left_eye"), 0.85)
+        self.assertGreater(width(points, "right_eye"), width(points, "left_eye"))
+        middle = points[SLICES["outer_lip"]].mean(0)[0]
+        outline = points[SLICES["outline"]]
+        self.assertLess(outline[:, 0].max() - middle, 0.75 * (middle - outline[:, 0].min()))
+        hull = cv2.convexHull(np.float32(outline))
+        for at in points[SLICES["outer_lip"]]:
+            self.assertGreater(cv2.pointPolygonTest(hull, at.tolist(), False), 0.0)
+
+
+@unittest.skipUnless(importlib.util.find_spec("torch"), "needs python3-torch")
+class GoingOn(unittest.TestCase):
+    def test_an_exported_net_goes_on_where_it_stood(self):
+        import tempfile
+
+        import torch
+
+        import nets
+        torch.manual_seed(3)
+        pixels = torch.rand(6, 3, 64, 64) - 0.5
+        trained = nets.ContourNet(5, 64, (8, 12), 8)
+        for _ in range(3):
+            trained.train()(2.0 * pixels)  # statistics of its own
+        with tempfile.TemporaryDirectory() as folder:
+            for rank in (None, 4):
+                net = trained if rank is None else nets.factorised(copy.deepcopy(trained), rank)
+                file = Path(folder) / "net.onnx"
+                nets.export(net, 64, file)
+                again = nets.started_from(nets.ContourNet(5, 64, (8, 12), 8), file, pixels)
+                with torch.no_grad():
+                    np.testing.assert_allclose(again.eval()(pixels), net.eval()(pixels), atol=1e-5)
+                    np.testing.assert_allclose(again.train()(pixels), net.eval()(pixels), atol=2e-3)
+            with self.assertRaisesRegex(SystemExit, "has other layers"):
+                nets.started_from(nets.ContourNet(6, 64, (8, 12), 8), file, pixels)
 
 
 class Packages(unittest.TestCase):

@@ -82,6 +82,8 @@ Result<StickScale> measured(ServoLoop& loop, ForceDevice& device) {
     if (!std::getline(std::cin, line))
         return ended;
     double well_at = clock.now();
+    const auto step = [&measuring] { return measuring.trial().step(); };
+    /// Lets time pass; the sentence that ends the measurement, where there is one.
     const auto pass = [&](double seconds) -> std::string {
         for (const double until = clock.now() + seconds; clock.now() < until;) {
             std::this_thread::sleep_for(std::chrono::milliseconds(16));
@@ -91,15 +93,14 @@ Result<StickScale> measured(ServoLoop& loop, ForceDevice& device) {
             else if (disables(fault) || clock.now() - well_at > fault_lasts_s)
                 return what_is_wrong(fault, device);
             measuring.poll(clock.now());
+            if (step() == StickTrial::Step::failed)
+                return measuring.words().toStdString();
         }
         return {};
     };
-    const auto step = [&measuring] { return measuring.trial().step(); };
     while (step() == StickTrial::Step::right || step() == StickTrial::Step::away)
         if (const std::string why = pass(0.1); !why.empty())
             return Error{why};
-    if (step() == StickTrial::Step::failed)
-        return Error{measuring.words().toStdString()};
     say(measuring.words().toStdString());
     std::future<bool> typing;
     while (step() == StickTrial::Step::weigh) {

@@ -88,6 +88,8 @@ QString StickMeasuring::words() const {
                   "and that it stands straight, and measure again.");
     case StickTrial::Failure::changes_mind:
         return tr("The stick did not come back as it went. See that nothing touches it, and measure again.");
+    case StickTrial::Failure::not_weighed:
+        return tr("The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.");
     case StickTrial::Failure::none:
         break;
     }

@@ -32,8 +32,13 @@ bool StickTrial::fail(Failure why) {
 }
 
 bool StickTrial::sample(Vec2 place, double now) {
-    if (step_ == Step::weigh || step_ == Step::measured || step_ == Step::failed)
+    if (step_ == Step::measured || step_ == Step::failed)
         return false;
+    if (step_ == Step::weigh) {
+        if (!since_)
+            since_ = now;
+        return now - *since_ > weigh_s && fail(Failure::not_weighed);
+    }
     if (pull_ == Vec2(0.0)) {
         if (!resting_since_)
             resting_since_ = now;
@@ -92,6 +97,7 @@ Result<bool> StickTrial::weighed(double grams, double asked_n) {
         return Error{"The stick does not pull now. Hold the grip where it is, and weigh again."};
     if (grams < least_grams && assumed_.newtons_at_full > least_strength) {
         assumed_.newtons_at_full = std::max(least_strength, 0.5 * assumed_.newtons_at_full);
+        since_.reset();
         return false;
     }
     const double full = assumed_.newtons_at_full * 1e-3 * grams * standard_gravity / asked_n;

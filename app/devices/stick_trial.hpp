@@ -23,7 +23,8 @@ public:
         not_still,   ///< the grip moved while nothing pulled
         not_moved,   ///< not by the strongest pull either
         other_axis,  ///< it moved across
-        changes_mind ///< back it did not move as it had moved out
+        changes_mind, ///< back it did not move as it had moved out
+        not_weighed   ///< in `weigh_s`
     };
 
     static constexpr double pull_n = 1.0;      ///< what is asked for, as if the stick were as strong as assumed
@@ -32,6 +33,7 @@ public:
     static constexpr double still_s = 0.6;     ///< without any pull before each one
     static constexpr double still_mm = 0.5;    ///< how far the grip may drift meanwhile
     static constexpr double restless_s = 8.0;  ///< until it counts as not still
+    static constexpr double weigh_s = 180.0;   ///< that a pull waits to be weighed; nobody may be there any more
     static constexpr double least_grams = 80.0; ///< that a kitchen or luggage scale tells to about a twentieth
     static constexpr double standard_gravity = 9.80665; ///< m/s², BIPM, The International System of Units
 
@@ -62,7 +64,7 @@ private:
     Vec2 pull_{0.0};
     bool back_ = false;  ///< it is seen whether the way back is as understood
     Vec2 from_{0.0};     ///< where the grip rests, or rested when the pull began
-    std::optional<double> since_;         ///< s, of the stillness or of the pull
+    std::optional<double> since_;         ///< s, of the stillness, the pull or the weighing
     std::optional<double> resting_since_; ///< s, of the rest, still or not
 };
 

@@ -3668,6 +3668,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The stick did not come back as it went. See that nothing touches it, and measure again.</source>
         <translation>Der Kraftstick kam nicht so zurück, wie er gegangen war. Achten Sie darauf, dass nichts ihn berührt, und messen Sie noch einmal.</translation>
     </message>
+    <message>
+        <source>The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.</source>
+        <translation>Der Kraftstick wurde drei Minuten lang nicht gewogen; seine Kraft ist aus. Messen Sie ihn noch einmal, wenn eine Waage zur Hand ist.</translation>
+    </message>
 </context>
 <context>
     <name>SurfaceView</name>

@@ -3656,6 +3656,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The stick did not come back as it went. See that nothing touches it, and measure again.</source>
         <translation>스틱이 간 대로 돌아오지 않았습니다. 아무것도 닿지 않는지 확인하고 다시 재십시오.</translation>
     </message>
+    <message>
+        <source>The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.</source>
+        <translation>삼 분 동안 스틱을 달지 않아 힘을 껐습니다. 저울이 준비되면 다시 재십시오.</translation>
+    </message>
 </context>
 <context>
     <name>SurfaceView</name>

@@ -171,6 +171,19 @@ private slots:
         QVERIFY(std::abs(trial.found().newtons_at_full - 8.0) < 0.3);
     }
 
+    void a_stick_that_nobody_weighs_stops_pulling() {
+        Trial trial({});
+        trial.find_the_signs();
+        trial.model.hold(0.5, 5.0);
+        trial.poll_for(StickTrial::weigh_s - 1.0);
+        QCOMPARE(trial.step(), Step::weigh);
+        QVERIFY(length(trial.model.force()) > 0.05);
+        trial.poll_for(2.0);
+        QCOMPARE(trial.measuring.trial().failure(), StickTrial::Failure::not_weighed);
+        QVERIFY(trial.measuring.words().startsWith("The stick was not weighed for three minutes"));
+        QVERIFY(length(trial.model.force()) < 1e-9);
+    }
+
     void a_stick_that_does_not_pull_is_not_weighed() {
         Trial trial({});
         trial.find_the_signs();

@@ -14,8 +14,8 @@ constexpr double smallest_unit_px = 24.0; ///< below, a percent is a quarter of 
 } // namespace
 
 std::vector<Vec2> on_edge(const cv::Mat& picture, const std::vector<Vec2>& line, Vec2 outwards,
-                          double unit_px, const EdgeLook& look, EdgeReport* report) {
-    const Evidence evidence = evidence_in(edge_profile(picture, line, outwards, unit_px), look);
+                          double unit_px, const EdgeLook& look, EdgeReport* report, double grain_percent) {
+    const Evidence evidence = evidence_in(edge_profile(picture, line, outwards, unit_px, grain_percent), look);
     const std::vector<double> displacement = snapped(evidence, look.stray, look.bend);
     const std::vector<Vec2> normals = normals_of(line, outwards);
     std::vector<Vec2> moved = line;
@@ -36,8 +36,10 @@ FaceLines on_edges(const cv::Mat& picture, FaceLines lines, EdgeReports* reports
     if (unit_px >= smallest_unit_px) {
         const Vec2 down(-across.y, across.x);
         const auto fitted = [&](Opening opening, EdgeKind lower, EdgeKind upper, EdgeReports::Pair& said) {
-            opening.lower = on_edge(picture, opening.lower, down, unit_px, looks[lower], &said.lower);
-            opening.upper = on_edge(picture, opening.upper, -down, unit_px, looks[upper], &said.upper);
+            opening.lower = on_edge(picture, opening.lower, down, unit_px, looks[lower], &said.lower,
+                                    edge_grain_percent[lower]);
+            opening.upper = on_edge(picture, opening.upper, -down, unit_px, looks[upper], &said.upper,
+                                    edge_grain_percent[upper]);
             opening.lower.front() = opening.upper.front() =
                 0.5 * (opening.lower.front() + opening.upper.front());
             opening.lower.back() = opening.upper.back() = 0.5 * (opening.lower.back() + opening.upper.back());

@@ -24,9 +24,10 @@ struct EdgeReports {
 };
 
 /// `line` moved along its normals onto the edge that looks like `look`; where there is none it stays where it
-/// is. At most 5 % of `unit_px`.
+/// is. At most 5 % of `unit_px`. `grain_percent`: as of edge_profile.
 std::vector<Vec2> on_edge(const cv::Mat& picture, const std::vector<Vec2>& line, Vec2 outwards,
-                          double unit_px, const EdgeLook& look, EdgeReport* report = nullptr);
+                          double unit_px, const EdgeLook& look, EdgeReport* report = nullptr,
+                          double grain_percent = 0.0);
 
 /// Lids and lips moved onto their edges in the picture. The outline stays: hair, collars and the shadow of
 /// the chin have stronger edges than it. Faces whose eyes are less than 24 px apart stay as they are.

@@ -4,6 +4,8 @@
 #include "core/geometry/polyline.hpp"
 #include "faces/block_means.hpp"
 
+#include <opencv2/imgproc.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,8 @@ namespace {
 
 constexpr double step_percent = 0.2, reach_percent = 5.0; ///< of the offsets at which an edge is sought
 constexpr double px_per_step = 1.0;  ///< at least, of the picture as it is looked at, where it has as many
+/// Pixels as they are looked at; less is nothing, more no face.
+constexpr double least_grain = 0.3, most_grain = 50.0;
 constexpr double kernel_reach = 3.5; ///< deviations
 constexpr int filter_reach = static_cast<int>(kernel_reach * coarse_percent / step_percent) + 1; ///< steps
 constexpr std::size_t taps = 2 * static_cast<std::size_t>(filter_reach) + 1;
@@ -21,8 +25,9 @@ constexpr std::size_t sample_count = offset_count + taps - 1;
 /// Brightness and redness of the part of a picture round some points, looked up between its pixels.
 class Tones {
 public:
-    /// Where it will be looked up at places `px_apart`, in larger pixels: means of blocks.
-    Tones(const cv::Mat& picture, Rect around, double px_apart) {
+    /// Where it will be looked up at places `px_apart`, in larger pixels: means of blocks. `grain_px` is the
+    /// deviation of a Gaussian that takes grain away.
+    Tones(const cv::Mat& picture, Rect around, double px_apart, double grain_px) {
         const auto clipped = [](double at, int end) {
             return static_cast<int>(std::clamp(std::isfinite(at) ? at : 0.0, 0.0, double(end)));
         };
@@ -37,6 +42,11 @@ public:
             static_cast<int>(std::clamp(blocks, 1.0, double(std::min(window.width, window.height))));
         pixels_ = block_means(picture(window), by);
         zoom_ = 1.0 / by;
+        if (const double deviation = grain_px * zoom_; deviation > least_grain && deviation < most_grain) {
+            cv::Mat smooth; // of its own: the pixels may be the picture's
+            cv::GaussianBlur(pixels_, smooth, {}, deviation);
+            pixels_ = smooth;
+        }
     }
 
     /// {brightness, redness} at a place of the picture; beyond its border those of the border.
@@ -102,10 +112,10 @@ std::vector<Vec2> normals_of(const std::vector<Vec2>& line, Vec2 outwards) {
 }
 
 EdgeProfile edge_profile(const cv::Mat& picture, const std::vector<Vec2>& line, Vec2 outwards,
-                         double unit_px) {
+                         double unit_px, double grain_percent) {
     const double step_px = step_percent * unit_px / 100.0;
     const double first = -0.5 * static_cast<double>(sample_count - 1) * step_px;
-    const Tones tones(picture, grown(bounds_of(line), -first), step_px);
+    const Tones tones(picture, grown(bounds_of(line), -first), step_px, grain_percent * unit_px / 100.0);
     const std::vector<Vec2> normals = normals_of(line, outwards);
     std::array<std::vector<double>, edge_channels> across;
     for (auto& channel : across)

@@ -26,9 +26,10 @@ std::vector<Vec2> normals_of(const std::vector<Vec2>& line, Vec2 outwards);
 
 /// Looks across `line` (px, ≥ 3 points) in the 8-bit BGR `picture`, along the normals, of which `outwards`
 /// chooses the side, at the full resolution of the picture, or at 0.2 % of `unit_px` where that is coarser.
-/// `unit_px` is the distance between the outer eye corners.
-EdgeProfile edge_profile(const cv::Mat& picture, const std::vector<Vec2>& line, Vec2 outwards,
-                         double unit_px);
+/// `unit_px` is the distance between the outer eye corners. What is finer than `grain_percent` of it is
+/// smoothed away first.
+EdgeProfile edge_profile(const cv::Mat& picture, const std::vector<Vec2>& line, Vec2 outwards, double unit_px,
+                         double grain_percent = 0.0);
 
 /// What the profile says about an edge that looks like `look`, at offsets of up to 5 % of the unit. Linear in
 /// the weights of `look`. Nothing is said about the first and the last point: a corner has no normal.

@@ -23,8 +23,8 @@ auto members(Look& look) {
 }
 
 void learn_line(std::vector<PlaceChoice>& lessons, const cv::Mat& picture, const std::vector<Vec2>& start,
-                const std::vector<Vec2>& truth, Vec2 outwards, double unit_px) {
-    const EdgeProfile profile = edge_profile(picture, start, outwards, unit_px);
+                const std::vector<Vec2>& truth, Vec2 outwards, double unit_px, double grain_percent) {
+    const EdgeProfile profile = edge_profile(picture, start, outwards, unit_px, grain_percent);
     // The evidence is linear in the weights: a look with one weight of 1 shows one feature.
     std::vector<Evidence> seen;
     for (int f = 0; f < features; ++f) {
@@ -96,8 +96,8 @@ Opening placed_opening(const Contour& contour) {
 
 void learn(EdgeLessons& lessons, const cv::Mat& picture, const Opening& start, const Opening& truth,
            Vec2 down, double unit_px, EdgeKind lower, EdgeKind upper) {
-    learn_line(lessons[lower], picture, start.lower, truth.lower, down, unit_px);
-    learn_line(lessons[upper], picture, start.upper, truth.upper, -down, unit_px);
+    learn_line(lessons[lower], picture, start.lower, truth.lower, down, unit_px, edge_grain_percent[lower]);
+    learn_line(lessons[upper], picture, start.upper, truth.upper, -down, unit_px, edge_grain_percent[upper]);
 }
 
 } // namespace tp

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numbers>
 
@@ -216,6 +217,23 @@ private slots:
         for (std::size_t i = 0; i < line.size(); ++i)
             QVERIFY(length(Vec2(100.0 - back[i].x, back[i].y) - found[i]) < 1e-6);
     }
+    /// Grain as strong as the step: what smooths it away finds the edge nearer, without moving a clear one.
+    void grain_is_smoothed_away() {
+        const double unit = 300.0;
+        const Height edge = arch(30.0, 90.0, 75.3, 15.0);
+        const Points line = along(edge, 30.0, 120.0, 4.0);
+        const auto missed = [&](double noise, double grain_percent) {
+            const cv::Mat picture = painted({150, 120}, edge, step, 0.0, noise);
+            return miss(on_edge(picture, line, down, unit, step_look, nullptr, grain_percent), edge).mean;
+        };
+        qInfo("grain 40: %.2f px, smoothed %.2f; none: %.2f, smoothed %.2f", missed(40.0, 0.0),
+              missed(40.0, 0.4), missed(0.0, 0.0), missed(0.0, 0.4));
+        QVERIFY(missed(40.0, 0.4) < 0.8 * missed(40.0, 0.0));
+        QVERIFY(missed(0.0, 0.4) < 0.2);
+        for (double strange : {-1.0, 1e-9, 1e9, double(NAN), double(INFINITY)})
+            QCOMPARE(missed(0.0, strange), missed(0.0, 0.0));
+    }
+
     void lines_beyond_the_picture_are_safe() {
         const cv::Mat picture = painted({40, 30}, arch(0.0, 40.0, 15.0, 3.0), step);
         for (Vec2 away : {Vec2(-500.0, 3.0), Vec2(35.0, -200.0), Vec2(1e6, 1e6)}) {

@@ -77,8 +77,9 @@ private slots:
               at_outer_upper_lip);
         const auto& lower = lessons[at_outer_lower_lip];
         QCOMPARE(lower.size(), edge_points - 2);
-        const Evidence evidence =
-            evidence_in(edge_profile(picture, start.lower, down, unit), outer_lower_lip);
+        const EdgeProfile profile =
+            edge_profile(picture, start.lower, down, unit, edge_grain_percent[at_outer_lower_lip]);
+        const Evidence evidence = evidence_in(profile, outer_lower_lip);
         for (std::size_t i = 0; i < lower.size(); ++i) {
             const cv::Mat1d sums(lower[i].seen * weights_of(outer_lower_lip));
             QCOMPARE(static_cast<std::size_t>(sums.rows), evidence.offsets);

@@ -61,4 +61,19 @@ inline Vec2 random_point(std::mt19937& random, double extent = 60.0) {
     return {x, place(random)};
 }
 
+/// `count` segments as small closed curves all over ±`extent` mm.
+inline FlatScene many_curves(int count, double extent) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> radius(0.2, 1.0);
+    FlatScene scene;
+    const int curves = count / 200;
+    const double typical = extent / std::sqrt(double(curves));
+    for (int k = 0; k < curves; ++k) {
+        scene.names.push_back("curve " + std::to_string(k));
+        scene.lines.push_back(ellipse(random_point(random, 0.95 * extent), typical * radius(random),
+                                      typical * radius(random), 200));
+    }
+    return scene;
+}
+
 } // namespace tp::testing

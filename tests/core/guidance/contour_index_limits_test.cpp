@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a servo may ask of the index: memory within bounds, questions that allocate nothing, any number of
-// threads.
+// What a servo may ask of the index: memory within bounds, questions that allocate nothing.
 #include "brute_force.hpp"
 #include "core/guidance/contour_index.hpp"
 #include "scenes.hpp"
@@ -10,7 +9,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
-#include <thread>
 
 using namespace tp;
 using namespace tp::testing;
@@ -23,21 +21,6 @@ FlatScene enlarged(FlatScene scene, double scale) {
     for (Polyline& line : scene.lines)
         for (Vec2& p : line.points)
             p *= scale;
-    return scene;
-}
-
-/// `count` segments as small closed curves all over ±`extent` mm.
-FlatScene many_curves(int count, double extent) {
-    std::mt19937 random(9);
-    std::uniform_real_distribution<double> radius(0.2, 1.0);
-    FlatScene scene;
-    const int curves = count / 200;
-    const double typical = extent / std::sqrt(double(curves));
-    for (int k = 0; k < curves; ++k) {
-        scene.names.push_back("curve " + std::to_string(k));
-        scene.lines.push_back(ellipse(random_point(random, 0.95 * extent), typical * radius(random),
-                                      typical * radius(random), 200));
-    }
     return scene;
 }
 
@@ -101,26 +84,6 @@ private slots:
             QCOMPARE(after - before, 0L);
             QVERIFY(sum > 0.0);
         }
-    }
-
-    void two_threads_hear_the_same() {
-        const ContourIndex index(many_curves(20'000, 100.0));
-        std::mt19937 random(18);
-        std::vector<Vec2> points;
-        for (int k = 0; k < 100'000; ++k)
-            points.push_back(random_point(random, 110.0));
-        std::vector<Nearest> answers[2];
-        const auto ask = [&](std::vector<Nearest>& into) {
-            for (const Vec2 p : points)
-                into.push_back(index.nearest(p));
-        };
-        std::thread other([&] { ask(answers[1]); });
-        ask(answers[0]);
-        other.join();
-        for (std::size_t k = 0; k < points.size(); ++k)
-            QVERIFY(answers[0][k].distance == answers[1][k].distance &&
-                    answers[0][k].point == answers[1][k].point &&
-                    answers[0][k].contour == answers[1][k].contour);
     }
 };
 

@@ -12,7 +12,7 @@ namespace tp::vm {
 
 namespace {
 
-constexpr double half_size = 55.0; ///< mm
+constexpr double half_size = 40.0; ///< mm
 constexpr double swing = 20.0;     ///< mm of way from one side of a line to the other
 constexpr double step = 1.0;       ///< mm
 

@@ -10,7 +10,7 @@
 namespace tp::vm {
 
 /// The contours of a portrait (an SVG in pixels, as resources/samples has them) in the middle of what every
-/// device reaches: 110 × 110 mm.
+/// device reaches, the disc of 50 mm of a Falcon too: 80 × 80 mm.
 Result<Scene> face_of(const std::string& svg_file);
 
 /// A way past the whole face for a hand that misses every line by `beside` mm, on either side in turn: along

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // In the virtual machine: a force stick's model as a HID device of the kernel's own, touched through the real
 // hidapi.
-#include "face_touch.hpp"
 #include "touch_bench.hpp"
 
 #include <QTest>
 
 #include <cstddef>
 #include <cstdint>
-#include <set>
 
 using namespace tp;
 using namespace tp::vm;
@@ -34,18 +32,13 @@ private slots:
         say("latest tick", 1e3 * session.latest_s);
         QCOMPARE(session.missed, std::uint64_t(0));
         QVERIFY(session.latest_s < 0.5 * tick);
-        std::set<int> felt;
-        for (std::size_t i = 0; i < bench.snapshots.size(); ++i) {
-            const ServoSnapshot& seen = bench.snapshots[i];
-            if (seen.time < begun || seen.time > ended)
-                continue;
-            QCOMPARE(seen.fault, Fault::none);
-            if (length(seen.force()) > 0.1)
-                felt.insert(seen.contour);
-        }
-        const auto face = face_of(test::in_source(TouchBench::portrait));
-        QVERIFY(face.ok());
-        QCOMPARE(felt.size(), face->contours.size());
+        QCOMPARE(told_faults(bench.snapshots, begun, ended), QString());
+        QCOMPARE(contours_felt(bench.snapshots, begun, ended).size(), contours_of_the_face());
+    }
+
+    void the_lab_lists_and_reads_it() {
+        const TouchBench bench("vm_virtual_stick", {}, "stick:FS-0001");
+        QCOMPARE(what_the_lab_misses("stick:FS-0001"), QString());
     }
 
     void unplugged_in_mid_touch_and_felt_again() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/servo/servo_loop.hpp"
+#include "face_touch.hpp"
 #include "places.hpp"
 #include "shared_log.hpp"
 #include "touch_session.hpp"
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <ctime>
 #include <functional>
+#include <set>
 #include <string>
 #include <unistd.h>
 
@@ -150,6 +152,71 @@ inline Fall fall_after(const SharedLog<ServoSnapshot>& log, double from, double 
             fall.last_force = log[i].time;
     }
     return fall;
+}
+
+/// The contours that drew the hand with more than 0.1 N from `from` to `to`, s.
+inline std::set<int> contours_felt(const SharedLog<ServoSnapshot>& log, double from, double to) {
+    std::set<int> felt;
+    for (std::size_t i = 0; i < log.size(); ++i)
+        if (log[i].time >= from && log[i].time <= to && length(log[i].force()) > 0.1)
+            felt.insert(log[i].contour);
+    return felt;
+}
+
+/// What a person was told of faults from `from` to `to`, s; empty where there was none.
+inline QString told_faults(const SharedLog<ServoSnapshot>& log, double from, double to) {
+    std::set<Fault> faults;
+    for (std::size_t i = 0; i < log.size(); ++i)
+        if (log[i].time >= from && log[i].time <= to && log[i].fault != Fault::none)
+            faults.insert(log[i].fault);
+    QStringList sentences;
+    for (const Fault fault : faults)
+        sentences << sentence(fault);
+    return sentences.join(' ');
+}
+
+/// How many contours there are to feel; 0 where the portrait cannot be read.
+inline std::size_t contours_of_the_face() {
+    const auto face = face_of(test::in_source(TouchBench::portrait));
+    return face.ok() ? face->contours.size() : 0;
+}
+
+/// What touchphoto-lab prints, and what it complains of.
+struct LabRun {
+    int status = -1; ///< of its exit; -1: it did not end by itself
+    QString printed;
+    QString complaints;
+};
+inline LabRun run_lab(const QStringList& words) {
+    QProcess lab;
+    lab.start(QCoreApplication::applicationDirPath() + "/../../bin/touchphoto-lab", words);
+    if (!lab.waitForFinished(-1) || lab.exitStatus() != QProcess::NormalExit)
+        return {};
+    return {lab.exitCode(), QString::fromUtf8(lab.readAllStandardOutput()),
+            QString::fromUtf8(lab.readAllStandardError())};
+}
+
+/// The number behind a word at the beginning of a line of touchphoto-lab; -1 where there is none.
+inline double told_number(const QString& printed, const QString& word) {
+    for (const QString& line : printed.split('\n'))
+        if (line.section(' ', 0, 0) == word)
+            return line.section(' ', 1, 1, QString::SectionSkipEmpty).toDouble();
+    return -1.0;
+}
+
+/// Waits until touchphoto-lab lists the device, then lets it read the device for a second: what it says where
+/// it read fewer than 950 ticks or ended badly, empty where all is well.
+inline QString what_the_lab_misses(const QString& name) {
+    LabRun listed;
+    const auto in_the_list = [&] {
+        listed = run_lab({"devices", "--json"});
+        return listed.printed.contains("\"name\":\"" + name + '"');
+    };
+    if (!comes_true(in_the_list, 10.0))
+        return "not listed: " + listed.printed + listed.complaints;
+    const LabRun read = run_lab({"devices", "test", name, "--seconds", "1"});
+    const double ticks = told_number(read.printed, "ticks");
+    return read.status == 0 && ticks >= 950.0 ? QString() : read.printed + read.complaints;
 }
 
 inline void say(const char* what, double ms) { qInfo("%s: %.2f ms", what, ms); }

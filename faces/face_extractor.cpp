@@ -9,6 +9,7 @@
 #include "faces/extra_features.hpp"
 #include "faces/face_problem.hpp"
 #include "faces/fewest_pieces.hpp"
+#include "faces/haar_detector.hpp"
 #include "faces/lbf_model.hpp"
 #include "faces/mesh_model.hpp"
 #include "faces/model_catalog.hpp"
@@ -46,6 +47,10 @@ void stop_if_asked(const std::stop_token& stop) {
         throw Stopped();
 }
 
+Result<std::unique_ptr<Detector>> load_detector(const ChosenModel& model) {
+    return model.kind == &haar_model ? HaarDetector::load(model.file) : YunetDetector::load(model.file);
+}
+
 Result<std::unique_ptr<LandmarkModel>> load_landmarks(const ChosenModel& model) {
     return model.kind == &lbf_model ? LbfModel::load(model.file) : MeshModel::load(model.file);
 }
@@ -54,7 +59,7 @@ Result<std::unique_ptr<Detector>> make_detector(const std::string& choice) {
     if (choice == "embedded")
         return std::unique_ptr<Detector>(std::make_unique<EmbeddedDetector>());
     const auto model = find_model(choice, PluggableModel::Role::detector);
-    return model ? YunetDetector::load(model->file) : Error{model.error()};
+    return model ? load_detector(*model) : Error{model.error()};
 }
 
 Result<std::unique_ptr<LandmarkModel>> make_model(const std::string& choice) {
@@ -313,7 +318,7 @@ Result<FaceExtractor> FaceExtractor::create(const ExtractorChoice& choice) {
 
 std::string problem_with_model(const PluggableModel& model, const std::filesystem::path& file) {
     quiet_opencv();
-    return model.role == PluggableModel::Role::detector ? YunetDetector::load(file).error()
+    return model.role == PluggableModel::Role::detector ? load_detector({&model, file}).error()
                                                         : load_landmarks({&model, file}).error();
 }
 

@@ -30,7 +30,8 @@ bool is_file(const std::filesystem::path& path) {
 }
 
 bool looks_like_a_path(const std::string& choice) {
-    return choice.find('/') != std::string::npos || choice.ends_with(".onnx") || choice.ends_with(".yaml");
+    return choice.find('/') != std::string::npos || choice.ends_with(".onnx") || choice.ends_with(".yaml") ||
+           choice.ends_with(".xml");
 }
 
 /// Lets the system take back the memory of a file's bytes inside the program, which it reads again when they
@@ -55,7 +56,8 @@ Error not_installed(const PluggableModel& model) {
         searched += (searched.empty() ? "" : " or ") + folder.string();
     return {std::string("The model \"") + model.name + "\" is not installed: put " + model.description +
             " as " + model.file + " into " + (searched.empty() ? "$TOUCHPHOTO_MODELS" : searched) +
-            "; \"touchphoto-lab models fetch " + model.name + "\" helps."};
+            "; \"touchphoto-lab models fetch " + model.name + "\" helps." +
+            (*model.of_system ? std::string(" ") + model.origin : "")};
 }
 
 } // namespace
@@ -88,6 +90,8 @@ std::optional<std::filesystem::path> installed_file(const PluggableModel& model)
     for (const std::filesystem::path& folder : model_folders())
         if (is_file(folder / model.file))
             return folder / model.file;
+    if (is_file(model.of_system))
+        return model.of_system;
     return std::nullopt;
 }
 

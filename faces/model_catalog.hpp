@@ -47,6 +47,7 @@ struct PluggableModel {
     const char* origin;  ///< where it comes from, a sentence
     std::uintmax_t bytes;
     const char* sha256; ///< in hexadecimal digits; empty: not known, and so there is no address either
+    const char* of_system = ""; ///< where a package of Debian puts it; empty: none has it
 };
 
 inline constexpr PluggableModel yunet_model{
@@ -60,6 +61,18 @@ inline constexpr PluggableModel yunet_model{
     "It is face_detection_yunet_2022mar.onnx of the OpenCV Zoo; later ones need a later OpenCV.",
     345'478,
     "50ef07f702a31741ca46a4c0d947773b64143b9362780237bf0d427d6c79bab7"};
+
+inline constexpr PluggableModel haar_model{
+    "haar",
+    "haarcascade_frontalface_default.xml",
+    "a Haar cascade for frontal faces",
+    PluggableModel::Role::detector,
+    "Intel License Agreement for Open Source Computer Vision Library (as BSD-3-Clause)",
+    "https://github.com/opencv/opencv/raw/4.6.0/data/haarcascades/haarcascade_frontalface_default.xml",
+    "It is the one of OpenCV 4.6; Debian's package opencv-data has it too, and then it is found there.",
+    930'127,
+    "0f7d4527844eb514d4a4948e822da90fbb16a34a0bbbbc6adc6498747a5aafb0",
+    "/usr/share/opencv4/haarcascades/haarcascade_frontalface_default.xml"};
 
 inline constexpr PluggableModel mesh_model{
     "mesh",
@@ -86,7 +99,8 @@ inline constexpr PluggableModel lbf_model{
     56'375'857, // what FacemarkLBF writes with its own parameters
     ""};
 
-inline constexpr std::array<const PluggableModel*, 3> pluggable_models{&yunet_model, &mesh_model, &lbf_model};
+inline constexpr std::array<const PluggableModel*, 4> pluggable_models{&yunet_model, &haar_model, &mesh_model,
+                                                                       &lbf_model};
 
 /// Folders where a model's file is looked for, in this order; a new one belongs into the first. Empty where
 /// the environment names none.
@@ -102,9 +116,10 @@ struct ChosenModel {
 };
 
 /// What `choice` means where a model of that role is wanted: a path (something with a slash or the ending
-/// .onnx or .yaml) is taken as it is, its ending saying of which kind it is; a model's name is looked up in
-/// $TOUCHPHOTO_MODELS, then in $XDG_DATA_HOME/touchphoto/models (default ~/.local/share/touchphoto/models).
-/// An error names what was looked for and where.
+/// .onnx, .yaml or .xml) is taken as it is, its ending saying of which kind it is; a model's name is looked
+/// up in $TOUCHPHOTO_MODELS, then in $XDG_DATA_HOME/touchphoto/models (default
+/// ~/.local/share/touchphoto/models), then where a package of the system puts it. An error names what was
+/// looked for and where.
 Result<ChosenModel> find_model(const std::string& choice, PluggableModel::Role role);
 
 } // namespace tp

@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -123,15 +124,21 @@ double FaceBenchRow::mean_error_percent() const {
     return sum / static_cast<double>(error_percent.size());
 }
 
-std::vector<FaceContender> face_contenders() {
+std::vector<FaceContender> face_contenders(const std::function<void(const std::string&)>& left_out) {
     std::vector<FaceContender> all{{"embedded", {}}, {"embedded_without_edges", {}}};
     all.back().choice.edges = false;
     const FaceContender optional[] = {{"yunet_and_embedded", {"yunet", "embedded"}},
                                       {"mesh", {"embedded", "mesh"}},
-                                      {"mesh_without_edges", {"embedded", "mesh", false}}};
+                                      {"mesh_without_edges", {"embedded", "mesh", false}},
+                                      {"haar_and_embedded", {"haar", "embedded"}},
+                                      {"haar_and_lbf", {"haar", "lbf"}},
+                                      {"haar_and_lbf_without_edges", {"haar", "lbf", false}}};
+    std::set<std::string> said;
     for (const FaceContender& contender : optional)
-        if (FaceExtractor::create(contender.choice))
+        if (const auto extractor = FaceExtractor::create(contender.choice))
             all.push_back(contender);
+        else if (said.insert(extractor.error()).second)
+            left_out(extractor.error());
     return all;
 }
 

@@ -15,11 +15,14 @@ namespace tp {
 
 /// A way to find contours that is weighed against others.
 struct FaceContender {
-    std::string name; ///< "embedded", "embedded_without_edges", "mesh", "mesh_without_edges", …
+    std::string
+        name; ///< detector and model, such as "haar_and_lbf"; the embedded detector goes without saying
     ExtractorChoice choice;
 };
-/// The embedded nets with and without the edges, and of the other models those that the user has.
-std::vector<FaceContender> face_contenders();
+/// The embedded nets with and without the edges, and of the other models those that the user has: YuNet, the
+/// face mesh, a Haar cascade, and that with OpenCV's LBF facemark. `left_out` hears a sentence for each model
+/// that is missing or cannot be used.
+std::vector<FaceContender> face_contenders(const std::function<void(const std::string&)>& left_out);
 
 /// What one contender took and how far it was off, at one size of the pictures.
 struct FaceBenchRow {

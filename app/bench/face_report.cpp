@@ -4,6 +4,7 @@
 #include "app/report/plot.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tp {
 
@@ -35,7 +36,8 @@ Result<std::filesystem::path> write_harder_table(const std::filesystem::path& fo
 Result<std::filesystem::path> plot_faces(const std::filesystem::path& folder,
                                          const std::vector<FaceBenchRow>& rows) {
     const QColor colours[] = {QColor(20, 120, 200), QColor(120, 120, 130), QColor(30, 150, 70),
-                              QColor(214, 60, 40), QColor(230, 150, 20)};
+                              QColor(214, 60, 40),  QColor(230, 150, 20),  QColor(130, 70, 170),
+                              QColor(0, 150, 160),  QColor(150, 100, 50)};
     PlotPanel panel;
     panel.title = QStringLiteral("Faces: lower left is better");
     panel.x = {QStringLiteral("time per photograph without decoding, ms"), 3.0, 300.0, true};
@@ -44,6 +46,8 @@ Result<std::filesystem::path> plot_faces(const std::filesystem::path& folder,
         const QString name = QString::fromStdString(row.contender);
         if (panel.lines.empty() || panel.lines.back().name != name) // rows come contender by contender
             panel.lines.push_back({name, colours[panel.lines.size() % std::size(colours)], {}, false});
+        if (!std::isfinite(row.mean_error_percent())) // no face was found
+            continue;
         PlotPanel::Line& line = panel.lines.back();
         const Vec2 place(std::clamp(row.without_decoding_ms(), panel.x.low, panel.x.high),
                          std::min(row.mean_error_percent(), panel.y.high));

@@ -213,7 +213,7 @@ int faces_verb(const QStringList& words) {
         .option("overlay", "Writes the photograph with its contours as PHOTO.overlay.png.", "folder")
         .option("with", "Adds features to those of --svg and --overlay: brows, nose, irises.", "LIST")
         .option("uncorrected", "Leaves out what a person mended in PHOTO.contours.svg beside a photograph.")
-        .option("detector", "Finds the faces: embedded, yunet, or an ONNX file.", "name", "embedded")
+        .option("detector", "Finds the faces: embedded, yunet, haar, or a file (.onnx, .xml).", "name", "embedded")
         .option("model", "Finds the contours: embedded, mesh, lbf, or a file (.onnx, .yaml).", "name",
                 "embedded")
         .option("no-edges",

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is weighed against time must be weighed rightly. No time is asserted.
 #include "app/bench/face_bench.hpp"
+#include "drawn_facemark.hpp"
+#include "faces/model_catalog.hpp"
 #include "places.hpp"
+#include "square_cascade.hpp"
 
 #include <QFile>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+#include <fstream>
+
 using namespace tp;
 
 namespace {
+
+void nobody(const std::string&) {}
 
 const std::filesystem::path shared_faces = std::filesystem::path(tp::test::in_shared("faces"));
 
@@ -32,9 +40,9 @@ private slots:
         const std::vector<PlacedPortrait> people = some_people(4);
         if (people.empty())
             QSKIP("needs ../shared/faces/photos/london_truth.json");
-        const std::vector<FaceContender> all = face_contenders();
+        const std::vector<FaceContender> all = face_contenders(nobody);
         QVERIFY(all.size() >= 2);
-        const auto rows = run_face_bench(people, {all[0], all[1]}, {0, 160}, [](const std::string&) {});
+        const auto rows = run_face_bench(people, {all[0], all[1]}, {0, 160}, nobody);
         QVERIFY2(rows.ok(), rows.error().c_str());
         QCOMPARE(rows->size(), std::size_t(4));
         for (const FaceBenchRow& row : *rows) {
@@ -58,12 +66,74 @@ private slots:
         QCOMPARE(csv.readAll().count('\n'), qsizetype(5));
     }
 
+    /// A drawn portrait; its truth is what the embedded nets find in it.
+    void a_haar_cascade_and_an_lbf_facemark_have_rows_where_they_are_installed() {
+        const std::filesystem::path photo = tp::test::in_source("resources/samples/anna_smiling.jpg");
+        const Extraction own = FaceExtractor::create().value().extract(photo);
+        QCOMPARE(own.faces.size(), std::size_t(1));
+        const std::vector<PlacedPortrait> portraits{{photo, own.faces[0].contours}};
+        const auto haar_contenders = [](std::vector<std::string>& left_out) {
+            std::vector<FaceContender> all =
+                face_contenders([&](const std::string& why) { left_out.push_back(why); });
+            std::erase_if(all, [](const FaceContender& c) { return !c.name.starts_with("haar"); });
+            return all;
+        };
+        const auto known = installed_file(haar_model); // where the user has it
+        const QTemporaryDir models;
+        const std::filesystem::path folder = models.path().toStdString();
+        qputenv("TOUCHPHOTO_MODELS", models.path().toUtf8());
+        qputenv("XDG_DATA_HOME", models.path().toUtf8());
+        std::vector<std::string> left_out;
+        QCOMPARE(haar_contenders(left_out).size(), std::size_t(installed_file(haar_model) ? 1 : 0));
+        QCOMPARE(left_out.size(),
+                 std::size_t(3)); // yunet, mesh and the first that is missing of haar and lbf
+        for (const std::string& why : left_out)
+            QVERIFY2(why.find("is not installed: put ") != std::string::npos, why.c_str());
+
+        std::ofstream(folder / haar_model.file) << "not a cascade";
+        left_out.clear();
+        QVERIFY(haar_contenders(left_out).empty());
+        QVERIFY(std::any_of(left_out.begin(), left_out.end(), [](const std::string& why) {
+            return why.ends_with("is not a Haar cascade that can be used.");
+        }));
+
+        std::filesystem::remove(folder / haar_model.file);
+        if (known)
+            std::filesystem::copy_file(*known, folder / haar_model.file);
+        else
+            std::ofstream(folder / haar_model.file) << square_cascade::xml;
+        drawn_facemark::train(drawn_facemark::drawn_faces(), (folder / lbf_model.file).string());
+        const std::vector<FaceContender> haar = haar_contenders(left_out);
+        QCOMPARE(haar.size(), std::size_t(3));
+        QCOMPARE(haar[1].name, std::string("haar_and_lbf"));
+        const auto rows = run_face_bench(portraits, haar, {0}, nobody);
+        QVERIFY2(rows.ok(), rows.error().c_str());
+        QCOMPARE(rows->size(), std::size_t(3));
+        for (const FaceBenchRow& row : *rows) {
+            QCOMPARE(row.photos, 1);
+            QVERIFY(row.detect_ms > 0.0);
+            if (known) // which finds the drawn face, where the small cascade sees only squares
+                QVERIFY2(row.worst_percent > 0.0 && row.worst_percent < 20.0, row.contender.c_str());
+            else
+                QCOMPARE(row.failures, 1);
+        }
+        QVERIFY(!known || (*rows)[0].failures == 0);
+        const QTemporaryDir out;
+        QVERIFY(write_face_table(out.path().toStdString(), *rows).ok());
+        QVERIFY(plot_faces(out.path().toStdString(), *rows).ok());
+        QFile csv(out.filePath("faces.csv"));
+        QVERIFY(csv.open(QIODevice::ReadOnly));
+        const QByteArray table = csv.readAll();
+        for (const FaceBenchRow& row : *rows)
+            QVERIFY(table.contains('\n' + QByteArray::fromStdString(row.contender) + ",0,1,"));
+    }
+
     void portraits_made_harder_are_compared_way_by_way() {
         const std::vector<PlacedPortrait> people = some_people(1);
         if (people.empty())
             QSKIP("needs ../shared/faces/photos/london_truth.json");
-        const std::vector<FaceContender> all = face_contenders();
-        const auto rows = run_harder_bench(people, {all[0], all[1]}, [](const std::string&) {});
+        const std::vector<FaceContender> all = face_contenders(nobody);
+        const auto rows = run_harder_bench(people, {all[0], all[1]}, nobody);
         QVERIFY2(rows.ok(), rows.error().c_str());
         QVERIFY(rows->size() > 20 && rows->size() % 2 == 0);
         double plain = -1.0, blurred = -1.0;
@@ -83,7 +153,7 @@ private slots:
         QFile csv(folder.filePath("harder.csv"));
         QVERIFY(csv.open(QIODevice::ReadOnly));
         QCOMPARE(csv.readAll().count('\n'), static_cast<qsizetype>(rows->size() + 1));
-        QVERIFY(run_harder_bench({{"no/such/photo.jpg", {}}}, {all[0]}, [](const std::string&) {})
+        QVERIFY(run_harder_bench({{"no/such/photo.jpg", {}}}, {all[0]}, nobody)
                     .error()
                     .find("no/such/photo.jpg") != std::string::npos);
     }
@@ -101,14 +171,12 @@ private slots:
     }
 
     void a_photograph_that_is_missing_is_said() {
-        const auto rows =
-            run_face_bench({{"no/such/photo.jpg", {}}}, {{"embedded", {}}}, {0}, [](const std::string&) {});
+        const auto rows = run_face_bench({{"no/such/photo.jpg", {}}}, {{"embedded", {}}}, {0}, nobody);
         QVERIFY(rows.error().find("no/such/photo.jpg") != std::string::npos);
     }
 
     void a_model_that_is_missing_is_said() {
-        QVERIFY(!run_face_bench({}, {{"other", {"embedded", "no/such/model.onnx"}}}, {0},
-                                [](const std::string&) {})
+        QVERIFY(!run_face_bench({}, {{"other", {"embedded", "no/such/model.onnx"}}}, {0}, nobody)
                      .error()
                      .empty());
     }

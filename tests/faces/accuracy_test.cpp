@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/face_extractor.hpp"
+#include "faces/model_catalog.hpp"
 #include "portraits.hpp"
 
 #include <QTest>
@@ -72,6 +73,13 @@ private slots:
     void another_detector_can_be_plugged_in() {
         NEEDS_PORTRAITS();
         expect_accuracy({(portraits::folder() / "models/yunet.onnx").string(), "embedded"}, own_limits_);
+    }
+    void a_haar_cascade_can_be_plugged_in() {
+        NEEDS_PORTRAITS();
+        const auto cascade = installed_file(haar_model);
+        if (!cascade)
+            QSKIP("needs Debian's package opencv-data");
+        expect_accuracy({cascade->string(), "embedded"}, own_limits_);
     }
     void another_model_can_be_plugged_in() {
         NEEDS_PORTRAITS();

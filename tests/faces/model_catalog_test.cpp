@@ -64,7 +64,7 @@ private slots:
             QVERIFY(std::string(model->origin).ends_with('.'));
             const std::string address = model->address;
             QVERIFY(address.empty() || address.starts_with("https://"));
-            QVERIFY(!installed_file(*model));
+            QCOMPARE(installed_file(*model).has_value(), fs::exists(model->of_system));
         }
     }
     void names_are_looked_up_in_the_users_folders() {
@@ -92,6 +92,7 @@ private slots:
         QCOMPARE(kind(touched("some.yaml"), Role::landmarks), &lbf_model);
         QCOMPARE(kind(touched("some.model"), Role::landmarks), &mesh_model);
         QCOMPARE(kind(touched("some.yaml"), Role::detector), &yunet_model);
+        QCOMPARE(kind(touched("some.xml"), Role::detector), &haar_model);
     }
     void wrong_choices_are_sentences_data() {
         QTest::addColumn<QString>("choice");
@@ -106,6 +107,7 @@ private slots:
         QTest::newRow("not ONNX") << QString::fromStdString(touched("text.onnx").string()) << "can be used";
         QTest::newRow("empty file") << QString::fromStdString(touched("empty.onnx", "").string())
                                     << "can be used";
+        QTest::newRow("not XML") << QString::fromStdString(touched("text.xml").string()) << "can be used";
         QTest::newRow("not YAML") << QString::fromStdString(touched("text.yaml").string()) << "can be used";
         QTest::newRow("another net") << QString(tp::test::in_source("resources/models/eye.onnx")) << "can be used";
     }

@@ -213,7 +213,7 @@ private slots:
     void what_cannot_be_fetched_is_a_sentence_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("says");
-        QTest::newRow("no such name") << "magic" << QByteArray("There are: yunet, mesh, lbf.");
+        QTest::newRow("no such name") << "magic" << QByteArray("There are: yunet, haar, mesh, lbf.");
         QTest::newRow("inside the program") << "mouth" << QByteArray("is inside the program");
         QTest::newRow("no address") << "mesh" << QByteArray(mesh_model.origin);
         QTest::newRow("no checksum") << "lbf" << QByteArray(lbf_model.origin);

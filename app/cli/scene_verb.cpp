@@ -35,6 +35,18 @@ void print_spacing(const Scene& scene) {
     }
 }
 
+void say_narrow_eyes(const BuiltScene& built) {
+    const std::optional<double> width = narrowest_eye_mm(built);
+    if (!width || *width >= least_eye_mm)
+        return;
+    char sentence[160];
+    std::snprintf(sentence, sizeof sentence,
+                  "An eye is %.1f mm wide here, and a finger wants %.0f mm: a single face (--face) or a larger surface "
+                  "makes it wider.",
+                  *width, least_eye_mm);
+    say(sentence);
+}
+
 } // namespace
 
 int scene_verb(const QStringList& words) {
@@ -46,7 +58,8 @@ int scene_verb(const QStringList& words) {
         .option("spacing",
                 "Writes to stdout which contours come close to each other: gap in mm, the strongest pull\n"
                 "left between them in N, whether a finger can tell them apart, and their names. Proposes\n"
-                "another range and stiffness to stderr where that would help.")
+                "another range and stiffness to stderr where that would help, and says there where an eye is\n"
+                "narrower than 25 mm.")
         .option("with", "Adds features to eyes, lips and outline: brows, nose, irises.", "LIST")
         .option("face", "Fits this face (1 is the largest) instead of all of them.", "number")
         .argument("PHOTO", "JPEG, PNG or WebP.");
@@ -80,7 +93,7 @@ int scene_verb(const QStringList& words) {
     }
     const std::string photo = line.arguments().first().toStdString();
     const Extraction found = with_extras(with_corrections(extractor->extract(photo), photo), *extras);
-    const auto built = build_scene(found, {*width, *height, usual.margin_mm}, face);
+    const auto built = build_scene(found, {*width, *height, usual.margin_mm, {}}, face);
     if (!built) {
         say_problem(built.error(), photo);
         return exit_bad_input;
@@ -92,8 +105,10 @@ int scene_verb(const QStringList& words) {
         say_problem(written.error());
         return exit_bad_input;
     }
-    if (line.has("spacing"))
+    if (line.has("spacing")) {
         print_spacing(built->scene);
+        say_narrow_eyes(*built);
+    }
     return found.problem.empty() ? exit_done : exit_bad_input;
 }
 

@@ -19,6 +19,13 @@ ServoSettings at_rate(ServoSettings settings, double rate) {
 DeviceDrive::DeviceDrive(std::unique_ptr<ForceDevice> device, const Capabilities& can, ServoSettings settings)
     : device_(std::move(device)), loop_(*device_, can, clock_, at_rate(settings, can.rate)) {}
 
+std::vector<Vec2> reach_of(const Capabilities& can, const Affine& device_to_surface) {
+    std::vector<Vec2> reach;
+    for (const Vec2 corner : can.workspace)
+        reach.push_back(device_to_surface(corner));
+    return reach;
+}
+
 Affine middle_on_middle(const Capabilities& can) {
     if (can.workspace.empty())
         return {};

@@ -31,4 +31,7 @@ private:
 /// scale, the middle of what it reaches on the middle of the surface.
 Affine middle_on_middle(const Capabilities& can);
 
+/// Polygon of the places that it reaches, surface frame, mm.
+std::vector<Vec2> reach_of(const Capabilities& can, const Affine& device_to_surface);
+
 } // namespace tp

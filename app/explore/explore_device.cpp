@@ -42,6 +42,7 @@ void ExploreSession::devices_seen() {
     if (device == nullptr) {
         device_expected_ = false;
         refused_.clear();
+        fit_to_reach({});
     } else if (device->name != refused_) {
         desk_.open(*device);
     }
@@ -77,6 +78,15 @@ std::optional<Affine> ExploreSession::on_the_sheet(const Calibration& calibratio
     return compose(screen_to_surface_, calibration.device_to_surface);
 }
 
+/// The photograph is laid where the device reaches all that is felt; without a device over the whole sheet.
+void ExploreSession::fit_to_reach(std::vector<Vec2> reach) {
+    if (reach == settings_.surface.reach)
+        return;
+    settings_.surface.reach = std::move(reach);
+    if (state_ == State::Ready)
+        build(false);
+}
+
 void ExploreSession::use_device(OpenDevice& open) {
     const bool at_once = device_expected_ && engaged();
     device_expected_ = false;
@@ -91,6 +101,7 @@ void ExploreSession::use_device(OpenDevice& open) {
     faults_ = {}; // what was told of another, or before it was plugged in again, is told anew
     desk_.watch(false);
     desk_.release(servo_.use(std::make_unique<DeviceDrive>(std::move(open.device), open.can, servo)));
+    fit_to_reach(reach_of(open.can, servo.device_to_surface));
     lift();
     if (at_once)
         servo_.engage();

@@ -251,6 +251,7 @@ private:
     void want_device();
     void devices_seen();
     void use_device(OpenDevice& open);
+    void fit_to_reach(std::vector<Vec2> reach);
     std::optional<Affine> on_the_sheet(const Calibration& calibration) const;
     void device_refused(const QString& sentence);
     void device_gone();

@@ -30,7 +30,7 @@ namespace tp {
 class FaceExtractor;
 
 struct LabSettings {
-    SurfaceSize surface{220.0, 160.0, 8.0};
+    SurfaceSize surface{220.0, 160.0, 8.0, {}};
     std::filesystem::path folder; ///< of recordings and tables; made when it is needed
     std::function<std::vector<ListedDevice>()> find_devices = list_devices; ///< called on a thread of its own
     VirtualClock* time = nullptr; ///< for tests: nothing happens but by advance()

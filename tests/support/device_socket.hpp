@@ -29,6 +29,11 @@ public:
         const std::lock_guard lock(state_->mutex);
         state_->place = place;
     }
+    /// How far it reaches to each side of (0, 100) mm, in its frame.
+    void reach(Vec2 half) {
+        const std::lock_guard lock(state_->mutex);
+        state_->half_reach = half;
+    }
     /// It cannot be opened, and says so; empty: it can.
     void refuse(std::string sentence) {
         const std::lock_guard lock(state_->mutex);
@@ -92,6 +97,7 @@ private:
         Vec2 force{0.0};
         double strongest = 0.0;
         double newtons_at_full = 0.0;
+        Vec2 half_reach{100.0, 75.0};
         Vec2 sign{1.0};
         std::string refusal;
         std::string complaint;
@@ -119,7 +125,9 @@ private:
             Capabilities can;
             can.name = "double";
             can.serial_number = serial_number;
-            can.workspace = {{-100, 25}, {100, 25}, {100, 175}, {-100, 175}};
+            const Vec2 far = state_->half_reach;
+            for (const Vec2 side : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
+                can.workspace.push_back(Vec2(0, 100) + side * far);
             can.max_force = 3.0;
             return can;
         }

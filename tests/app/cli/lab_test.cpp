@@ -130,6 +130,16 @@ private slots:
             }
     }
 
+    void narrow_eyes_are_said_with_the_spacing() {
+        const QString file = path("narrow.svg");
+        const Run wide = lab({"scene", sample, "--out", file, "--spacing"});
+        QVERIFY2(!wide.err.contains("finger wants"), wide.err.constData());
+        const Run narrow = lab({"scene", sample, "--out", file, "--spacing", "--width", "90", "--height", "70"});
+        QCOMPARE(narrow.code, 0);
+        QVERIFY2(narrow.err.contains(" mm wide here, and a finger wants 25 mm"), narrow.err.constData());
+        QVERIFY(!lab({"scene", sample, "--out", file, "--width", "90", "--height", "70"}).err.contains("finger wants"));
+    }
+
     void features_are_added_where_they_are_asked_for() {
         const QString file = path("with_nose.svg");
         QCOMPARE(lab({"scene", sample, "--out", file, "--with", "nose,brows"}).code, 0);

@@ -110,6 +110,36 @@ private slots:
         QVERIFY(bench.voice.said().back().endsWith("Face outline at 3 o'clock, 4 millimetre(s)."));
     }
 
+    void the_picture_lies_where_the_device_reaches() {
+        Bench bench;
+        bench.begin();
+        const auto extent = [&] {
+            Rect all{Vec2(1e9), Vec2(-1e9)};
+            for (const Polyline& line : bench.session.felt().lines) {
+                const Rect one = bounds_of(line.points);
+                all = {glm::min(all.min, one.min), glm::max(all.max, one.max)};
+            }
+            return all;
+        };
+        const Rect everywhere = extent();
+        QVERIFY(everywhere.width() > 180.0 || everywhere.height() > 130.0);
+        const QRectF drawn = bench.session.photoRect();
+        bench.socket.reach({60.0, 30.0});
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.with_device());
+        QTRY_VERIFY(extent().height() < 53.0);
+        QVERIFY(extent().min.x >= -56.0 && extent().max.x <= 56.0);
+        QVERIFY(extent().width() > 111.0 || extent().height() > 51.0);
+        QVERIFY(bench.session.photoRect().height() < 0.5 * drawn.height());
+        bench.session.zoomIn();
+        QVERIFY(extent().height() < 53.0 && extent().width() < 113.0);
+        bench.session.zoomOut();
+        bench.socket.unplug();
+        QTRY_VERIFY(!bench.with_device());
+        QTRY_COMPARE(extent().width(), everywhere.width());
+        QCOMPARE(bench.session.photoRect(), drawn);
+    }
+
     void never_more_than_the_persons_own_strongest_force() {
         Bench bench;
         bench.sounds.preferences.change([](Choices& choices) { choices.max_force_n = 0.3; });

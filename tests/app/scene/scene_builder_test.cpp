@@ -39,7 +39,7 @@ class SceneBuilderTest : public QObject {
     Q_OBJECT
 private slots:
     void fills_the_surface_inside_its_margin_and_keeps_it_upright() {
-        const auto built = build_scene(photo({face_at(100, 200, 300)}), {200.0, 150.0, 8.0});
+        const auto built = build_scene(photo({face_at(100, 200, 300)}), {200.0, 150.0, 8.0, {}});
         QVERIFY(built.ok());
         const Rect box = bounds_of(built->scene);
         QVERIFY(std::abs(box.height() - 134.0) < 1e-9);
@@ -122,7 +122,7 @@ private slots:
         QCOMPARE(build_scene(told).error(), std::string("The file is empty."));
         QVERIFY(build_scene(photo({face_at(0, 0, 100)}), {}, 1).error().find("no face 2") !=
                 std::string::npos);
-        QVERIFY(!build_scene(photo({face_at(0, 0, 100)}), {10.0, 10.0, 8.0}).error().empty());
+        QVERIFY(!build_scene(photo({face_at(0, 0, 100)}), {10.0, 10.0, 8.0, {}}).error().empty());
         QVERIFY(!build_scene(photo({Face{}})).error().empty());
     }
 };

@@ -25,7 +25,8 @@ tp_may(tp_study    tp_base tp_geometry tp_guidance tp_servo)
 tp_may(tp_device   ${_core} tp_pad_protocol tp_pad_firmware tp_haply_protocol USES PkgConfig::hidapi PkgConfig::libusb Threads::Threads)
 tp_may(tp_pad_protocol) # nothing at all: it runs on a microcontroller
 tp_may(tp_pad_firmware tp_pad_protocol)
-tp_may(tp_haply_protocol) # the torque guard links nothing else
+tp_may(tp_haply_protocol)
+tp_may(tp_force_guard tp_haply_protocol) # a small process that starts at once
 tp_may(tp_exiv2                                     USES PkgConfig::exiv2)
 tp_may(tp_faces    ${_core} tp_exiv2                USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc
                                                          opencv_dnn opencv_objdetect opencv_face Threads::Threads)

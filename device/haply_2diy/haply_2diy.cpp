@@ -32,11 +32,17 @@ std::array<float, 2> unpacked_floats(std::uint64_t bits) {
 
 } // namespace
 
+bool Haply2diy::Wire::beat(bool pulls) noexcept {
+    if (board.guard->beat(pulls) == ForceGuard::Word::here)
+        return true;
+    unguarded->store(true, std::memory_order_release);
+    return false;
+}
+
 bool Haply2diy::Wire::send(std::uint64_t message) noexcept {
     if ((message & bring_into_step) != 0) {
         board.note.forget();
-        if (!board.guard->beat(true)) // what the board pulls until then nobody knows
-            unguarded->store(true, std::memory_order_release);
+        beat(true); // what the board pulls until then nobody knows
         const haply::Reply last{haply::usual_id, unpacked_floats(angles.load(std::memory_order_acquire))};
         const unsigned round = static_cast<unsigned>(message >> round_shift) & round_mask;
         const bool sent =
@@ -46,14 +52,12 @@ bool Haply2diy::Wire::send(std::uint64_t message) noexcept {
     }
     haply::Command command{haply::usual_id, unpacked_floats(message)};
     const bool pulls = message != no_torque;
-    if (pulls && !board.guard->beat(true)) {
-        unguarded->store(true, std::memory_order_release);
+    if (pulls && !beat(true))
         command.torque = {};
-    }
     if (!board.line->write(encode(command)))
         return false;
-    if (!pulls && !board.guard->beat(false))
-        unguarded->store(true, std::memory_order_release);
+    if (!pulls)
+        beat(false);
     commands.fetch_add(1, std::memory_order_release);
     return true;
 }

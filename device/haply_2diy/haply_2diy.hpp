@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/servo/force_device.hpp"
+#include "device/guard/force_guard.hpp"
 #include "device/haply_2diy/homed_note.hpp"
-#include "device/haply_2diy/motor_guard.hpp"
 #include "device/haply_2diy/pantograph.hpp"
 #include "device/haply_2diy/serial_line.hpp"
 #include "device/latest_writer.hpp"
@@ -31,7 +31,7 @@ class Haply2diy final : public ForceDevice {
 public:
     struct Board {
         std::unique_ptr<SerialLine> line;
-        std::unique_ptr<MotorGuard> guard;
+        std::unique_ptr<ForceGuard> guard;
         HomedNote note;
         std::string serial_number;
     };
@@ -67,6 +67,8 @@ private:
         Wire(const Pantograph& pantograph, std::shared_ptr<std::atomic<bool>> flag)
             : arms(pantograph), unguarded(std::move(flag)) {}
         bool send(std::uint64_t message) noexcept override;
+        /// A sign of life to the guard, which does not let a board go on where it had to step in.
+        bool beat(bool pulls) noexcept;
 
         Pantograph arms;
         Board board;

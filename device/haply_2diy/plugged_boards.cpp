@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/haply_2diy/plugged_boards.hpp"
 
+#include "device/guard/guard_process.hpp"
 #include "device/haply_2diy/haply_2diy.hpp"
 #include "device/haply_2diy/posix_serial.hpp"
-#include "device/haply_2diy/torque_guard.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -40,8 +40,9 @@ Result<Haply2diy::Board> open_board(const FoundBoard& found, HaplyGeneration gen
     if (!line)
         return Error{line.error()};
     const Pantograph arms(generation);
-    Result<std::unique_ptr<MotorGuard>> guard =
-        start_torque_guard(torque_guard_program(), (*line)->descriptor(), arms.set_up(arms.reference_deg()));
+    Result<std::unique_ptr<ForceGuard>> guard =
+        start_force_guard(force_guard_program(), (*line)->descriptor(),
+                          {"board", guard_word(encode(arms.set_up(arms.reference_deg())).view())});
     if (!guard)
         return Error{guard.error()};
     return Haply2diy::Board{std::move(*line), std::move(*guard),

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/hid_pid/hid_pid_transport.hpp"
 
+#include "device/guard/guard_process.hpp"
 #include "device/hid_handles.hpp"
 #include "device/hid_pid/pid_layout.hpp"
 #include "device/hid_pid/report_descriptor.hpp"
+#include "device/open_problem.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,8 +13,12 @@
 #include <utility>
 
 #if defined(__linux__)
+#include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <fcntl.h>
+#include <sys/file.h>
+#include <thread>
 #include <unistd.h>
 #endif
 
@@ -44,6 +50,7 @@ public:
         file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
 #endif
     }
+    Node(Node&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
     ~Node() {
 #if defined(__linux__)
         if (file_ >= 0)
@@ -60,14 +67,36 @@ public:
 #endif
     }
 
+    /// The guard is started with the node, which is locked for as long as either has it. False where another
+    /// guard has it: it takes no longer than this to leave a stick whose program is gone.
+    bool lock() const noexcept {
+#if defined(__linux__)
+        constexpr int tries = 50;
+        for (int i = 0; i < tries; ++i) {
+            if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+                return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return false;
+#else
+        return true;
+#endif
+    }
+    int descriptor() const noexcept { return file_; }
+
 private:
     int file_ = -1;
 };
 
+void append_words(std::vector<std::string>& words, std::span<const hid::Report> reports) {
+    for (const hid::Report& report : reports)
+        words.push_back(guard_word(report.all()));
+}
+
 class HidPidTransport final : public PidTransport {
 public:
-    HidPidTransport(HidHandles handles, const std::string& path)
-        : handles_(std::move(handles)), path_(path), node_(path) {}
+    HidPidTransport(HidHandles handles, const std::string& path, Node node, const std::string& guard_program)
+        : handles_(std::move(handles)), path_(path), node_(std::move(node)), guard_program_(guard_program) {}
 
     std::vector<std::uint8_t> descriptor() override { return descriptor_of(path_); }
 
@@ -112,10 +141,20 @@ public:
         return true;
     }
 
+    Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report> no_force,
+                                              std::span<const hid::Report> at_the_end) override {
+        std::vector<std::string> words{"reports"};
+        append_words(words, no_force);
+        words.emplace_back("then");
+        append_words(words, at_the_end);
+        return start_force_guard(guard_program_, node_.descriptor(), words);
+    }
+
 private:
     HidHandles handles_;
     std::string path_;
     Node node_;
+    std::string guard_program_;
 };
 
 } // namespace
@@ -138,12 +177,15 @@ std::vector<FoundStick> find_sticks() {
     return found;
 }
 
-Result<std::unique_ptr<PidTransport>> open_stick(const FoundStick& stick) {
+Result<std::unique_ptr<PidTransport>> open_stick(const FoundStick& stick, const std::string& guard_program) {
     Result<HidHandles> handles = open_hid_handles(stick.path, "force stick");
     if (!handles.ok())
         return Error{handles.error()};
-    return std::unique_ptr<PidTransport>(
-        std::make_unique<HidPidTransport>(std::move(handles).value(), stick.path));
+    Node node(stick.path);
+    if (!node.lock())
+        return Error{sentence(OpenProblem::busy, this_system(), "force stick")};
+    return std::unique_ptr<PidTransport>(std::make_unique<HidPidTransport>(
+        std::move(handles).value(), stick.path, std::move(node), guard_program));
 }
 
 } // namespace tp

@@ -21,7 +21,9 @@ struct FoundStick {
 /// itself, and none is found. Calls of hidapi's enumeration: one thread at a time.
 std::vector<FoundStick> find_sticks();
 
-/// Opens one. The error is a sentence that says what to do on this system.
-Result<std::unique_ptr<PidTransport>> open_stick(const FoundStick& stick);
+/// Opens one; the program is the one that shall guard it (force_guard_program()). A stick that another
+/// TouchPhoto uses, or has just left to its guard, is busy. The error is a sentence that says what to do on
+/// this system.
+Result<std::unique_ptr<PidTransport>> open_stick(const FoundStick& stick, const std::string& guard_program);
 
 } // namespace tp

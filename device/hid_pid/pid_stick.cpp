@@ -21,28 +21,7 @@ constexpr double stuck_after = 0.020;     ///< s without a message that the devi
 
 constexpr std::array both_axes{hid::Along::x, hid::Along::y};
 
-/// A message to the writer: the share of each axis, and how often each effect was to be started anew and the
-/// actuators to be enabled, of which only a change counts.
-struct StickMessage {
-    std::array<int, 2> share{};
-    std::array<unsigned, 2> starts{};
-    unsigned enables = 0;
-};
 constexpr unsigned count_mask = 0xFF;
-
-std::uint64_t packed_message(const StickMessage& message) {
-    const auto bits = [](int share) { return std::uint64_t{static_cast<std::uint16_t>(share)}; };
-    return bits(message.share[0]) | bits(message.share[1]) << 16 |
-           std::uint64_t{message.starts[0] & count_mask} << 32 |
-           std::uint64_t{message.starts[1] & count_mask} << 40 |
-           std::uint64_t{message.enables & count_mask} << 48;
-}
-
-StickMessage unpacked_message(std::uint64_t word) {
-    const auto share = [word](int shift) { return static_cast<std::int16_t>(word >> shift & 0xFFFFu); };
-    const auto count = [word](int shift) { return static_cast<unsigned>(word >> shift) & count_mask; };
-    return {{share(0), share(16)}, {count(32), count(40)}, count(48)};
-}
 
 std::string stick_is_gone() { return sentence(OpenProblem::gone, this_system(), "force stick"); }
 
@@ -50,8 +29,34 @@ int whole_share(double share) { return static_cast<int>(std::clamp(share, -1.0, 
 
 } // namespace
 
+std::uint64_t PidStick::StickMessage::word() const {
+    const auto bits = [](int one) { return std::uint64_t{static_cast<std::uint16_t>(one)}; };
+    return bits(share[0]) | bits(share[1]) << 16 | std::uint64_t{starts[0] & count_mask} << 32 |
+           std::uint64_t{starts[1] & count_mask} << 40 | std::uint64_t{enables & count_mask} << 48;
+}
+
+PidStick::StickMessage PidStick::StickMessage::of(std::uint64_t word) {
+    const auto bits = [word](int shift) { return static_cast<std::int16_t>(word >> shift & 0xFFFFu); };
+    const auto count = [word](int shift) { return static_cast<unsigned>(word >> shift) & count_mask; };
+    return {{bits(0), bits(16)}, {count(32), count(40)}, count(48)};
+}
+
 bool PidStick::Line::send(std::uint64_t word) noexcept {
-    const StickMessage message = unpacked_message(word);
+    StickMessage message = StickMessage::of(word);
+    if (!pull->may_go_out(message.pulls()))
+        message.share = {};
+    bool whole = write(message);
+    if (whole && !pull->went_out(message.pulls())) {
+        message.share = {};
+        whole = write(message);
+        pull->went_out(false);
+    }
+    if (whole)
+        taken.fetch_add(1, std::memory_order_release);
+    return whole;
+}
+
+bool PidStick::Line::write(const StickMessage& message) noexcept {
     bool whole = true;
     bool changed = false;
     for (std::size_t i = 0; i < 2 && whole; ++i)
@@ -69,8 +74,6 @@ bool PidStick::Line::send(std::uint64_t word) noexcept {
         const std::size_t i = ++turn % 2;
         whole = transport->write(hid::force_report(layout, block[i], share[i]));
     }
-    if (whole)
-        taken.fetch_add(1, std::memory_order_release);
     return whole;
 }
 
@@ -139,18 +142,34 @@ std::string PidStick::put_effects_on_it() {
     return {};
 }
 
-void PidStick::take_effects_away() noexcept {
+std::vector<hid::Report> PidStick::effects_away() const {
     const hid::PidLayout& layout = line_->layout;
+    std::vector<hid::Report> reports;
     for (const std::uint8_t block : line_->block) {
-        if (block == 0)
-            continue;
-        line_->transport->write(hid::force_report(layout, block, 0));
-        if (layout.operation.stop.there())
-            line_->transport->write(hid::stop_report(layout, block));
-        if (layout.free.report.there())
-            line_->transport->write(hid::free_report(layout, block));
+        if (block != 0 && layout.operation.stop.there())
+            reports.push_back(hid::stop_report(layout, block));
+        if (block != 0 && layout.free.report.there())
+            reports.push_back(hid::free_report(layout, block));
     }
-    control(layout.control.disable);
+    if (layout.control.disable.there())
+        reports.push_back(hid::control_report(layout, layout.control.disable));
+    return reports;
+}
+
+void PidStick::take_effects_away() noexcept {
+    for (const std::uint8_t block : line_->block)
+        if (block != 0)
+            line_->transport->write(hid::force_report(line_->layout, block, 0));
+    for (const hid::Report& report : effects_away())
+        line_->transport->write(report);
+}
+
+std::string PidStick::begin_to_guard() {
+    Result<std::unique_ptr<ForceGuard>> guard = line_->transport->guard(no_force_, effects_away());
+    if (!guard.ok())
+        return guard.error();
+    line_->pull.emplace(std::move(guard).value());
+    return {};
 }
 
 bool PidStick::assume(double newtons_at_full, Vec2 sign) noexcept {
@@ -183,9 +202,12 @@ Result<Capabilities> PidStick::open() {
     if (hid::parse_report_descriptor(line_->transport->descriptor(), descriptor) !=
         hid::DescriptorFault::none)
         return unusable("what it says of itself makes no sense");
-    if (const char* const why = hid::find_layout(descriptor, line_->layout); why != nullptr)
-        return unusable(why);
-    if (const std::string why = put_effects_on_it(); !why.empty()) {
+    if (const char* const lacks = hid::find_layout(descriptor, line_->layout); lacks != nullptr)
+        return unusable(lacks);
+    std::string why = put_effects_on_it();
+    if (why.empty())
+        why = begin_to_guard();
+    if (!why.empty()) {
         take_effects_away();
         line_->transport.reset();
         return Error{why};
@@ -254,12 +276,14 @@ std::optional<DeviceState> PidStick::read(double now) noexcept {
             take(report);
     }
     watch_the_writer();
-    trouble_.store(stuck_               ? Trouble::takes_nothing
+    const bool unguarded = line_->pull->unguarded();
+    trouble_.store(unguarded            ? Trouble::unguarded
+                   : stuck_             ? Trouble::takes_nothing
                    : safety_switch_off_ ? Trouble::safety_switch
                    : !motors_on_        ? Trouble::actuators_off
                                         : Trouble::none,
                    std::memory_order_relaxed);
-    off_ = off_ || stuck_ || !motors_on_;
+    off_ = off_ || stuck_ || !motors_on_ || unguarded || line_->pull->let_go();
     if (lost() || !heard_)
         return std::nullopt;
     state_.time = now;
@@ -284,7 +308,7 @@ void PidStick::post(Vec2 newtons) noexcept {
                      whole_share(share_per_newton_[1].load(std::memory_order_relaxed) * newtons.y)};
     message.starts = starts_;
     message.enables = enables_;
-    writer_->post(packed_message(message));
+    writer_->post(message.word());
 }
 
 bool PidStick::write(const SafeForce& force) noexcept {
@@ -293,7 +317,7 @@ bool PidStick::write(const SafeForce& force) noexcept {
     const bool given_no_force = force.newtons() == Vec2(0.0);
     keep_the_effects_alive(given_no_force);
     if (given_no_force)
-        off_ = stuck_ || !motors_on_;
+        off_ = stuck_ || !motors_on_ || line_->pull->unguarded();
     post(off_ ? Vec2(0.0) : force.newtons());
     return true;
 }
@@ -324,8 +348,12 @@ void PidStick::stop() noexcept {
             transport.write_from_signal(none);
         return;
     }
-    if (!lost())
+    if (!lost()) {
         take_effects_away();
+        if (!line_->pull->unguarded())
+            line_->pull->dismiss();
+    }
+    line_->pull.reset();
     line_->transport.reset();
 }
 
@@ -345,6 +373,10 @@ std::string PidStick::complaint() const {
         return "The force stick has switched its motors off. See that its power supply is plugged in and "
                "that no other "
                "program uses it.";
+    case Trouble::unguarded:
+        return "The program that watches over the motors of the force stick has ended, so they stay off. "
+               "Start "
+               "the device again.";
     case Trouble::takes_nothing:
         return "The force stick does not take what this computer sends. It goes on by itself when it does.";
     }

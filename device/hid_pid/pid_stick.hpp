@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/servo/force_device.hpp"
+#include "device/guard/guarded_pull.hpp"
 #include "device/hid_pid/pid_transport.hpp"
 #include "device/hid_pid/stick_scale.hpp"
 #include "device/latest_writer.hpp"
@@ -11,7 +12,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace tp {
 
@@ -23,7 +26,8 @@ namespace tp {
 ///
 /// A stick says nothing while nothing changes (HID 1.11, 7.2.4), so that silence counts as standing still, as
 /// long as the stick takes what is sent to it. It has no watchdog: what was sent last pulls until something
-/// else is sent.
+/// else is sent. So a guard stands beside it, without which it is not opened; where that has stepped in the
+/// stick pulls again only after it was given no force.
 class PidStick final : public ForceDevice {
 public:
     using Opener = std::function<Result<std::unique_ptr<PidTransport>>()>;
@@ -61,7 +65,19 @@ public:
     void deliver() noexcept;
 
 private:
-    enum class Trouble : std::uint8_t { none, actuators_off, safety_switch, takes_nothing };
+    enum class Trouble : std::uint8_t { none, actuators_off, safety_switch, takes_nothing, unguarded };
+
+    /// A message to the writer: the share of each axis, and how often each effect was to be started anew and
+    /// the actuators to be enabled, of which only a change counts.
+    struct StickMessage {
+        std::array<int, 2> share{};
+        std::array<unsigned, 2> starts{};
+        unsigned enables = 0;
+
+        bool pulls() const { return share != std::array<int, 2>{}; }
+        std::uint64_t word() const;
+        static StickMessage of(std::uint64_t word);
+    };
 
     /// What the writer shares with the rest; it outlives the stick where the writer hangs.
     struct Line final : LatestWriter::Sink {
@@ -69,6 +85,7 @@ private:
         hid::PidLayout layout;
         std::array<std::uint8_t, 2> block{}; ///< of the effect along x and along y; 0: none
         std::atomic<std::uint32_t> taken{0}; ///< counts the messages that the device took
+        std::optional<GuardedPull> pull;     ///< once it is guarded
 
         // Only the writer.
         std::array<int, 2> share{};
@@ -77,11 +94,16 @@ private:
         unsigned turn = 0;
 
         bool send(std::uint64_t message) noexcept override;
+        bool write(const StickMessage& message) noexcept;
     };
 
     /// Empty where it could be done.
     std::string put_effects_on_it();
+    /// What leaves the stick as it was, behind no force.
+    std::vector<hid::Report> effects_away() const;
     void take_effects_away() noexcept;
+    /// Empty where a guard watches from now on.
+    std::string begin_to_guard();
     enum class Loading : std::uint8_t { done, full, refused };
     Loading load_effect(hid::Along along);
     bool control(const hid::Choice& what);
@@ -92,7 +114,7 @@ private:
 
     Opener opener_;
     Identity identity_;
-    StickScale scale_; ///< as it was made
+    StickScale scale_;                                    ///< as it was made
     std::array<std::atomic<double>, 2> share_per_newton_; ///< of each axis, signed
     LatestWriter::Thread thread_;
     std::shared_ptr<Line> line_;
@@ -109,7 +131,8 @@ private:
     bool motors_on_ = true;
     bool safety_switch_off_ = false;
     bool stuck_ = false; ///< the writer
-    bool off_ = false;   ///< either, and since then it was given some force all the time
+    bool off_ =
+        false; ///< one of these or the guard's doing, and since then it was given some force all the time
     std::uint32_t taken_ = 0;
     double taken_at_ = 0.0;
     std::array<double, 2> started_at_{};

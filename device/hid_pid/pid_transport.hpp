@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/result.hpp"
+#include "device/guard/force_guard.hpp"
 #include "device/hid_pid/pid_reports.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -34,6 +37,10 @@ public:
     virtual bool set_feature(const hid::Report& report) noexcept = 0;
     /// The feature report whose id leads in it. False where the device does not answer.
     virtual bool get_feature(hid::Report& report) noexcept = 0;
+    /// Begins to guard the stick: `no_force` takes its force away, `at_the_end` follows where this program is
+    /// gone. Once, by whoever opens it; an error where nothing would guard it.
+    virtual Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report> no_force,
+                                                      std::span<const hid::Report> at_the_end) = 0;
 };
 
 } // namespace tp

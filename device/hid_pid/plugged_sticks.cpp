@@ -2,6 +2,7 @@
 #include "device/hid_pid/plugged_sticks.hpp"
 
 #include "device/bus_mutex.hpp"
+#include "device/guard/guard_process.hpp"
 #include "device/hid_pid/hid_pid_transport.hpp"
 #include "device/hid_pid/pid_stick.hpp"
 #include "device/hid_pid/stick_scale_file.hpp"
@@ -17,7 +18,7 @@ std::vector<PluggedDevice> plugged_sticks() {
     for (const FoundStick& found : find_sticks()) {
         const auto open_this = [found] {
             const std::lock_guard lock(bus_mutex());
-            return open_stick(found);
+            return open_stick(found, force_guard_program());
         };
         const std::string key = found.serial_number.empty() ? found.product : found.serial_number;
         const StickScale scale = kept_stick_scale(stick_scale_file(), key);

@@ -99,4 +99,13 @@ bool SimulatedStickLink::get_feature(hid::Report& report) noexcept {
     return true;
 }
 
+Result<std::unique_ptr<ForceGuard>> SimulatedStickLink::guard(std::span<const hid::Report> no_force,
+                                                              std::span<const hid::Report> at_the_end) {
+    if (troubles.no_guard)
+        return Error{"The device stays off, because nothing would watch over its motors on this system."};
+    guard_takes_away.assign(no_force.begin(), no_force.end());
+    guard_leaves.assign(at_the_end.begin(), at_the_end.end());
+    return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(diary));
+}
+
 } // namespace tp

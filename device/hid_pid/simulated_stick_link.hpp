@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "device/guard/simulated_guard.hpp"
 #include "device/hid_pid/model_stick.hpp"
 #include "device/hid_pid/pid_transport.hpp"
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <random>
+#include <span>
+#include <vector>
 
 namespace tp {
 
@@ -19,6 +23,7 @@ struct StickLinkTroubles {
     bool mute = false;   ///< nothing comes from the stick
     bool deaf = false;   ///< nothing reaches the stick, and nobody is told
     bool unplugged = false;
+    bool no_guard = false;
     bool no_input_now = false; ///< it does not tell how it is when it is asked
     int block_load_late = 0;   ///< answers that fail before one that does not
 };
@@ -43,8 +48,13 @@ public:
     void write_from_signal(const hid::Report& report) noexcept override { write(report); }
     bool set_feature(const hid::Report& report) noexcept override;
     bool get_feature(hid::Report& report) noexcept override;
+    Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report> no_force,
+                                              std::span<const hid::Report> at_the_end) override;
 
     StickLinkTroubles troubles;
+    GuardDiary diary;                          ///< of its guard
+    std::vector<hid::Report> guard_takes_away; ///< what its guard would write
+    std::vector<hid::Report> guard_leaves;     ///< and then, were the program gone
 
 private:
     struct UnderWay {

@@ -3211,12 +3211,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Gerät bleibt aus, weil auf diesem System nichts über seine Motoren wachen würde.</translation>
     </message>
     <message>
-        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, does not start. Install TouchPhoto again.</source>
-        <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-torque-guard, nicht startet. Installieren Sie TouchPhoto neu.</translation>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-force-guard, does not start. Install TouchPhoto again.</source>
+        <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-force-guard, nicht startet. Installieren Sie TouchPhoto neu.</translation>
     </message>
     <message>
-        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, is not beside this one. Install TouchPhoto again.</source>
-        <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-torque-guard, nicht neben diesem liegt. Installieren Sie TouchPhoto neu.</translation>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-force-guard, is not beside this one. Install TouchPhoto again.</source>
+        <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-force-guard, nicht neben diesem liegt. Installieren Sie TouchPhoto neu.</translation>
     </message>
     <message>
         <source>The program that watches over the motors of the Haply 2diy has ended, so they stay off. Start the device again.</source>
@@ -3257,6 +3257,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>there is no folder for settings.</source>
         <translation>es gibt keinen Ordner für Einstellungen.</translation>
+    </message>
+    <message>
+        <source>The program that watches over the motors of the force stick has ended, so they stay off. Start the device again.</source>
+        <translation>Das Programm, das über die Motoren des Kraftsticks wacht, hat geendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
     </message>
 </context>
 <context>

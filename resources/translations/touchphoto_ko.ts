@@ -3199,12 +3199,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 시스템에는 모터를 지켜볼 것이 없어서 장치를 켜지 않습니다.</translation>
     </message>
     <message>
-        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, does not start. Install TouchPhoto again.</source>
-        <translation>모터를 지켜보는 프로그램 touchphoto-torque-guard가 시작되지 않아서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-force-guard, does not start. Install TouchPhoto again.</source>
+        <translation>모터를 지켜보는 프로그램 touchphoto-force-guard가 시작되지 않아서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
     </message>
     <message>
-        <source>The device stays off, because the program that watches over its motors, touchphoto-torque-guard, is not beside this one. Install TouchPhoto again.</source>
-        <translation>모터를 지켜보는 프로그램 touchphoto-torque-guard가 이 프로그램 옆에 없어서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-force-guard, is not beside this one. Install TouchPhoto again.</source>
+        <translation>모터를 지켜보는 프로그램 touchphoto-force-guard가 이 프로그램 옆에 없어서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
     </message>
     <message>
         <source>The program that watches over the motors of the Haply 2diy has ended, so they stay off. Start the device again.</source>
@@ -3245,6 +3245,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>there is no folder for settings.</source>
         <translation>설정 폴더가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The program that watches over the motors of the force stick has ended, so they stay off. Start the device again.</source>
+        <translation>힘 스틱의 모터를 지켜보는 프로그램이 끝나서 모터를 켜지 않습니다. 장치를 다시 시작하세요.</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,11 @@
 using namespace tp;
 using namespace tp::vm;
 
+namespace {
+constexpr double guarded = 0.010;        ///< s, in which a program ends and the guard has its turn
+constexpr double guards_silence = 0.050; ///< s without a sign of life
+} // namespace
+
 class ForceStickVmTest : public QObject {
     Q_OBJECT
 
@@ -68,6 +73,35 @@ private slots:
         const double let_go = last_pull(bench.device_log, told, now()) - told;
         say("the stick has let go after", 1e3 * let_go);
         QVERIFY(let_go <= on_the_way);
+    }
+
+    /// Of one that is killed the guard takes it away.
+    void killed_in_mid_touch() {
+        Bench bench;
+        QVERIFY(bench.pulls());
+        const double killed = now();
+        bench.kill_toucher();
+        pass(0.3);
+        const double let_go = last_pull(bench.device_log, killed, now()) - killed;
+        say("the stick has let go after", 1e3 * let_go);
+        QVERIFY(let_go <= guarded);
+        QVERIFY(bench.feels() == Vec2(0.0));
+    }
+
+    /// As long as it stands still it pulls nothing.
+    void stopped_in_mid_touch() {
+        Bench bench;
+        QVERIFY(bench.pulls());
+        const double stopped = now();
+        bench.stop_toucher();
+        pass(0.3);
+        const double let_go = last_pull(bench.device_log, stopped, now()) - stopped;
+        say("the stick has let go after", 1e3 * let_go);
+        QVERIFY(let_go <= guards_silence + guarded);
+        QVERIFY(bench.feels() == Vec2(0.0));
+        bench.go_on_touching();
+        QVERIFY(bench.pulls());
+        QVERIFY(bench.end_touching());
     }
 };
 

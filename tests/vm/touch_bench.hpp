@@ -15,6 +15,7 @@
 #include <QTemporaryDir>
 #include <QtGlobal>
 
+#include <csignal>
 #include <cstddef>
 #include <ctime>
 #include <functional>
@@ -91,6 +92,9 @@ public:
         toucher_.kill();
         toucher_.waitForFinished(-1);
     }
+    /// Until it is told to go on.
+    void stop_toucher() { ::kill(static_cast<pid_t>(toucher_.processId()), SIGSTOP); }
+    void go_on_touching() { ::kill(static_cast<pid_t>(toucher_.processId()), SIGCONT); }
     void terminate_toucher() {
         toucher_.terminate();
         toucher_.waitForFinished(-1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/servo/servo_loop.hpp"
+#include "device/guard/simulated_guard.hpp"
 #include "device/haply_2diy/haply_2diy.hpp"
 #include "device/haply_2diy/simulated_line.hpp"
 
@@ -24,30 +25,6 @@ public:
 
 private:
     SerialLine& lent_;
-};
-
-/// What a guard was told.
-struct GuardDiary {
-    bool gone = false; ///< it has ended by itself
-    bool pulls = false;
-    int beats = 0;
-    int dismissals = 0;
-    int ends = 0; ///< of guards that were there
-};
-
-class GuardDouble final : public MotorGuard {
-public:
-    explicit GuardDouble(GuardDiary& diary) : diary_(diary) {}
-    ~GuardDouble() override { ++diary_.ends; }
-    bool beat(bool pulls) noexcept override {
-        diary_.pulls = pulls;
-        ++diary_.beats;
-        return !diary_.gone;
-    }
-    void dismiss() noexcept override { ++diary_.dismissals; }
-
-private:
-    GuardDiary& diary_;
 };
 
 /// A model board on a simulated line, its back end and a servo loop with one or more lines, all in simulated
@@ -82,7 +59,7 @@ struct BoardBench {
     Haply2diy::Opener opener() {
         return [this]() -> Result<Haply2diy::Board> {
             return Haply2diy::Board{std::make_unique<BorrowedLine>(line),
-                                    std::make_unique<GuardDouble>(guard), note, "7523031393535120A0D1"};
+                                    std::make_unique<SimulatedGuard>(guard), note, "7523031393535120A0D1"};
         };
     }
     void render(std::vector<Contour> lines) {

@@ -105,7 +105,8 @@ void set(BoardBench& bench, const Trouble& trouble, bool on) {
             bench.model.power_off();
         break;
     case 10:
-        bench.guard.gone = bench.guard.gone || on;
+        if (on)
+            bench.guard.word = ForceGuard::Word::gone;
         break;
     case 11:
         if (on)
@@ -247,12 +248,12 @@ private slots:
 
     void without_a_guard_nothing_is_pulled() {
         HeldAboveALine bench;
-        bench.guard.gone = true;
+        bench.guard.word = ForceGuard::Word::gone;
         bench.run(0.003);
         QVERIFY(bench.model.force() == Vec2(0.0));
         QCOMPARE(bench.loop->snapshot().fault, Fault::motors_off);
         QVERIFY(bench.device.complaint().find("watches over the motors") != std::string::npos);
-        bench.guard.gone = false;
+        bench.guard.word = ForceGuard::Word::here;
         bench.run(1.0);
         QVERIFY(bench.model.force() == Vec2(0.0));
     }

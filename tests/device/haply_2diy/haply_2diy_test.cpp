@@ -15,7 +15,6 @@
 
 using namespace tp;
 using tp::testing::BoardBench;
-using tp::testing::GuardDiary;
 
 namespace {
 
@@ -23,7 +22,7 @@ namespace {
 Haply2diy::Opener over(SerialLine& line, GuardDiary& guard, const HomedNote& note = {}) {
     return [&line, &guard, note]() -> Result<Haply2diy::Board> {
         return Haply2diy::Board{std::make_unique<tp::testing::BorrowedLine>(line),
-                                std::make_unique<tp::testing::GuardDouble>(guard), note, "X"};
+                                std::make_unique<SimulatedGuard>(guard), note, "X"};
     };
 }
 

@@ -68,7 +68,9 @@ struct StickTrouble {
     int until = 0;
     double size = 0.0;
 };
-constexpr int trouble_kinds = 13;
+constexpr int trouble_kinds = 13; ///< of the stick and its cable
+constexpr int guard_steps_in = 13;
+constexpr int guard_ends = 14;
 constexpr int let_go = 10;
 constexpr int late_tick = 11;
 
@@ -115,6 +117,12 @@ void set_trouble(StickBench& bench, const StickTrouble& trouble, bool on) {
             bench.loop->engage();
         break;
     case late_tick: // which the run itself makes
+        break;
+    case guard_steps_in:
+        bench.link.diary.word = on ? ForceGuard::Word::stepped_in : ForceGuard::Word::here;
+        break;
+    case guard_ends:
+        bench.link.diary.word = ForceGuard::Word::gone; // and stays so
         break;
     default:
         bench.model.troubles.no_power = on;
@@ -254,6 +262,37 @@ private slots:
         QCOMPARE(bench.device.complaint(), std::string());
     }
 
+    void where_the_guard_has_stepped_in_the_force_comes_back_by_the_ramp() {
+        HeldAboveALine bench;
+        bench.link.diary.word = ForceGuard::Word::stepped_in;
+        bench.tick();
+        QVERIFY(bench.model.force() == Vec2(0.0));
+        bench.link.diary.word = ForceGuard::Word::here;
+        bench.tick();
+        QVERIFY(bench.model.force() == Vec2(0.0));
+        QCOMPARE(bench.loop->snapshot().fault, Fault::motors_off);
+        StickJudge judge(bench);
+        bench.after_tick = [&] { judge.judge(); };
+        bench.run(1.0);
+        QVERIFY(length(bench.model.force()) > 0.3);
+        QVERIFY2(judge.complaint.isEmpty(), qPrintable(judge.complaint));
+        QCOMPARE(bench.device.complaint(), std::string());
+    }
+
+    void without_a_guard_nothing_is_pulled_any_more() {
+        HeldAboveALine bench;
+        bench.link.diary.word = ForceGuard::Word::gone;
+        bench.run(0.002);
+        QVERIFY(bench.model.force() == Vec2(0.0));
+        QCOMPARE(bench.loop->snapshot().fault, Fault::motors_off);
+        QVERIFY(bench.device.complaint().find("watches over the motors") != std::string::npos);
+        bench.link.diary.word = ForceGuard::Word::here; // one that has ended does not come back
+        bench.run(1.0);
+        QVERIFY(bench.model.force() == Vec2(0.0));
+        bench.loop->stop();
+        QCOMPARE(bench.link.diary.dismissals, 0);
+    }
+
     void a_safety_switch_is_told_and_the_force_comes_back_by_the_ramp() {
         HeldAboveALine bench;
         bench.model.troubles.safety_switch = true;
@@ -324,12 +363,18 @@ private slots:
 
             constexpr int ticks = 1000;
             std::vector<StickTrouble> troubles(1 + random() % 4);
-            for (StickTrouble& trouble : troubles) {
-                trouble.kind = static_cast<int>(random() % trouble_kinds);
+            const auto some = [&](int kind) {
+                StickTrouble trouble;
+                trouble.kind = kind;
                 trouble.from = static_cast<int>(random() % ticks);
                 trouble.until = trouble.from + 1 + static_cast<int>(random() % 200);
                 trouble.size = share(random);
-            }
+                return trouble;
+            };
+            for (StickTrouble& trouble : troubles)
+                trouble = some(static_cast<int>(random() % trouble_kinds));
+            if (number % 4 == 0)
+                troubles.push_back(some(number % 16 == 0 ? guard_ends : guard_steps_in));
             StickJudge judge(bench);
             for (int tick = 0; tick < ticks && judge.complaint.isEmpty(); ++tick) {
                 double dt = 0.001;

@@ -184,6 +184,90 @@ private slots:
         QVERIFY(rumbles.device.open().error().find("its force has no direction") != std::string::npos);
     }
 
+    void without_a_guard_it_is_not_opened_and_nothing_is_left_on_it() {
+        StickToOpen stick;
+        stick.link.troubles.no_guard = true;
+        const Result<Capabilities> can = stick.device.open();
+        QVERIFY2(can.error().find("nothing would watch over its motors") != std::string::npos, can.error().c_str());
+        stick.link.advance();
+        QCOMPARE(stick.model.effects(), std::size_t(0));
+        QVERIFY(!stick.model.motors_on());
+        QVERIFY(!stick.device.write(safe({1.0, 0.0})));
+    }
+
+    void its_guard_hears_before_and_after_each_message_whether_it_pulls() {
+        StickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        double now = 0.0;
+        const auto write = [&](Vec2 newtons) {
+            stick.device.read(now += 0.001);
+            stick.device.write(safe(newtons));
+            stick.device.deliver();
+        };
+        write({1.0, 0.0});
+        QVERIFY(stick.link.diary.pulls);
+        QCOMPARE(stick.link.diary.beats, 2);
+        write({0.0, 0.0});
+        QVERIFY(!stick.link.diary.pulls);
+        QCOMPARE(stick.link.diary.beats, 3); // no force needs no leave
+        write({0.0, -1.0});
+        QVERIFY(stick.link.diary.pulls);
+        stick.device.stop();
+        QVERIFY(!stick.link.diary.pulls);
+        QCOMPARE(stick.link.diary.dismissals, 1);
+        QCOMPARE(stick.link.diary.ends, 1);
+    }
+
+    /// The program stood still between its sign of life and what it wrote.
+    void a_force_that_comes_after_its_guard_has_let_go_is_taken_back() {
+        StickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        stick.link.diary.before_that = {ForceGuard::Word::here, ForceGuard::Word::stepped_in};
+        stick.device.read(0.001);
+        stick.device.write(safe({1.0, -1.0}));
+        stick.device.deliver();
+        stick.link.advance();
+        QVERIFY(stick.model.force() == Vec2(0.0));
+        QVERIFY(!stick.link.diary.pulls);
+        stick.device.write(safe({1.0, -1.0})); // before the servo hears of it
+        stick.device.deliver();
+        stick.link.advance();
+        QVERIFY(stick.model.force() == Vec2(0.0));
+        stick.device.read(0.002);
+        QVERIFY(stick.device.motors_off());
+        stick.device.write(SafeForce{});
+        stick.device.deliver();
+        stick.device.read(0.003);
+        stick.device.write(SafeForce{});
+        QVERIFY(!stick.device.motors_off());
+        stick.device.write(safe({1.0, -1.0}));
+        stick.device.deliver();
+        stick.link.advance();
+        QVERIFY(stick.model.force() != Vec2(0.0));
+    }
+
+    void what_its_guard_would_write_takes_the_force_away_data() { sticks(); }
+    void what_its_guard_would_write_takes_the_force_away() {
+        QFETCH(int, stick);
+        StickToOpen bench(wire_of(stick));
+        QVERIFY(bench.device.open().ok());
+        bench.device.read(0.001);
+        bench.device.write(safe({1.0, -1.0}));
+        bench.device.deliver();
+        bench.link.advance();
+        QVERIFY(bench.model.force() != Vec2(0.0));
+        for (const hid::Report& report : bench.link.guard_takes_away)
+            bench.model.receive(report.all());
+        bench.model.step();
+        QVERIFY(bench.model.force() == Vec2(0.0));
+        QVERIFY(bench.model.motors_on());
+        QCOMPARE(bench.model.effects(), std::size_t(2)); // the program may go on
+        for (const hid::Report& report : bench.link.guard_leaves)
+            bench.model.receive(report.all());
+        QVERIFY(!bench.model.motors_on());
+        QCOMPARE(bench.model.effects(), std::size_t(0));
+    }
+
     void it_opens_again_after_it_was_unplugged() {
         StickToOpen stick;
         QVERIFY(stick.device.open().ok());
@@ -197,6 +281,8 @@ private slots:
         stick.link.troubles.unplugged = false;
         QVERIFY(stick.device.open().ok());
         QVERIFY(!stick.device.lost());
+        QCOMPARE(stick.link.diary.dismissals, 0); // the guard of one that is lost does what it still can
+        QCOMPARE(stick.link.diary.ends, 1);
         stick.device.stop();
         stick.device.stop();
     }
@@ -229,9 +315,14 @@ private slots:
                 report.bytes[2] = 1;
                 return true;
             }
+            Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report>,
+                                                      std::span<const hid::Report>) override {
+                return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(diary_));
+            }
 
         private:
             std::atomic<int>& forces_;
+            GuardDiary diary_;
             int loaded_ = 0;
         };
         std::atomic<int> forces{0};

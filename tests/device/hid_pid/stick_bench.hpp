@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,7 +39,7 @@ inline StickWire sidewinder() {
 }
 
 /// Lets a transport that a test keeps be opened.
-class BorrowedStickLink final : public PidTransport {
+class BorrowedStickLink : public PidTransport {
 public:
     explicit BorrowedStickLink(PidTransport& lent) : lent_(lent) {}
     std::vector<std::uint8_t> descriptor() override { return lent_.descriptor(); }
@@ -48,6 +49,10 @@ public:
     void write_from_signal(const hid::Report& report) noexcept override { lent_.write_from_signal(report); }
     bool set_feature(const hid::Report& report) noexcept override { return lent_.set_feature(report); }
     bool get_feature(hid::Report& report) noexcept override { return lent_.get_feature(report); }
+    Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report> no_force,
+                                              std::span<const hid::Report> at_the_end) override {
+        return lent_.guard(no_force, at_the_end);
+    }
 
 private:
     PidTransport& lent_;

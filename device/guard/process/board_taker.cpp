@@ -1,41 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// touchphoto-torque-guard SET-UP: started by TouchPhoto beside a Haply board, whose firmware has no watchdog.
-// Holds the serial line as descriptor 3 and listens at 4: 'p' is a sign of life of a program that pulls, 'z'
-// of one that does not, 'q' takes leave. When the other end is gone, or 50 ms after the last 'p', it takes
-// the torque away and ends.
+#include "device/guard/process/force_taker.hpp"
+#include "device/guard/process/wait_for.hpp"
 #include "device/haply_2diy/protocol/board_frames.hpp"
 
 #include <array>
 #include <cerrno>
-#include <csignal>
-#include <cstdlib>
-#include <cstring>
-#include <poll.h>
-#include <string>
+#include <cstddef>
+#include <span>
 #include <unistd.h>
-#include <vector>
+
+namespace tp::guard {
 
 using namespace tp::haply;
 
 namespace {
 
-constexpr int line = 3;
-constexpr int beats = 4;
-constexpr int silence_ms = 50;
+constexpr int line = device;
 constexpr int answer_ms = 30;
 constexpr int patience_ms = 2000; ///< with a line that takes nothing
 /// A command of no torque; more than can be answered without having been obeyed: what the program's last ones
 /// may still be answered with, and one that the board makes of a half frame of the program and half of ours.
 constexpr std::size_t times = 5;
 constexpr unsigned rounds = 20;
-
-int wait_for(int descriptor, short for_what, int wait_ms) {
-    pollfd one{descriptor, for_what, 0};
-    int ready = 0;
-    while ((ready = poll(&one, 1, wait_ms)) < 0 && errno == EINTR) {
-    }
-    return ready;
-}
 
 bool write_all(std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
@@ -68,7 +54,8 @@ bool answered(std::uint8_t id, std::size_t replies) {
         if (got <= 0)
             return false;
         heard.insert(heard.end(), some.begin(), some.begin() + got);
-        if (heard.size() >= replies * reply_size && are_replies(std::span(heard).last(replies * reply_size), id))
+        if (heard.size() >= replies * reply_size &&
+            are_replies(std::span(heard).last(replies * reply_size), id))
             return true;
     }
     return false;
@@ -104,40 +91,25 @@ void take_torque_away(const SetUp& set_up) {
     }
 }
 
-/// "01052f…"; none where it is no set-up.
-std::optional<SetUp> set_up_in(const char* text) {
-    std::vector<std::uint8_t> bytes;
-    for (std::size_t at = 0; at + 1 < std::strlen(text); at += 2)
-        bytes.push_back(
-            static_cast<std::uint8_t>(std::strtoul(std::string(text + at, 2).c_str(), nullptr, 16)));
-    return decode_set_up(bytes);
-}
+class BoardTaker final : public ForceTaker {
+public:
+    explicit BoardTaker(const SetUp& set_up) : set_up_(set_up) {}
+    bool let_go() override {
+        take_torque_away(set_up_);
+        return false; // the board may have lost its angles
+    }
+    /// What a board pulls that is out of step nobody knows.
+    void leave(bool) override { take_torque_away(set_up_); }
+
+private:
+    SetUp set_up_;
+};
 
 } // namespace
 
-int main(int count, char** arguments) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTTOU, SIGTTIN})
-        std::signal(signal, SIG_IGN);
-    const auto set_up = count == 2 ? set_up_in(arguments[1]) : std::nullopt;
-    if (!set_up)
-        return 2;
-    const char here = 'r';
-    if (write(beats, &here, 1) != 1)
-        return 1;
-    bool pulls = false;
-    for (;;) {
-        if (wait_for(beats, POLLIN, pulls ? silence_ms : -1) == 0)
-            break;
-        std::array<char, 256> heard{};
-        const ssize_t got = read(beats, heard.data(), heard.size());
-        if (got <= 0)
-            break;
-        for (const char beat : std::span(heard).first(static_cast<std::size_t>(got))) {
-            if (beat == 'q')
-                return 0;
-            pulls = beat == 'p';
-        }
-    }
-    take_torque_away(*set_up);
-    return 0;
+std::unique_ptr<ForceTaker> board_taker(const Bytes& set_up) {
+    const auto decoded = decode_set_up(set_up);
+    return decoded ? std::make_unique<BoardTaker>(*decoded) : nullptr;
 }
+
+} // namespace tp::guard

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board behind a real pseudo-terminal, a real process that pulls on it, and the real guard beside that.
 #include "core/servo/safety_chain.hpp"
+#include "device/guard/guard_process.hpp"
 #include "device/haply_2diy/haply_2diy.hpp"
 #include "device/haply_2diy/model_board.hpp"
 #include "device/haply_2diy/posix_serial.hpp"
-#include "device/haply_2diy/torque_guard.hpp"
 
 #include <QCoreApplication>
 #include <QProcess>
@@ -32,7 +32,7 @@ using namespace tp;
 
 namespace {
 
-std::string guard_program() { return qEnvironmentVariable("TP_TORQUE_GUARD").toStdString(); }
+std::string guard_program() { return qEnvironmentVariable("TP_FORCE_GUARD").toStdString(); }
 
 void until(const std::function<bool()>& holds) {
     while (!holds()) // CTest ends a test that waits for ever
@@ -60,7 +60,9 @@ Haply2diy::Opener over(const std::string& path, const std::string& program) {
         if (!line)
             return Error{line.error()};
         const Pantograph arms(HaplyGeneration::third);
-        auto guard = start_torque_guard(program, (*line)->descriptor(), arms.set_up(arms.reference_deg()));
+        auto guard =
+            start_force_guard(program, (*line)->descriptor(),
+                              {"board", guard_word(encode(arms.set_up(arms.reference_deg())).view())});
         if (!guard)
             return Error{guard.error()};
         return Haply2diy::Board{std::move(*line), std::move(*guard), {}, "X"};
@@ -188,7 +190,7 @@ struct Puller {
 
 } // namespace
 
-class TorqueGuardTest : public QObject {
+class BoardGuardTest : public QObject {
     Q_OBJECT
 private slots:
     void a_program_killed_in_mid_touch_pulls_no_more() {
@@ -270,7 +272,7 @@ private slots:
         Haply2diy device(HaplyGeneration::third, over(board.path(), guard_program() + "-that-is-not-there"));
         const auto can = device.open();
         QVERIFY(!can.ok());
-        QVERIFY2(can.error().find("touchphoto-torque-guard, is not beside this one") != std::string::npos,
+        QVERIFY2(can.error().find("touchphoto-force-guard, is not beside this one") != std::string::npos,
                  can.error().c_str());
         QVERIFY(!device.read(0.0));
         QCOMPARE(board.heard(), std::uint64_t(0)); // nothing is sent that nobody would take back
@@ -329,7 +331,7 @@ int main(int argc, char** argv) {
     if (argc == 4 && std::string(argv[1]) == "--pull")
         return pull(argv[2], argv[3]);
     QCoreApplication app(argc, argv);
-    TorqueGuardTest test;
+    BoardGuardTest test;
     return QTest::qExec(&test, argc, argv);
 }
-#include "torque_guard_test.moc"
+#include "board_guard_test.moc"

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/haply_2diy/torque_guard.hpp"
+#include "device/guard/guard_process.hpp"
 
 #if defined(__unix__) || defined(__APPLE__)
-#include <array>
 #include <cerrno>
-#include <csignal>
-#include <cstdint>
 #include <fcntl.h>
 #include <filesystem>
 #include <poll.h>
-#include <span>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
-#include <vector>
 #endif
 #if defined(__APPLE__)
 #include <mach-o/dyld.h>
@@ -32,7 +27,7 @@ namespace tp {
 
 namespace {
 
-constexpr int guards_line = 3; ///< descriptors of the guard's process
+constexpr int guards_device = 3; ///< descriptors of the guard's process
 constexpr int guards_beats = 4;
 constexpr int first_free = 10; ///< above those, so that neither overwrites the other's source
 constexpr int start_patience_ms = 5000;
@@ -54,6 +49,12 @@ public:
 private:
     int number_;
 };
+
+#if defined(SOCK_CLOEXEC)
+constexpr int socket_kind = SOCK_STREAM | SOCK_CLOEXEC; // not for what another thread starts meanwhile
+#else
+constexpr int socket_kind = SOCK_STREAM;
+#endif
 
 /// Of bytes that nobody takes any more, an error and no signal.
 void quiet(int socket) {
@@ -78,18 +79,30 @@ bool within(int descriptor, int wait_ms, char& byte) {
     return ::recv(descriptor, &byte, 1, MSG_DONTWAIT) == 1;
 }
 
-class GuardProcess final : public MotorGuard {
+class GuardProcess final : public ForceGuard {
 public:
     GuardProcess(Descriptor beats, pid_t process) : beats_(std::move(beats)), process_(process) {}
     ~GuardProcess() override {
         beats_.reset(); // what it waits for
         wait();
     }
-    bool beat(bool pulls) noexcept override { return send(pulls ? 'p' : 'z'); }
+    Word beat(bool pulls) noexcept override {
+        const Sent sent = send(pulls ? 'p' : 'z');
+        if (sent == Sent::to_nobody)
+            return Word::gone;
+        char said = 0;
+        const bool spoke = ::recv(beats_.get(), &said, 1, MSG_DONTWAIT) == 1;
+        return spoke || sent == Sent::not_yet ? Word::stepped_in : Word::here;
+    }
     void dismiss() noexcept override { send('q'); }
 
 private:
-    bool send(char byte) noexcept { return ::send(beats_.get(), &byte, 1, without_signal) == 1; }
+    enum class Sent : std::uint8_t { yes, not_yet, to_nobody };
+    Sent send(char byte) noexcept {
+        if (::send(beats_.get(), &byte, 1, without_signal) == 1)
+            return Sent::yes;
+        return errno == EAGAIN || errno == EWOULDBLOCK ? Sent::not_yet : Sent::to_nobody;
+    }
     void wait() noexcept {
         while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
         }
@@ -99,27 +112,20 @@ private:
     pid_t process_;
 };
 
-std::string hex(std::span<const std::uint8_t> bytes) {
-    std::string text;
-    for (const std::uint8_t byte : bytes) {
-        text += "0123456789abcdef"[byte >> 4];
-        text += "0123456789abcdef"[byte & 15u];
-    }
-    return text;
-}
-
 /// 0, or why it could not be started.
-int spawn(const std::string& program, const std::string& set_up, int line, int beats, pid_t& process) {
+int spawn(const std::string& program, std::vector<std::string> words, int device, int beats, pid_t& process) {
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
     posix_spawn_file_actions_init(&actions);
     posix_spawnattr_init(&attributes);
-    posix_spawn_file_actions_adddup2(&actions, line, guards_line);
+    posix_spawn_file_actions_adddup2(&actions, device, guards_device);
     posix_spawn_file_actions_adddup2(&actions, beats, guards_beats);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP); // a terminal's Ctrl-C is not for it
-    std::string name = program;
-    std::string argument = set_up;
-    std::array<char*, 3> arguments{name.data(), argument.data(), nullptr};
+    words.insert(words.begin(), program);
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
     const int problem =
         posix_spawn(&process, program.c_str(), &actions, &attributes, arguments.data(), environ);
     posix_spawnattr_destroy(&attributes);
@@ -128,20 +134,20 @@ int spawn(const std::string& program, const std::string& set_up, int line, int b
 }
 
 /// The guard, once it has said that it watches.
-Result<std::unique_ptr<MotorGuard>> watching(Descriptor beats, pid_t process) {
+Result<std::unique_ptr<ForceGuard>> watching(Descriptor beats, pid_t process) {
     const int listening = beats.get();
-    std::unique_ptr<MotorGuard> guard = std::make_unique<GuardProcess>(std::move(beats), process);
+    std::unique_ptr<ForceGuard> guard = std::make_unique<GuardProcess>(std::move(beats), process);
     char said = 0;
     if (!within(listening, start_patience_ms, said) || said != 'r')
         return Error{"The device stays off, because the program that watches over its motors, "
-                     "touchphoto-torque-guard, does "
+                     "touchphoto-force-guard, does "
                      "not start. Install TouchPhoto again."};
     return guard;
 }
 
 } // namespace
 
-std::string torque_guard_program() {
+std::string force_guard_program() {
     std::error_code problem;
 #if defined(__APPLE__)
     std::uint32_t size = 0;
@@ -152,40 +158,54 @@ std::string torque_guard_program() {
 #else
     const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", problem);
 #endif
-    return (own.parent_path() / "touchphoto-torque-guard").string();
+    return (own.parent_path() / "touchphoto-force-guard").string();
 }
 
-Result<std::unique_ptr<MotorGuard>> start_torque_guard(const std::string& program, int line_descriptor,
-                                                       const haply::SetUp& set_up) {
+Result<std::unique_ptr<ForceGuard>> start_force_guard(const std::string& program, int device_descriptor,
+                                                      const std::vector<std::string>& words) {
     int pair[2] = {-1, -1};
-    if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair) != 0)
+    if (socketpair(AF_UNIX, socket_kind, 0, pair) != 0)
         return Error{"This computer has no room for the program that watches over the motors. Close other "
                      "programs and try "
                      "again."};
-    const Descriptor low_ours(pair[0]);
-    const Descriptor low_theirs(pair[1]);
-    Descriptor ours(fcntl(pair[0], F_DUPFD_CLOEXEC, first_free));
-    const Descriptor theirs(fcntl(pair[1], F_DUPFD_CLOEXEC, first_free));
-    const Descriptor line(fcntl(line_descriptor, F_DUPFD_CLOEXEC, first_free));
+    Descriptor low_ours(pair[0]);
+    Descriptor low_theirs(pair[1]);
     for (const int low : pair)
         fcntl(low, F_SETFD, FD_CLOEXEC);
+    Descriptor ours(fcntl(pair[0], F_DUPFD_CLOEXEC, first_free));
+    Descriptor theirs(fcntl(pair[1], F_DUPFD_CLOEXEC, first_free));
+    const Descriptor device(fcntl(device_descriptor, F_DUPFD_CLOEXEC, first_free));
+    low_ours.reset();
+    low_theirs.reset();
     quiet(ours.get());
     pid_t process = 0;
-    if (spawn(program, hex(encode(set_up).view()), line.get(), theirs.get(), process) != 0)
+    const int problem = spawn(program, words, device.get(), theirs.get(), process);
+    theirs.reset(); // the guard's alone: where it ends, this end hears of it
+    if (problem != 0)
         return Error{"The device stays off, because the program that watches over its motors, "
-                     "touchphoto-torque-guard, is "
+                     "touchphoto-force-guard, is "
                      "not beside this one. Install TouchPhoto again."};
     return watching(std::move(ours), process);
 }
 
 #else
 
-std::string torque_guard_program() { return {}; }
+std::string force_guard_program() { return {}; }
 
-Result<std::unique_ptr<MotorGuard>> start_torque_guard(const std::string&, int, const haply::SetUp&) {
+Result<std::unique_ptr<ForceGuard>> start_force_guard(const std::string&, int,
+                                                      const std::vector<std::string>&) {
     return Error{"The device stays off, because nothing would watch over its motors on this system."};
 }
 
 #endif
+
+std::string guard_word(std::span<const std::uint8_t> bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+        text += "0123456789abcdef"[byte >> 4];
+        text += "0123456789abcdef"[byte & 15u];
+    }
+    return text;
+}
 
 } // namespace tp

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // In the virtual machine: a force stick's model as a HID device of the kernel's own, touched through the real
 // hidapi.
-#include "touch_bench.hpp"
+#include "touch_stories.hpp"
 
 #include <QTest>
-
-#include <cstddef>
-#include <cstdint>
 
 using namespace tp;
 using namespace tp::vm;
@@ -24,21 +21,9 @@ class ForceStickVmTest : public QObject {
     };
 
 private slots:
-    /// Every part of the face draws the hand, and nothing is late.
     void a_face_is_felt_and_no_tick_is_late() {
         Bench bench;
-        QVERIFY(bench.pulls());
-        const double begun = now();
-        pass(round_the_face);
-        const double ended = now();
-        QVERIFY(bench.end_touching());
-        QCOMPARE(bench.sessions.size(), std::size_t(1));
-        const TouchSession session = bench.sessions[0];
-        say("latest tick", 1e3 * session.latest_s);
-        QCOMPARE(session.missed, std::uint64_t(0));
-        QVERIFY(session.latest_s < 0.5 * tick);
-        QCOMPARE(told_faults(bench.snapshots, begun, ended), QString());
-        QCOMPARE(contours_felt(bench.snapshots, begun, ended).size(), contours_of_the_face());
+        feels_the_whole_face(bench);
     }
 
     void the_lab_lists_and_reads_it() {
@@ -48,19 +33,7 @@ private slots:
 
     void unplugged_in_mid_touch_and_felt_again() {
         Bench bench;
-        QVERIFY(bench.pulls());
-        const double pulled_out = now();
-        bench.tell('u');
-        QVERIFY(comes_true([&] { return bench.sessions.size() == 1; }, 10.0));
-        QVERIFY(bench.sessions[0].lost);
-        const Fall fall = fall_after(bench.snapshots, pulled_out, now(), Fault::device_lost);
-        QVERIFY(fall.noticed > 0.0);
-        say("known to be lost after", 1e3 * (fall.noticed - pulled_out));
-        QVERIFY(fall.last_force <= fall.noticed + ramp_down);
-        bench.tell('p');
-        QVERIFY(bench.pulls());
-        QVERIFY(bench.end_touching());
-        QVERIFY(!bench.sessions[1].lost);
+        is_lost_and_felt_again(bench);
     }
 
     /// A stick has no watchdog: the program that is told to end takes the force away itself.

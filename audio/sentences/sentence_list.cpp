@@ -229,6 +229,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "The place of %1 makes no sense and is left out."),
     QT_TRANSLATE_NOOP("Sentence", "The place of the face must lie in the picture, 0 to 1 from its left and upper edge."),
     QT_TRANSLATE_NOOP("Sentence", "The position is no place on Earth and is left out."),
+    QT_TRANSLATE_NOOP("Sentence", "The program that watches over the motors of the Falcon has ended, so they stay off. Start the device again."),
     QT_TRANSLATE_NOOP("Sentence", "The program that watches over the motors of the Haply 2diy has ended, so they stay off. Start the device again."),
     QT_TRANSLATE_NOOP("Sentence", "The program that watches over the motors of the force stick has ended, so they stay off. Start the device again."),
     QT_TRANSLATE_NOOP("Sentence", "The recording \"%1\""),

@@ -68,7 +68,19 @@ constexpr const char* not_homed = "The Falcon does not know where its grip is. H
 
 } // namespace
 
-bool Falcon::Line::send(std::uint64_t message) noexcept { return link->write(encode(command_of(message))); }
+bool Falcon::Line::send(std::uint64_t message) noexcept {
+    Command command = command_of(message);
+    const auto pulls = [&command] { return command.motors != decltype(command.motors){}; };
+    if (!pull->may_go_out(pulls()))
+        command.motors = {};
+    bool there = link->write(encode(command));
+    if (there && !pull->went_out(pulls())) {
+        command.motors = {};
+        there = link->write(encode(command));
+        pull->went_out(false);
+    }
+    return there;
+}
 
 Falcon::Falcon(Opener opener, Firmware firmware, std::string serial_number, LatestWriter::Thread thread)
     : opener_(std::move(opener)), firmware_(std::move(firmware)), serial_number_(std::move(serial_number)),
@@ -131,6 +143,7 @@ Result<Capabilities> Falcon::open() {
     leaps_ = 0;
     state_ = {};
     homed_.store(false);
+    unguarded_.store(false);
     bad_readings_.store(0);
 
     std::string problem = start();
@@ -141,6 +154,8 @@ Result<Capabilities> Falcon::open() {
         else
             problem = start_sentence(FalconStart::Trouble::mute_loader, {});
     }
+    if (problem.empty())
+        problem = begin_to_guard();
     open_ = problem.empty();
     if (!open_) {
         line_->link.reset();
@@ -158,6 +173,14 @@ Result<Capabilities> Falcon::open() {
     made.delay = 0.002;
     made.calibrated = false;
     return made;
+}
+
+std::string Falcon::begin_to_guard() {
+    Result<std::unique_ptr<ForceGuard>> guard = line_->link->guard(encode(Command{}));
+    if (!guard.ok())
+        return guard.error();
+    line_->pull.emplace(std::move(guard).value());
+    return {};
 }
 
 std::optional<Reply> Falcon::exchange(const Command& command) {
@@ -268,10 +291,13 @@ std::optional<DeviceState> Falcon::read(double now) noexcept {
 bool Falcon::write(const SafeForce& force) noexcept {
     if (!open_ || lost())
         return false;
-    if (!homed())
+    unguarded_.store(line_->pull->unguarded(), std::memory_order_relaxed);
+    if (!homed() || unguarded_.load(std::memory_order_relaxed))
         armed_ = false;
     else if (force.newtons() == Vec2(0.0) && force.share() == 0.0)
         armed_ = true;
+    else if (line_->pull->let_go())
+        armed_ = false;
     Command command;
     command.homing = !homed();
     command.leds = armed_ ? led::green : led::red;
@@ -298,14 +324,24 @@ void Falcon::stop() noexcept {
     if (!open_)
         return;
     open_ = false;
-    if (writer_->end(message_of(Command{})))
-        line_->link.reset();
+    if (!writer_->end(message_of(Command{})))
+        return;
+    if (!lost() && !line_->pull->unguarded())
+        line_->pull->dismiss();
+    line_->pull.reset();
+    line_->link.reset();
 }
 
 bool Falcon::lost() const noexcept { return writer_ && writer_->lost(); }
 
 bool Falcon::motors_off() const noexcept { return open_ && !armed_; }
 
-std::string Falcon::complaint() const { return homed() ? std::string() : not_homed; }
+std::string Falcon::complaint() const {
+    if (unguarded_.load(std::memory_order_relaxed))
+        return "The program that watches over the motors of the Falcon has ended, so they stay off. Start "
+               "the device "
+               "again.";
+    return homed() ? std::string() : not_homed;
+}
 
 } // namespace tp

@@ -6,6 +6,7 @@
 #include "device/falcon/falcon_link.hpp"
 #include "device/falcon/plane_force.hpp"
 #include "device/falcon/stamper.hpp"
+#include "device/guard/guarded_pull.hpp"
 #include "device/latest_writer.hpp"
 
 #include <atomic>
@@ -24,8 +25,9 @@ namespace tp {
 ///
 /// Each write sends one command and each command brings one reply, which a later read finds without waiting.
 /// The Falcon itself knows no safe state that anybody has described: it may keep its last command when the
-/// computer falls silent. So its motors are off here, whatever is asked, until all arms are homed and the
-/// servo has sent no force once; and where no place came for `most_unanswered` writes.
+/// computer falls silent. So a guard stands beside it, without which it is not opened; and its motors are off
+/// here, whatever is asked, until all arms are homed and the servo has sent no force once since, and since
+/// the guard has stepped in; and where no place came for `most_unanswered` writes.
 class Falcon final : public ForceDevice {
 public:
     using Opener = std::function<Result<std::unique_ptr<FalconLink>>()>;
@@ -69,9 +71,12 @@ private:
     /// What the writer shares with the rest; it outlives the Falcon where the writer hangs.
     struct Line final : LatestWriter::Sink {
         std::unique_ptr<FalconLink> link;
+        std::optional<GuardedPull> pull; ///< once it is guarded
         bool send(std::uint64_t message) noexcept override;
     };
     std::string start();
+    /// Empty where a guard watches from now on.
+    std::string begin_to_guard();
     std::optional<falcon::Reply> exchange(const falcon::Command& command);
     void take(const UsbPacket& packet) noexcept;
     bool locate(const falcon::Reply& reply, double now) noexcept;
@@ -85,6 +90,7 @@ private:
     std::unique_ptr<LatestWriter> writer_; ///< stays until the next open, for halt() from anywhere
     bool open_ = false;
     std::atomic<bool> homed_{false};
+    std::atomic<bool> unguarded_{false};
     std::atomic<std::uint64_t> bad_readings_{0};
 
     // Only the servo's thread.

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/result.hpp"
 #include "device/falcon/ftdi.hpp"
+#include "device/guard/force_guard.hpp"
 #include "device/usb/usb_packet.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace tp {
@@ -19,6 +22,9 @@ public:
     virtual UsbGot read(UsbPacket& packet, int wait_ms) noexcept = 0;
     /// At most 64 bytes. False where the device is gone. May block for as long as the system likes.
     virtual bool write(std::span<const std::uint8_t> bytes) noexcept = 0;
+    /// Begins to guard the Falcon, whose force such a packet takes away. Once, by whoever opens it; an error
+    /// where nothing would guard it.
+    virtual Result<std::unique_ptr<ForceGuard>> guard(std::span<const std::uint8_t> no_force) = 0;
 };
 
 } // namespace tp

@@ -21,7 +21,8 @@ std::vector<FoundFalcon> find_falcons();
 
 /// Opens the one with this serial number wherever it is plugged in, or without a number the one at this
 /// place, and takes it for itself, from the system's serial driver if need be. The error is a sentence that
-/// says what to do on this system.
-Result<std::unique_ptr<FalconLink>> open_falcon(const FoundFalcon& falcon);
+/// says what to do on this system. The program is the one that shall guard it
+/// (force_guard_program()).
+Result<std::unique_ptr<FalconLink>> open_falcon(const FoundFalcon& falcon, const std::string& guard_program);
 
 } // namespace tp

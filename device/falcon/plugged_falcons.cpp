@@ -5,6 +5,7 @@
 #include "device/falcon/falcon.hpp"
 #include "device/falcon/falcon_usb.hpp"
 #include "device/falcon/firmware_image.hpp"
+#include "device/guard/guard_process.hpp"
 
 #include <mutex>
 
@@ -15,7 +16,7 @@ std::vector<PluggedDevice> plugged_falcons() {
     for (const FoundFalcon& found : find_falcons()) {
         const auto open = [found] {
             const std::lock_guard lock(bus_mutex());
-            return open_falcon(found);
+            return open_falcon(found, force_guard_program());
         };
         devices.push_back({"falcon:" + (found.serial_number.empty() ? found.path : found.serial_number),
                            "Novint Falcon", found.serial_number, [] { return "usb"; },

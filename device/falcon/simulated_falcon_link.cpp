@@ -70,4 +70,11 @@ bool SimulatedFalconLink::write(std::span<const std::uint8_t> bytes) noexcept {
     return true;
 }
 
+Result<std::unique_ptr<ForceGuard>> SimulatedFalconLink::guard(std::span<const std::uint8_t> no_force) {
+    if (troubles.no_guard)
+        return Error{"The device stays off, because nothing would watch over its motors on this system."};
+    guard_takes_away.assign(no_force.begin(), no_force.end());
+    return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(diary));
+}
+
 } // namespace tp

@@ -3,11 +3,14 @@
 
 #include "device/falcon/falcon_link.hpp"
 #include "device/falcon/model_falcon.hpp"
+#include "device/guard/simulated_guard.hpp"
 
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace tp {
@@ -21,6 +24,7 @@ struct FalconTroubles {
     bool mute = false;    ///< nothing comes from the Falcon
     bool deaf = false;    ///< nothing reaches it
     bool unplugged = false;
+    bool no_guard = false;
 };
 
 /// A cable to a model Falcon, in simulated time, with a delay and knobs for what goes wrong. The model must
@@ -37,9 +41,12 @@ public:
     /// A wait passes in simulated time too.
     UsbGot read(UsbPacket& packet, int wait_ms) noexcept override;
     bool write(std::span<const std::uint8_t> bytes) noexcept override;
+    Result<std::unique_ptr<ForceGuard>> guard(std::span<const std::uint8_t> no_force) override;
 
     FalconTroubles troubles;
-    std::function<void()> each_ms = [] {}; ///< what a person does while something waits
+    GuardDiary diary;                           ///< of its guard
+    std::vector<std::uint8_t> guard_takes_away; ///< what its guard would write
+    std::function<void()> each_ms = [] {};      ///< what a person does while something waits
 
 private:
     struct ToFalcon {

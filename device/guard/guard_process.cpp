@@ -23,6 +23,14 @@ extern char** environ; // POSIX has it in no header
 
 namespace tp {
 
+namespace {
+
+Error nobody_to_watch() {
+    return Error{"The device stays off, because nothing would watch over its motors on this system."};
+}
+
+} // namespace
+
 #if defined(__unix__) || defined(__APPLE__)
 
 namespace {
@@ -120,6 +128,10 @@ int spawn(const std::string& program, std::vector<std::string> words, int device
     posix_spawnattr_init(&attributes);
     posix_spawn_file_actions_adddup2(&actions, device, guards_device);
     posix_spawn_file_actions_adddup2(&actions, beats, guards_beats);
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 34)
+    posix_spawn_file_actions_addclosefrom_np(&actions,
+                                             guards_beats + 1); // what others forgot to keep to themselves
+#endif
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP); // a terminal's Ctrl-C is not for it
     words.insert(words.begin(), program);
     std::vector<char*> arguments;
@@ -163,6 +175,8 @@ std::string force_guard_program() {
 
 Result<std::unique_ptr<ForceGuard>> start_force_guard(const std::string& program, int device_descriptor,
                                                       const std::vector<std::string>& words) {
+    if (device_descriptor < 0)
+        return nobody_to_watch();
     int pair[2] = {-1, -1};
     if (socketpair(AF_UNIX, socket_kind, 0, pair) != 0)
         return Error{"This computer has no room for the program that watches over the motors. Close other "
@@ -194,7 +208,7 @@ std::string force_guard_program() { return {}; }
 
 Result<std::unique_ptr<ForceGuard>> start_force_guard(const std::string&, int,
                                                       const std::vector<std::string>&) {
-    return Error{"The device stays off, because nothing would watch over its motors on this system."};
+    return nobody_to_watch();
 }
 
 #endif

@@ -18,7 +18,7 @@ std::string force_guard_program();
 /// Starts that program as a process of its own, which holds the device's descriptor open too, and waits until
 /// it watches: it takes the force away when this process ends in whatever way (SIGKILL too) or goes on
 /// pulling without a sign of life for 50 ms. The words say how, as device/guard/process/main.cpp has them.
-/// An error where it cannot be started.
+/// An error where it cannot be started, or where this system gives no descriptor (−1).
 Result<std::unique_ptr<ForceGuard>> start_force_guard(const std::string& program, int device_descriptor,
                                                       const std::vector<std::string>& words);
 

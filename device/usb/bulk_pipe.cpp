@@ -104,6 +104,8 @@ public:
         });
     }
 
+    int descriptor() const override { return usb_descriptor(libusb_get_device(handle_.get())); }
+
 private:
     struct Request {
         UsbTransfer transfer;

@@ -29,6 +29,9 @@ public:
     /// gone. One that it refuses, or does not take within 100 ms, counts as done.
     virtual bool control(std::uint8_t type, std::uint8_t request, std::uint16_t value,
                          std::uint16_t index) noexcept = 0;
+    /// What a process that is started with it writes to the same endpoints with, for as long as the pipe is
+    /// open, and after this process has ended; −1 where the system has no such thing.
+    virtual int descriptor() const = 0;
 };
 
 /// Opens the one of that kind with this serial number wherever it is plugged in, or without a number the one

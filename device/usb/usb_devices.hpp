@@ -51,6 +51,10 @@ struct FoundUsb {
 };
 std::vector<FoundUsb> find_usb(libusb_context* context, const UsbKind& kind);
 
+/// The descriptor through which this process has a device open, with all that it has claimed; libusb tells
+/// none. −1 where the system does not tell it either, or where there are several.
+int usb_descriptor(libusb_device* device);
+
 /// The problem that an error of libusb stands for when a device is opened or its interface claimed.
 OpenProblem open_problem_of_libusb(int error, System system);
 

@@ -3262,6 +3262,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The program that watches over the motors of the force stick has ended, so they stay off. Start the device again.</source>
         <translation>Das Programm, das über die Motoren des Kraftsticks wacht, hat geendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
     </message>
+    <message>
+        <source>The program that watches over the motors of the Falcon has ended, so they stay off. Start the device again.</source>
+        <translation>Das Programm, das über die Motoren des Falcon wacht, hat geendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -3250,6 +3250,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The program that watches over the motors of the force stick has ended, so they stay off. Start the device again.</source>
         <translation>힘 스틱의 모터를 지켜보는 프로그램이 끝나서 모터를 켜지 않습니다. 장치를 다시 시작하세요.</translation>
     </message>
+    <message>
+        <source>The program that watches over the motors of the Falcon has ended, so they stay off. Start the device again.</source>
+        <translation>Falcon의 모터를 지켜보는 프로그램이 끝나서 모터를 켜지 않습니다. 장치를 다시 시작하세요.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

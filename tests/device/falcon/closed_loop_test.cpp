@@ -65,7 +65,9 @@ struct Trouble {
         push,
         person,
         late,
-        kinds
+        kinds,
+        guard_steps_in,
+        guard_ends
     };
     int kind = 0;
     int from = 0; ///< tick
@@ -120,6 +122,12 @@ void set(FalconBench& bench, const Trouble& trouble, bool on) {
         break;
     case Trouble::push:
         bench.model.move_hand(falcon_place(bench.grip_mm(), on ? -30.0 * trouble.size : 0.0));
+        break;
+    case Trouble::guard_steps_in:
+        bench.link.diary.word = on ? ForceGuard::Word::stepped_in : ForceGuard::Word::here;
+        break;
+    case Trouble::guard_ends:
+        bench.link.diary.word = ForceGuard::Word::gone; // and stays so
         break;
     case Trouble::person:
         if (on)
@@ -334,6 +342,40 @@ private slots:
         QVERIFY(bench.model.force() == glm::dvec3(0.0));
     }
 
+    void where_the_guard_has_stepped_in_the_force_comes_back_by_the_ramp() {
+        HeldAboveALine bench;
+        bench.link.diary.word = ForceGuard::Word::stepped_in;
+        bench.run(0.002);
+        QVERIFY(bench.felt() == Vec2(0.0));
+        bench.link.diary.word = ForceGuard::Word::here;
+        bench.tick();
+        QVERIFY(bench.felt() == Vec2(0.0));
+        QCOMPARE(bench.loop->snapshot().fault, Fault::motors_off);
+        ForceJudge judge(
+            *bench.loop, bench.can, [&] { return bench.felt(); }, slack);
+        bench.after_tick = [&] { judge.judge(); };
+        bench.run(0.8);
+        QVERIFY(length(bench.felt()) > 0.3);
+        QVERIFY2(judge.complaint.isEmpty(), qPrintable(judge.complaint));
+        QCOMPARE(bench.device.complaint(), std::string());
+    }
+
+    void without_a_guard_nothing_is_pulled_any_more() {
+        HeldAboveALine bench;
+        bench.link.diary.word = ForceGuard::Word::gone;
+        bench.run(0.003);
+        QVERIFY(bench.felt() == Vec2(0.0));
+        QCOMPARE(bench.loop->snapshot().fault, Fault::motors_off);
+        QVERIFY(bench.device.complaint().find("watches over the motors") != std::string::npos);
+        bench.link.diary.word = ForceGuard::Word::here; // one that has ended does not come back
+        bench.run(1.0);
+        QVERIFY(bench.felt() == Vec2(0.0));
+        bench.loop->stop();
+        QCOMPARE(bench.link.diary.dismissals, 0);
+        QVERIFY(bench.device.open().ok());
+        QCOMPARE(bench.device.complaint(), std::string());
+    }
+
     /// Whatever goes wrong, and however much of it at once: no force beyond the limits, no hang, and for
     /// every force that goes a sentence.
     void random_troubles_never_hurt() {
@@ -351,13 +393,20 @@ private slots:
             constexpr int ticks = 600;
             std::vector<Trouble> troubles(1 + random() % 4);
             bool loses_commands = plant.watchdog_ms > 0;
-            for (Trouble& trouble : troubles) {
-                trouble.kind = static_cast<int>(random() % Trouble::kinds);
+            const auto some = [&](int kind) {
+                Trouble trouble;
+                trouble.kind = kind;
                 trouble.from = static_cast<int>(random() % ticks);
                 trouble.until = trouble.from + 1 + static_cast<int>(random() % 200);
                 trouble.size = share(random);
+                return trouble;
+            };
+            for (Trouble& trouble : troubles) {
+                trouble = some(static_cast<int>(random() % Trouble::kinds));
                 loses_commands = loses_commands || trouble.loses_commands() || trouble.kind == Trouble::leap;
             }
+            if (number % 4 == 0)
+                troubles.push_back(some(number % 16 == 0 ? Trouble::guard_ends : Trouble::guard_steps_in));
             // What a lost command leaves is judged by its size below.
             ForceJudge judge(
                 *bench.loop, bench.can, [&] { return loses_commands ? Vec2(0.0) : bench.felt(); }, 0.15);

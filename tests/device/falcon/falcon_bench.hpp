@@ -16,12 +16,15 @@
 namespace tp::testing {
 
 /// Lets a link that a test keeps be opened.
-class BorrowedFalconLink final : public FalconLink {
+class BorrowedFalconLink : public FalconLink {
 public:
     explicit BorrowedFalconLink(FalconLink& lent) : lent_(lent) {}
     bool control(const falcon::ftdi::Request& request) noexcept override { return lent_.control(request); }
     UsbGot read(UsbPacket& packet, int wait_ms) noexcept override { return lent_.read(packet, wait_ms); }
     bool write(std::span<const std::uint8_t> bytes) noexcept override { return lent_.write(bytes); }
+    Result<std::unique_ptr<ForceGuard>> guard(std::span<const std::uint8_t> no_force) override {
+        return lent_.guard(no_force);
+    }
 
 private:
     FalconLink& lent_;

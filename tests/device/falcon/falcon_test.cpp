@@ -49,6 +49,43 @@ struct Bench {
     }
 };
 
+/// A force of the chain, with its whole share: nothing else can make one.
+SafeForce safe(Vec2 newtons) {
+    Capabilities can;
+    can.max_force = 100.0;
+    SafetyLimits limits;
+    limits.max_force_rate = 1e9;
+    limits.engage_ramp = 0.001;
+    SafetyChain chain(limits, can, 0.001);
+    chain.engage(0.0);
+    SafetyInput input;
+    input.now = 0.001;
+    input.fresh = true;
+    input.force = newtons;
+    return chain.pass(input);
+}
+
+/// Open and homed, and armed by no force.
+struct GuardedBench : Bench {
+    GuardedBench() {
+        model.run_firmware(true);
+        opened = device.open().ok();
+        for (int i = 0; i < 10; ++i)
+            idle();
+    }
+    /// A millisecond in which it is to pull.
+    void pull() {
+        now += 0.001;
+        device.read(now);
+        device.write(safe({1.0, -1.0}));
+        device.deliver();
+        link.advance();
+        link.advance();
+    }
+    bool pulls() const { return model.command().motors != std::array<std::int16_t, 3>{}; }
+    bool opened = false;
+};
+
 } // namespace
 
 class FalconTest : public QObject {
@@ -90,6 +127,60 @@ private slots:
         Falcon refused([]() -> Result<std::unique_ptr<FalconLink>> { return Error{"It is busy."}; },
                        [] { return falcon_image(); }, "", LatestWriter::Thread::caller);
         QCOMPARE(refused.open().error(), std::string("It is busy."));
+    }
+
+    void without_a_guard_it_is_not_opened() {
+        Bench bench;
+        bench.link.troubles.no_guard = true;
+        const Result<Capabilities> can = bench.device.open();
+        QVERIFY2(can.error().find("nothing would watch over its motors") != std::string::npos,
+                 can.error().c_str());
+        QVERIFY(!bench.device.write(SafeForce{}));
+    }
+
+    void its_guard_hears_before_and_after_each_message_whether_it_pulls() {
+        GuardedBench bench;
+        QVERIFY(bench.opened);
+        QVERIFY(!bench.link.diary.pulls);
+        int before = bench.link.diary.beats;
+        bench.pull();
+        QVERIFY(bench.pulls());
+        QVERIFY(bench.link.diary.pulls);
+        QCOMPARE(bench.link.diary.beats, before + 2);
+        before = bench.link.diary.beats;
+        bench.idle();
+        QVERIFY(!bench.link.diary.pulls);
+        QCOMPARE(bench.link.diary.beats, before + 1); // no force needs no leave
+        bench.pull();
+        bench.device.stop();
+        QVERIFY(!bench.link.diary.pulls);
+        QCOMPARE(bench.link.diary.dismissals, 1);
+        QCOMPARE(bench.link.diary.ends, 1);
+    }
+
+    /// The program stood still between its sign of life and what it wrote.
+    void a_force_that_comes_after_its_guard_has_let_go_is_taken_back() {
+        GuardedBench bench;
+        bench.link.diary.before_that = {ForceGuard::Word::here, ForceGuard::Word::stepped_in};
+        bench.pull();
+        QVERIFY(!bench.pulls());
+        QVERIFY(!bench.link.diary.pulls);
+        bench.pull(); // before the servo hears of it
+        QVERIFY(!bench.pulls());
+        QVERIFY(bench.device.motors_off());
+        bench.idle();
+        QVERIFY(!bench.device.motors_off());
+        bench.pull();
+        QVERIFY(bench.pulls());
+    }
+
+    void what_its_guard_would_write_takes_the_force_away() {
+        GuardedBench bench;
+        bench.pull();
+        QVERIFY(bench.pulls());
+        bench.model.send(bench.link.guard_takes_away);
+        bench.model.step();
+        QVERIFY(!bench.pulls());
     }
 
     void not_homed_it_has_no_motors_and_says_how_to_home_it() {

@@ -4,20 +4,46 @@
 #include "device/registry.hpp"
 #include "mock_falcon.hpp"
 #include "stranger.hpp"
+
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 using namespace tp;
 using mock::UsbFalconBed;
 
 namespace {
+
+/// The guard's time is not the simulated one: none stands beside this Falcon.
+class UnhurriedLink final : public testing::BorrowedFalconLink {
+public:
+    explicit UnhurriedLink(std::unique_ptr<FalconLink> link)
+        : BorrowedFalconLink(*link), link_(std::move(link)) {}
+    Result<std::unique_ptr<ForceGuard>> guard(std::span<const std::uint8_t>) override {
+        return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(diary_));
+    }
+
+private:
+    std::unique_ptr<FalconLink> link_;
+    GuardDiary diary_;
+};
+
+Result<std::unique_ptr<FalconLink>> open_unhurried(const FoundFalcon& falcon) {
+    auto opened = open_falcon(falcon, {});
+    if (!opened.ok())
+        return Error{opened.error()};
+    return std::unique_ptr<FalconLink>(std::make_unique<UnhurriedLink>(std::move(opened).value()));
+}
 
 /// A servo on the only Falcon that is found, in simulated time: one tick for each command that was answered.
 struct Bench {
@@ -35,7 +61,7 @@ struct Bench {
             });
         device = std::make_unique<Falcon>(
             [] {
-                return open_falcon({"", "FTFALCON"});
+                return open_unhurried({"", "FTFALCON"});
             },
             [] { return testing::falcon_image(); }, "FTFALCON");
         const Result<Capabilities> can = device->open();
@@ -207,7 +233,7 @@ private slots:
         bed.behave(other);
         Falcon device(
             [] {
-                return open_falcon({"1-1", ""});
+                return open_falcon({"1-1", ""}, {});
             },
             [] { return std::vector<std::uint8_t>{}; }, "");
         const Result<Capabilities> can = device.open();
@@ -228,7 +254,7 @@ private slots:
         bed.behave(held);
         QVERIFY(bed.plug_in());
         {
-            const Result<std::unique_ptr<FalconLink>> opened = open_falcon({"", "FTFALCON"});
+            const Result<std::unique_ptr<FalconLink>> opened = open_falcon({"", "FTFALCON"}, {});
             QVERIFY2(opened.ok(), opened.error().c_str());
             QCOMPARE(bed.seen().detached, 1L);
         }
@@ -238,18 +264,19 @@ private slots:
     void each_reason_not_to_open_is_a_sentence() {
         UsbFalconBed bed;
         QVERIFY(bed.plug_in());
-        QVERIFY(open_falcon({"", "ANOTHER"}).error().find("The Falcon was unplugged") != std::string::npos);
+        QVERIFY(open_falcon({"", "ANOTHER"}, {}).error().find("The Falcon was unplugged") !=
+                std::string::npos);
         {
             const mock::Stranger stranger(bed.root(), {UsbFalconBed::node}, {UsbFalconBed::node});
             QVERIFY(stranger.good());
             QCOMPARE(find_falcons().size(), std::size_t(1));
-            const std::string words = open_falcon({"1-1", ""}).error();
+            const std::string words = open_falcon({"1-1", ""}, {}).error();
             QVERIFY2(words.find("udev/rules.d") != std::string::npos, words.c_str());
         }
         UsbFalconBed::Behaviour busy;
         busy.busy = true;
         bed.behave(busy);
-        const std::string words = open_falcon({"1-1", ""}).error();
+        const std::string words = open_falcon({"1-1", ""}, {}).error();
         QVERIFY2(words.find("Close that program") != std::string::npos, words.c_str());
     }
 

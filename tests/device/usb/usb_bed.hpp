@@ -56,6 +56,7 @@ public:
         long halts_cleared = 0;
         long detached = 0; ///< times the kernel's driver was sent away
         long attached = 0; ///< and called back
+        long apart = 0;    ///< packets that came without a transfer of libusb's, as a guard writes them
         long claimed = 0;
         long released = 0;
     };
@@ -198,15 +199,17 @@ private:
             }
         }
         int error = 0;
+        int result = 0;
         {
             const std::lock_guard lock(mutex_);
-            error = handle(client, request, argument, data);
+            error =
+                request == USBDEVFS_BULK ? take_apart(data, result) : handle(client, request, argument, data);
         }
         if (error == EAGAIN) // the node of a mocked device is always ready: without a rest libusb would spin
             std::this_thread::sleep_for(std::chrono::microseconds(200));
         if (data != nullptr && !(request == USBDEVFS_SUBMITURB && error == 0))
             umockdev_ioctl_data_unref(data);
-        umockdev_ioctl_client_complete(client, error == 0 ? 0 : -1, error);
+        umockdev_ioctl_client_complete(client, error == 0 ? result : -1, error);
         return TRUE;
     }
 
@@ -268,6 +271,24 @@ private:
         default:
             return ENOTTY;
         }
+    }
+
+    /// 0, with the bytes that were taken, or an errno.
+    int take_apart(UMockdevIoctlData* data, int& taken) {
+        if (gone_)
+            return ENODEV;
+        if (behaviour_.deaf)
+            return ETIMEDOUT;
+        const auto length = reinterpret_cast<usbdevfs_bulktransfer*>(data->data)->len;
+        UMockdevIoctlData* const bytes =
+            umockdev_ioctl_data_resolve(data, offsetof(usbdevfs_bulktransfer, data), length, nullptr);
+        if (bytes == nullptr)
+            return EFAULT;
+        hear({reinterpret_cast<const std::uint8_t*>(bytes->data), length});
+        umockdev_ioctl_data_unref(bytes);
+        ++seen_.apart;
+        taken = static_cast<int>(length);
+        return 0;
     }
 
     int claim(UMockdevIoctlClient* client) {

@@ -66,6 +66,25 @@ private slots:
         Bench bench;
         bears_a_silence(bench);
     }
+
+    /// A Falcon has no watchdog: of a program that is told to end, or killed, the guard takes the force away.
+    void ended_in_mid_touch_data() {
+        QTest::addColumn<bool>("killed");
+        QTest::newRow("terminated") << false;
+        QTest::newRow("killed") << true;
+    }
+    void ended_in_mid_touch() {
+        QFETCH(bool, killed);
+        Bench bench;
+        QVERIFY(bench.pulls());
+        const double ended = now();
+        killed ? bench.kill_toucher() : bench.terminate_toucher();
+        pass(0.2);
+        const double let_go = last_pull(bench.device_log, ended, now()) - ended;
+        say("the Falcon has let go after", 1e3 * let_go);
+        QVERIFY(let_go <= guarded);
+        QVERIFY(bench.feels() == Vec2(0.0));
+    }
 };
 
 QTEST_GUILESS_MAIN(FalconVmTest)

@@ -8,12 +8,6 @@
 using namespace tp;
 using namespace tp::vm;
 
-namespace {
-/// s: 50 ms without a sign of life, which come before the end of a program whose memory is large, and the guard's
-/// turn.
-constexpr double guarded = 0.060;
-} // namespace
-
 class ForceStickVmTest : public QObject {
     Q_OBJECT
 

@@ -29,6 +29,9 @@ inline constexpr double tick = 0.001;         ///< s
 inline constexpr double on_the_way = 0.002;   ///< s, of a report between two programs, at most
 inline constexpr double ramp_down = 0.020;    ///< s, SafetyLimits
 inline constexpr double stale_after = 0.020;  ///< s, SafetyLimits
+/// s: a guard steps in 50 ms after the last sign of life, which come before the end of a program whose memory
+/// is large, and has its turn.
+inline constexpr double guarded = 0.060;
 inline constexpr double unfelt = 0.02;        ///< N, what rounding and the rest tension leave of no force
 inline constexpr double round_the_face = 8.0; ///< s, in which a hand goes past every line
 

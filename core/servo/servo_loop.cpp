@@ -139,10 +139,10 @@ void ServoLoop::tick() noexcept {
     const double dt = std::clamp(now - last_tick_, 0.0, 10.0 * period_);
     last_tick_ = now;
 
-    const std::optional<DeviceState> reading = device_.read(now);
-    if (reading) {
-        state_ = reading;
-        velocity_.feed(reading->time, reading->position);
+    const Watchdog::Reading reading = watchdog_.read(now);
+    if (reading.state) {
+        state_ = reading.state;
+        velocity_.feed(state_->time, state_->position);
     }
     const Vec2 position = state_ ? state_->position : Vec2(0.0);
     const Vec2 finger = settings_.device_to_surface(position);
@@ -176,9 +176,9 @@ void ServoLoop::tick() noexcept {
 
     SafetyInput input;
     input.now = now;
-    input.fresh = reading.has_value();
-    input.device_lost = device_.lost();
-    input.motors_off = device_.motors_off();
+    input.fresh = reading.state.has_value();
+    input.device_lost = reading.lost;
+    input.motors_off = reading.motors_off;
     input.position = position;
     input.velocity = velocity_.velocity();
     input.force = settings_.device_to_surface.pull_back_force(force);

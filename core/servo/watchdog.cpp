@@ -5,10 +5,20 @@
 
 namespace tp {
 
+Watchdog::Reading Watchdog::read(double now) noexcept {
+    last_reading_.state.reset();
+    if (!enter())
+        return last_reading_;
+    last_reading_ = {device_.read(now), device_.lost(), device_.motors_off()};
+    leave();
+    return last_reading_;
+}
+
 bool Watchdog::write(const SafeForce& force, double now) noexcept {
     last_beat_.store(now, std::memory_order_release);
     if (halted())
-        return true; // the chain hears of it through halted, and of what the watchdog did through take_share_left
+        return true; // the chain hears of it through halted, and of what the watchdog did through
+                     // take_share_left
     if (!enter()) {
         if (now - watch_entered_.load(std::memory_order_acquire) > limits_.stall_after)
             halt();

@@ -9,13 +9,14 @@ namespace tp {
 
 /// Stands between the servo loop and the device, and takes the force away when the loop no longer ticks.
 ///
-/// The loop writes through `write`, which is also its sign of life. Another thread calls `check` about once a
-/// millisecond: when the sign of life is older than `late_after`, it ramps the last force to zero within
-/// `ramp`; when it is older than `stall_after`, it halts the device, also where the loop hangs inside the
-/// device's own write. What the watchdog writes is the last safe force made smaller, never another.
+/// The loop reads and writes through `read` and `write`; writing is also its sign of life. Another thread
+/// calls `check` about once a millisecond: when the sign of life is older than `late_after`, it ramps the
+/// last force to zero within `ramp`; when it is older than `stall_after`, it halts the device, also where the
+/// loop hangs inside the device's own read or write. What the watchdog writes is the last safe force made
+/// smaller, never another.
 ///
-/// Neither side waits for the other: whoever finds the device in use leaves it alone for this time. Where the watchdog
-/// itself hangs inside the device's write for longer than `stall_after`, the loop halts the device.
+/// Neither side waits for the other: whoever finds the device in use leaves it alone for this time. Where the
+/// watchdog itself hangs inside the device's write for longer than `stall_after`, the loop halts the device.
 class Watchdog {
 public:
     struct Limits {
@@ -24,9 +25,18 @@ public:
         double ramp = 0.020;        ///< s
     };
 
+    /// What the device says of itself in one tick.
+    struct Reading {
+        std::optional<DeviceState> state; ///< nothing where there is none newer, or the device was in use
+        bool lost = false;
+        bool motors_off = false;
+    };
+
     Watchdog(ForceDevice& device, const Limits& limits) : device_(device), limits_(limits) {}
 
-    /// The loop's way to the device, at `now` s. False where the device refused.
+    /// The loop's way from the device, at `now` s. Only the loop's thread.
+    Reading read(double now) noexcept;
+    /// The loop's way to the device, at `now` s. False where the device refused. Only the loop's thread.
     bool write(const SafeForce& force, double now) noexcept;
     /// Share of the last force that was left when the loop came back after the watchdog had stepped in, once;
     /// 1 where it had not. Only the loop's thread.
@@ -47,11 +57,12 @@ private:
     ForceDevice& device_;
     Limits limits_;
     std::atomic<bool> busy_{false};
-    std::atomic<double> last_beat_{-1.0}; ///< s; negative before the first
+    std::atomic<double> last_beat_{-1.0};    ///< s; negative before the first
     std::atomic<double> watch_entered_{0.0}; ///< s; when the watchdog last took the device, or was about to
-    std::atomic<double> share_{1.0};      ///< of last_force_ that is on the device
+    std::atomic<double> share_{1.0};         ///< of last_force_ that is on the device
     std::atomic<bool> halted_{false};
     SafeForce last_force_; ///< only whoever has entered
+    Reading last_reading_; ///< only the loop's thread
 };
 
 } // namespace tp

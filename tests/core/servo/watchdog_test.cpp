@@ -6,6 +6,7 @@
 #include <QScopeGuard>
 #include <QTest>
 
+#include <functional>
 #include <thread>
 
 using namespace tp;
@@ -45,23 +46,66 @@ struct Bench {
     double force() const { return length(device.last_force()); }
 };
 
-/// A device whose write does not come back until it is told to.
+/// A device that lets another thread have its turn in the middle of a read or a write, and counts whom it met
+/// there.
+class CrowdedDevice final : public ForceDevice {
+public:
+    std::function<void()> meanwhile = [] {};
+    int met = 0;
+    int written = 0;
+    Result<Capabilities> open() override { return DeviceDouble::capabilities(); }
+    std::optional<DeviceState> read(double now) noexcept override {
+        visit();
+        return DeviceState{now, {0.0, 2.0}, 0};
+    }
+    bool write(const SafeForce&) noexcept override {
+        ++written;
+        visit();
+        return true;
+    }
+    void halt() noexcept override {}
+    void stop() noexcept override {}
+    bool motors_off() const noexcept override { return true; }
+
+private:
+    void visit() {
+        if (inside_)
+            ++met;
+        else {
+            inside_ = true;
+            meanwhile();
+            inside_ = false;
+        }
+    }
+    bool inside_ = false;
+};
+
+/// A device whose read or write does not come back until it is told to.
 class HangingDevice final : public ForceDevice {
 public:
     std::atomic<bool> hang{false};
+    std::atomic<bool> hang_reading{false};
     std::atomic<bool> inside{false};
     std::atomic<bool> halted{false};
     Result<Capabilities> open() override { return DeviceDouble::capabilities(); }
-    std::optional<DeviceState> read(double now) noexcept override { return DeviceState{now, {0.0, 2.0}, 0}; }
+    std::optional<DeviceState> read(double now) noexcept override {
+        wait_while(hang_reading);
+        return DeviceState{now, {0.0, 2.0}, 0};
+    }
     bool write(const SafeForce&) noexcept override {
-        while (hang) {
-            inside = true;
-            std::this_thread::yield();
-        }
+        wait_while(hang);
         return true;
     }
     void halt() noexcept override { halted = true; }
     void stop() noexcept override {}
+
+private:
+    void wait_while(const std::atomic<bool>& told) {
+        while (told) {
+            inside = true;
+            std::this_thread::yield();
+        }
+    }
 };
 
 } // namespace
@@ -120,18 +164,25 @@ private slots:
         QVERIFY(std::abs(bench.force() - 0.4) < 1e-6);
     }
 
-    void a_write_that_hangs_is_halted_by_the_other_thread() {
+    void a_read_or_write_that_hangs_is_halted_by_the_other_thread_data() {
+        QTest::addColumn<bool>("reading");
+        QTest::newRow("read") << true;
+        QTest::newRow("write") << false;
+    }
+    void a_read_or_write_that_hangs_is_halted_by_the_other_thread() {
+        QFETCH(bool, reading);
         HangingDevice device;
+        std::atomic<bool>& hang = reading ? device.hang_reading : device.hang;
         SteadyClock clock;
         ServoLoop loop(device, DeviceDouble::capabilities(), clock, ServoSettings{});
         loop.engage();
         loop.start();
         QTRY_VERIFY_WITH_TIMEOUT(loop.snapshot().ticks > 20, 20000);
-        device.hang = true;
-        const auto over = qScopeGuard([&] { device.hang = false; });
+        hang = true;
+        const auto over = qScopeGuard([&] { hang = false; });
         QTRY_VERIFY_WITH_TIMEOUT(device.halted.load(), 20000);
         QVERIFY(device.inside);
-        device.hang = false;
+        hang = false;
         QTRY_COMPARE_WITH_TIMEOUT(loop.snapshot().fault, Fault::stalled, 20000);
     }
 
@@ -153,6 +204,26 @@ private slots:
         QVERIFY(watchdog.write(SafeForce{}, 0.061));
         QVERIFY(device.halted && watchdog.halted());
         QCOMPARE(watchdog.take_share_left(), 0.0);
+    }
+
+    void loop_and_watchdog_are_never_in_the_device_together() {
+        CrowdedDevice device;
+        Watchdog watchdog(device, {});
+        QVERIFY(watchdog.write(SafeForce{}, 0.0));
+        device.meanwhile = [&] {
+            watchdog.check(0.010);
+        }; // in the middle of the loop's read, then of its write
+        QVERIFY(watchdog.read(0.001).state.has_value());
+        QVERIFY(watchdog.write(SafeForce{}, 0.0));
+        QCOMPARE(device.written, 2);
+
+        Watchdog::Reading meanwhile;
+        device.meanwhile = [&] { meanwhile = watchdog.read(0.010); }; // in the middle of the watchdog's write
+        watchdog.check(0.010);
+        QCOMPARE(device.written, 3);
+        QVERIFY(!meanwhile.state);
+        QVERIFY(meanwhile.motors_off); // as the device said last
+        QCOMPARE(device.met, 0);
     }
 
     void makes_forces_smaller_and_never_larger() {

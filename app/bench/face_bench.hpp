@@ -15,8 +15,8 @@ namespace tp {
 
 /// A way to find contours that is weighed against others.
 struct FaceContender {
-    std::string
-        name; ///< detector and model, such as "haar_and_lbf"; the embedded detector goes without saying
+    /// Detector and model, such as "haar_and_lbf"; the embedded detector goes without saying.
+    std::string name;
     ExtractorChoice choice;
 };
 /// The embedded nets with and without the edges, and of the other models those that the user has: YuNet, the

@@ -70,16 +70,12 @@ constexpr const char* not_homed = "The Falcon does not know where its grip is. H
 
 bool Falcon::Line::send(std::uint64_t message) noexcept {
     Command command = command_of(message);
-    const auto pulls = [&command] { return command.motors != decltype(command.motors){}; };
-    if (!pull->may_go_out(pulls()))
-        command.motors = {};
-    bool there = link->write(encode(command));
-    if (there && !pull->went_out(pulls())) {
-        command.motors = {};
-        there = link->write(encode(command));
-        pull->went_out(false);
-    }
-    return there;
+    constexpr decltype(command.motors) off{};
+    return pull->send(command.motors != off, [&](bool with_force) {
+        if (!with_force)
+            command.motors = off;
+        return link->write(encode(command));
+    });
 }
 
 Falcon::Falcon(Opener opener, Firmware firmware, std::string serial_number, LatestWriter::Thread thread)
@@ -339,8 +335,7 @@ bool Falcon::motors_off() const noexcept { return open_ && !armed_; }
 std::string Falcon::complaint() const {
     if (unguarded_.load(std::memory_order_relaxed))
         return "The program that watches over the motors of the Falcon has ended, so they stay off. Start "
-               "the device "
-               "again.";
+               "the device again.";
     return homed() ? std::string() : not_homed;
 }
 

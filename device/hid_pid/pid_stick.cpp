@@ -43,14 +43,11 @@ PidStick::StickMessage PidStick::StickMessage::of(std::uint64_t word) {
 
 bool PidStick::Line::send(std::uint64_t word) noexcept {
     StickMessage message = StickMessage::of(word);
-    if (!pull->may_go_out(message.pulls()))
-        message.share = {};
-    bool whole = write(message);
-    if (whole && !pull->went_out(message.pulls())) {
-        message.share = {};
-        whole = write(message);
-        pull->went_out(false);
-    }
+    const bool whole = pull->send(message.pulls(), [&](bool with_force) {
+        if (!with_force)
+            message.share = {};
+        return write(message);
+    });
     if (whole)
         taken.fetch_add(1, std::memory_order_release);
     return whole;

@@ -2,9 +2,11 @@
 // A Falcon made by umockdev, a real process that pulls with it through the real libusb, and the real guard
 // beside that. That the guard may write where the program has claimed is the kernel's deed, and not shown
 // here.
+#include "../until.hpp"
 #include "device/falcon/falcon_usb.hpp"
 #include "device/guard/guard_process.hpp"
 #include "mock_falcon.hpp"
+#include "safe_force.hpp"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -13,40 +15,18 @@
 #include <QTest>
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <functional>
 #include <poll.h>
 #include <string>
-#include <thread>
 #include <unistd.h>
 
 using namespace tp;
 using mock::UsbFalconBed;
+using tp::testing::safe;
+using tp::testing::until;
 
 namespace {
-
-void until(const std::function<bool()>& holds) {
-    while (!holds()) // CTest ends a test that waits for ever
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
-/// A force of the chain, with its whole share: nothing else can make one.
-SafeForce safe(Vec2 newtons) {
-    Capabilities can;
-    can.max_force = 100.0;
-    SafetyLimits limits;
-    limits.max_force_rate = 1e9;
-    limits.engage_ramp = 0.001;
-    SafetyChain chain(limits, can, 0.001);
-    chain.engage(0.0);
-    SafetyInput input;
-    input.now = 0.001;
-    input.fresh = true;
-    input.force = newtons;
-    return chain.pass(input);
-}
 
 Falcon falcon_that_is_plugged_in(const std::string& guard) {
     return Falcon(

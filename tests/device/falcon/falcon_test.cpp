@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/servo/safety_chain.hpp"
 #include "device/falcon/falcon.hpp"
 #include "falcon_bench.hpp"
+#include "safe_force.hpp"
 
 #include <QTest>
 
@@ -48,22 +48,6 @@ struct Bench {
         return state;
     }
 };
-
-/// A force of the chain, with its whole share: nothing else can make one.
-SafeForce safe(Vec2 newtons) {
-    Capabilities can;
-    can.max_force = 100.0;
-    SafetyLimits limits;
-    limits.max_force_rate = 1e9;
-    limits.engage_ramp = 0.001;
-    SafetyChain chain(limits, can, 0.001);
-    chain.engage(0.0);
-    SafetyInput input;
-    input.now = 0.001;
-    input.fresh = true;
-    input.force = newtons;
-    return chain.pass(input);
-}
 
 /// Open and homed, and armed by no force.
 struct GuardedBench : Bench {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "../until.hpp"
 #include "device/force_pad/force_pad.hpp"
 #include "device/force_pad/pad_frames.hpp"
 #include "device/open_problem.hpp"
 #include "pad_bench.hpp"
+#include "safe_force.hpp"
 
 #include <QTest>
 
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,6 +22,8 @@
 using namespace tp;
 using tp::testing::lend;
 using tp::testing::PadBench;
+using tp::testing::safe;
+using tp::testing::until;
 
 namespace {
 
@@ -61,28 +64,6 @@ private:
     ModelPad model_{pad::cable_pad()};
     SimulatedLink link_{model_};
 };
-
-void until(const std::function<bool()>& holds) {
-    while (!holds()) // CTest ends a test that waits for ever
-        std::this_thread::yield();
-}
-
-/// A force of the safety chain, the only one that makes any.
-SafeForce safe(Vec2 newtons) {
-    Capabilities can;
-    can.max_force = 100.0;
-    SafetyLimits limits;
-    limits.max_force = 100.0;
-    limits.max_force_rate = 1e9;
-    limits.engage_ramp = 0.001;
-    SafetyChain chain(limits, can, 0.001);
-    chain.engage(0.0);
-    SafetyInput input;
-    input.now = 0.001;
-    input.fresh = true;
-    input.force = newtons;
-    return chain.pass(input);
-}
 
 } // namespace
 
@@ -179,7 +160,7 @@ private slots:
         QCOMPARE(frame.x_mn, std::int16_t(799));
         QCOMPARE(frame.y_mn, std::int16_t(-250));
         QVERIFY(frame.motors);
-        QCOMPARE(force_frame(safe({99.0, -99.0})).x_mn, std::int16_t(32767));
+        QCOMPARE(force_frame(safe({99.0, -99.0}, 100.0)).x_mn, std::int16_t(32767));
     }
 
     void bad_frames_are_counted_and_old_ones_do_not_move_the_finger() {

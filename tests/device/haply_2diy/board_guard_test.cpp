@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board behind a real pseudo-terminal, a real process that pulls on it, and the real guard beside that.
-#include "core/servo/safety_chain.hpp"
+#include "../until.hpp"
 #include "device/guard/guard_process.hpp"
 #include "device/haply_2diy/haply_2diy.hpp"
 #include "device/haply_2diy/model_board.hpp"
 #include "device/haply_2diy/posix_serial.hpp"
+#include "safe_force.hpp"
 
 #include <QCoreApplication>
 #include <QProcess>
@@ -18,7 +19,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <poll.h>
@@ -29,30 +29,12 @@
 #include <vector>
 
 using namespace tp;
+using tp::testing::safe;
+using tp::testing::until;
 
 namespace {
 
 std::string guard_program() { return qEnvironmentVariable("TP_FORCE_GUARD").toStdString(); }
-
-void until(const std::function<bool()>& holds) {
-    while (!holds()) // CTest ends a test that waits for ever
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
-SafeForce safe(Vec2 newtons) {
-    Capabilities can;
-    can.max_force = 100.0;
-    SafetyLimits limits;
-    limits.max_force_rate = 1e9;
-    limits.engage_ramp = 0.001;
-    SafetyChain chain(limits, can, 0.001);
-    chain.engage(0.0);
-    SafetyInput input;
-    input.now = 0.001;
-    input.fresh = true;
-    input.force = newtons;
-    return chain.pass(input);
-}
 
 Haply2diy::Opener over(const std::string& path, const std::string& program) {
     return [path, program]() -> Result<Haply2diy::Board> {
@@ -124,8 +106,8 @@ public:
     /// Nobody has the line open.
     bool hung_up() const { return hung_up_.load(); }
     std::uint64_t heard() const { return heard_.load(); }
-    /// The board gets these before what comes next, as the beginning of a frame that was never ended: a command
-    /// with the torque of the first motor, 0.1 N·m, which the next bytes of whatever kind complete.
+    /// The board gets these before what comes next, as the beginning of a frame that was never ended: a
+    /// command with the torque of the first motor, 0.1 N·m, which the next bytes of whatever kind complete.
     void begin_a_frame() {
         const std::scoped_lock lock(mutex_);
         for (const std::uint8_t byte : std::array<std::uint8_t, 6>{2, 5, 0xcd, 0xcc, 0xcc, 0x3d})
@@ -159,7 +141,8 @@ private:
             return;
         if (::write(master_, answer.data(), answer.size()) < 0)
             hung_up_.store(true);
-        std::this_thread::sleep_for(std::chrono::microseconds(300)); // a board is no faster: it is read before the next
+        std::this_thread::sleep_for(
+            std::chrono::microseconds(300)); // a board is no faster: it is read before the next
     }
 
     int master_;

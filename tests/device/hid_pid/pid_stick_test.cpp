@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "safe_force.hpp"
 #include "stick_bench.hpp"
 
 #include <QTest>
@@ -11,6 +12,7 @@
 
 using namespace tp;
 using tp::testing::BorrowedStickLink;
+using tp::testing::safe;
 using tp::testing::StickBench;
 
 namespace {
@@ -30,25 +32,6 @@ struct StickToOpen {
               },
               {"a stick", "0001"}, scale, thread) {}
 };
-
-/// A force of the chain: nothing else can make one.
-SafeForce safe(Vec2 newtons) {
-    Capabilities can;
-    can.max_force = 100.0;
-    SafetyLimits limits;
-    limits.max_force = 100.0;
-    limits.max_force_rate = 1e9;
-    limits.engage_ramp = 1e-9;
-    SafetyChain chain(limits, can, 0.001);
-    chain.engage(0.0);
-    SafetyInput input;
-    input.fresh = true;
-    input.force = newtons;
-    input.now = 0.001;
-    chain.pass(input);
-    input.now = 0.002;
-    return chain.pass(input);
-}
 
 } // namespace
 
@@ -88,7 +71,7 @@ private slots:
             for (const Vec2 newtons :
                  {Vec2(2.0, 0.0), Vec2(-2.0, 0.0), Vec2(0.0, 1.5), Vec2(0.0, -1.5), Vec2(1.0, -2.0)}) {
                 bench.device.read(0.001);
-                QVERIFY(bench.device.write(safe(newtons)));
+                QVERIFY(bench.device.write(safe(newtons, 100.0)));
                 bench.device.deliver();
                 bench.link.advance();
                 const Vec2 felt = bench.model.force();
@@ -188,7 +171,8 @@ private slots:
         StickToOpen stick;
         stick.link.troubles.no_guard = true;
         const Result<Capabilities> can = stick.device.open();
-        QVERIFY2(can.error().find("nothing would watch over its motors") != std::string::npos, can.error().c_str());
+        QVERIFY2(can.error().find("nothing would watch over its motors") != std::string::npos,
+                 can.error().c_str());
         stick.link.advance();
         QCOMPARE(stick.model.effects(), std::size_t(0));
         QVERIFY(!stick.model.motors_on());
@@ -201,7 +185,7 @@ private slots:
         double now = 0.0;
         const auto write = [&](Vec2 newtons) {
             stick.device.read(now += 0.001);
-            stick.device.write(safe(newtons));
+            stick.device.write(safe(newtons, 100.0));
             stick.device.deliver();
         };
         write({1.0, 0.0});

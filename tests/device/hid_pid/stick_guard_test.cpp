@@ -1,51 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 // A force stick made by umockdev, a real process that pulls with it through the real hidapi, and the real
 // guard beside that.
+#include "../until.hpp"
 #include "device/guard/guard_process.hpp"
 #include "device/hid_pid/hid_pid_transport.hpp"
 #include "mock_stick.hpp"
+#include "safe_force.hpp"
 
 #include <QCoreApplication>
 #include <QProcess>
 #include <QTest>
 
-#include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <functional>
 #include <memory>
 #include <poll.h>
 #include <string>
-#include <thread>
 #include <unistd.h>
 #include <vector>
 
 using namespace tp;
 using mock::StickBed;
+using tp::testing::safe;
+using tp::testing::until;
 
 namespace {
 
 std::string guard_program() { return qEnvironmentVariable("TP_FORCE_GUARD").toStdString(); }
-
-void until(const std::function<bool()>& holds) {
-    while (!holds()) // CTest ends a test that waits for ever
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
-SafeForce safe(Vec2 newtons) {
-    Capabilities can;
-    can.max_force = 100.0;
-    SafetyLimits limits;
-    limits.max_force_rate = 1e9;
-    limits.engage_ramp = 0.001;
-    SafetyChain chain(limits, can, 0.001);
-    chain.engage(0.0);
-    SafetyInput input;
-    input.now = 0.001;
-    input.fresh = true;
-    input.force = newtons;
-    return chain.pass(input);
-}
 
 PidStick stick_that_is_plugged_in(const std::string& guard) {
     return PidStick(

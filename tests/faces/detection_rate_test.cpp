@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <map>
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -102,7 +103,7 @@ private slots:
             QTest::addRow("%d px", px) << px << 1800 << 20;
         QTest::addRow("40 px in 50 megapixel") << 40 << 8165 << 90;
     }
-    /// A portrait whose face is `face_px` wide somewhere in clouds, four by three.
+    /// Portraits whose faces are `face_px` wide somewhere in clouds, four by three, one in each quarter.
     void small_faces_in_large_pictures() {
         NEEDS_PORTRAITS();
         QFETCH(int, face_px);
@@ -110,35 +111,71 @@ private slots:
         QFETCH(int, stride);
         FaceExtractor faces = std::move(FaceExtractor::create()).value();
         cv::RNG random(3);
-        int pictures = 0, found_there = 0, elsewhere = 0, named_small = 0;
-        for (const fs::path& file : every(stride, "congress")) {
-            const cv::Mat portrait = *read_picture(file);
-            const Extraction alone = faces.extract(portrait);
-            if (alone.faces.size() != 1)
-                continue;
-            const double scale = face_px / alone.faces[0].box.width();
-            cv::Mat small, picture = drawn::clouds(random, {longer_px, longer_px * 3 / 4}, 80);
-            cv::resize(portrait, small, {}, scale, scale, cv::INTER_AREA);
-            const cv::Point at(random.uniform(0, picture.cols - small.cols),
-                               random.uniform(0, picture.rows - small.rows));
-            small.copyTo(picture(cv::Rect(at, small.size())));
-            const Vec2 centre = alone.faces[0].box.centre() * scale + Vec2(at.x, at.y);
+        int pictures = 0, portraits = 0, found_there = 0, elsewhere = 0, named_small = 0;
+        auto& lone = lone_[stride];
+        if (lone.empty())
+            lone = lone_faces(faces, stride);
+        for (std::size_t first = 0; first < lone.size(); first += 4) {
+            cv::Mat picture = drawn::clouds(random, {longer_px, longer_px * 3 / 4}, 80);
+            std::vector<Vec2> centres;
+            for (std::size_t i = first; i < std::min(first + 4, lone.size()); ++i) {
+                const int quarter = static_cast<int>(i - first);
+                centres.push_back(hidden(lone[i], face_px, quarter, random, picture));
+            }
             ++pictures;
-            for (const Face& face : faces.extract(picture).faces)
-                if (length(face.box.centre() - centre) < 0.5 * face_px) {
-                    ++found_there;
-                    named_small += !face.problem.empty();
-                } else {
+            portraits += static_cast<int>(centres.size());
+            for (const Face& face : faces.extract(picture).faces) {
+                const auto there = std::find_if(centres.begin(), centres.end(), [&](Vec2 centre) {
+                    return length(face.box.centre() - centre) < 0.5 * face_px;
+                });
+                if (there == centres.end()) {
                     ++elsewhere;
+                    continue;
                 }
+                centres.erase(there); // found twice it counts as elsewhere
+                ++found_there;
+                named_small += !face.problem.empty();
+            }
         }
-        qInfo("%d px: found %d of %d, said to be too small %d, false alarms %d", face_px, found_there,
-              pictures, named_small, elsewhere);
-        QVERIFY(found_there <= pictures); // no face twice
+        qInfo("%d px: found %d of %d, said to be too small %d, false alarms %d in %d pictures", face_px,
+              found_there, portraits, named_small, elsewhere, pictures);
         QVERIFY(elsewhere <= 1);
         if (face_px >= 40)
-            QVERIFY(found_there >= pictures * 9 / 10);
+            QVERIFY(found_there >= portraits * 9 / 10);
     }
+
+private:
+    struct LoneFace {
+        cv::Mat portrait;
+        Rect box; ///< px of the portrait
+    };
+
+    /// Of every `stride`th portrait those in which one face is found.
+    static std::vector<LoneFace> lone_faces(FaceExtractor& faces, int stride) {
+        std::vector<LoneFace> lone;
+        for (const fs::path& file : every(stride, "congress")) {
+            const cv::Mat portrait = *read_picture(file);
+            const Extraction found = faces.extract(portrait);
+            if (found.faces.size() == 1)
+                lone.push_back({portrait, found.faces[0].box});
+        }
+        return lone;
+    }
+
+    /// Puts the portrait, its face `face_px` wide, somewhere into a quarter (0 … 3) of the picture. The
+    /// face's centre there, px.
+    static Vec2 hidden(const LoneFace& lone, int face_px, int quarter, cv::RNG& random, cv::Mat& picture) {
+        const double scale = face_px / lone.box.width();
+        cv::Mat small;
+        cv::resize(lone.portrait, small, {}, scale, scale, cv::INTER_AREA);
+        const int width = picture.cols / 2, height = picture.rows / 2;
+        const cv::Point at(quarter % 2 * width + random.uniform(0, width - small.cols),
+                           quarter / 2 * height + random.uniform(0, height - small.rows));
+        small.copyTo(picture(cv::Rect(at, small.size())));
+        return lone.box.centre() * scale + Vec2(at.x, at.y);
+    }
+
+    std::map<int, std::vector<LoneFace>> lone_; ///< by stride: each row looks for the same faces
 };
 
 QTEST_GUILESS_MAIN(DetectionRateTest)

@@ -162,7 +162,15 @@ class Walker:
             self.awaited("the start page", lambda: self.window().name == "TouchPhoto")
         self.awaited(f"a keyboard on {name}", self.focused)
 
-    def goes_round(self, points=0):
+    def points(self, name):
+        """Through how many points of what has the keyboard Tab goes before it leaves."""
+        if name == "mend":
+            return self.focused().childCount
+        if name == "explore":  # its features, once a face is found
+            return self.awaited("a face", lambda: sum(face.childCount for face in self.focused() if face is not None))
+        return 0
+
+    def goes_round(self, points):
         """Presses Tab until it is where it was first; what was on the way, each in sight and without fault. Of the first,
         Tab goes through so many points before it leaves."""
         first = self.focused()
@@ -209,6 +217,7 @@ def walk(program, album, folder, focus, language, text_scale):
     for first, names in (("mend", ("mend", "start", *BY_NUMBER)), ("print", ("print",))):
         environment = preferences(folder, asked=True, voice="screen_reader", language=language, text_scale=text_scale,
                                   album_folders=[album.folder], last_photo=album.photos[0])
+        environment["QT_QUICK_BACKEND"] = "software"  # where no GPU is, OpenGL's pictures cost most of the time, and nobody looks
         with open(complaints, "w", encoding="utf-8") as file:
             running = subprocess.Popen([program, "--page", first, "--size", "x".join(map(str, WIDE))], env=environment, stderr=file)
         try:
@@ -220,7 +229,7 @@ def walk(program, album, folder, focus, language, text_scale):
                     where = f"{name}, {language}, text {text_scale:g}, {size[0]}x{size[1]}"
                     walker.awaited(where, lambda: next(walker.usable(), None))
                     walker.faultless(where)
-                stops = walker.goes_round(points=walker.focused().childCount if name == "mend" else 0)
+                stops = walker.goes_round(walker.points(name))
                 walker.in_reading_order(stops)
                 count += len(stops)
             assert running.poll() is None, "the program has ended"

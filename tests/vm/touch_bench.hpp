@@ -34,6 +34,7 @@ inline constexpr double stale_after = 0.020;  ///< s, SafetyLimits
 inline constexpr double guarded = 0.060;
 inline constexpr double unfelt = 0.02;        ///< N, what rounding and the rest tension leave of no force
 inline constexpr double round_the_face = 8.0; ///< s, in which a hand goes past every line
+inline constexpr double a_minute = 60.0;      ///< s, more than seven times round
 
 inline double now() {
     timespec time{};

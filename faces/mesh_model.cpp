@@ -3,9 +3,12 @@
 
 #include "core/geometry/polyline.hpp"
 #include "faces/crop.hpp"
+#include "faces/onnx_file.hpp"
+#include "faces/quiet_opencv.hpp"
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -51,7 +54,11 @@ MeshAnswer run(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame
     std::vector<cv::Mat> outputs;
     net.forward(outputs, std::vector<cv::String>{"t473", "t472"});
     MeshAnswer answer;
-    if (outputs.size() != 2 || outputs[0].total() != all_points * 3 || outputs[1].empty())
+    const auto are_numbers = [](const cv::Mat& output) {
+        return output.type() == CV_32F && output.isContinuous();
+    };
+    if (outputs.size() != 2 || !std::ranges::all_of(outputs, are_numbers) ||
+        outputs[0].total() != all_points * 3 || outputs[1].empty())
         return answer;
     const float* values = outputs[0].ptr<float>();
     for (std::size_t i = 0; i < all_points; ++i)
@@ -102,11 +109,15 @@ double moved_px(const Points& one, const Points& other, const std::array<std::si
 Result<std::unique_ptr<LandmarkModel>> MeshModel::load(const std::filesystem::path& file) {
     const Error unusable{"The file \"" + file.string() + "\" is not a 478-point face mesh that can be used."};
     try {
-        cv::dnn::Net net = cv::dnn::readNetFromONNX(file.string());
-        const cv::Mat blank = cv::Mat::zeros(64, 64, CV_8UC3);
-        if (run(net, blank, {Vec2(32.0), 64.0, 0.0}).points.empty())
+        quiet_opencv();
+        const HushedThread hushed;
+        auto net = onnx_net(file);
+        if (!net)
             return unusable;
-        return std::unique_ptr<LandmarkModel>(std::make_unique<MeshModel>(std::move(net)));
+        const cv::Mat blank = cv::Mat::zeros(64, 64, CV_8UC3);
+        if (run(*net, blank, {Vec2(32.0), 64.0, 0.0}).points.empty())
+            return unusable;
+        return std::unique_ptr<LandmarkModel>(std::make_unique<MeshModel>(std::move(*net)));
     } catch (const std::exception&) {
         return unusable;
     }
@@ -135,8 +146,8 @@ std::optional<Landmarks> MeshModel::locate(const cv::Mat& picture, const Detecti
     found.outer_lip = chosen(answer.points, outer_lip);
     found.inner_lip = chosen(answer.points, inner_lip);
     const Points skin(answer.points.begin(), answer.points.begin() + skin_points);
-    found.outline =
-        silhouette_below_eyes(skin, answer.points[right_corner], answer.points[left_corner], mesh_outline_points);
+    found.outline = silhouette_below_eyes(skin, answer.points[right_corner], answer.points[left_corner],
+                                          mesh_outline_points);
     if (found.outline.empty())
         return std::nullopt;
     found.right_brow = chosen(answer.points, right_brow);

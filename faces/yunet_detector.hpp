@@ -4,25 +4,28 @@
 #include "core/base/result.hpp"
 #include "faces/detector.hpp"
 
-#include <opencv2/objdetect/face.hpp>
+#include <opencv2/dnn/dnn.hpp>
 
 #include <filesystem>
 #include <memory>
 
 namespace tp {
 
-/// YuNet (Wu, Peng, Yu 2023) by way of OpenCV's FaceDetectorYN; the file is the user's.
+/// YuNet (Wu, Peng, Yu 2023) as OpenCV 4.5.4 to 4.6 run it, with outputs `loc`, `conf` and `iou`; the file is
+/// the user's. Read here and not by cv::FaceDetectorYN, which believes that the outputs are as large as its
+/// anchors and reads beyond those of other nets.
 class YunetDetector : public Detector {
 public:
-    /// An error where the file is not a YuNet that this OpenCV can run.
+    /// An error where the file is not such a YuNet.
     static Result<std::unique_ptr<Detector>> load(const std::filesystem::path& file);
-    explicit YunetDetector(cv::Ptr<cv::FaceDetectorYN> net) : net_(std::move(net)) {}
+    explicit YunetDetector(cv::dnn::Net net) : net_(std::move(net)) {}
     using Detector::detect;
+    /// Throws std::runtime_error where the net's answer does not fit a picture of that size.
     std::vector<Detection> detect(const cv::Mat& picture, Effort effort, Looks& looks,
                                   const std::stop_token& stop) override;
 
 private:
-    cv::Ptr<cv::FaceDetectorYN> net_;
+    cv::dnn::Net net_;
 };
 
 } // namespace tp

@@ -302,6 +302,10 @@ void ExploreSession::watch_faults(Fault fault, double now) {
         earcons_.play(Earcon::fault);
         tell(faultSentence(), Priority::fault);
     }
+    if (faults_.must_tell_ready(now))
+        tell(engaged() ? tr("The device is ready. Its force is on.")
+                       : tr("The device is ready. Its force is off. Press Enter to switch it on."),
+             Priority::message);
     if (faults_.shown() != shown)
         emit modeChanged();
     if (fault == Fault::device_lost && servo_.real())

@@ -4471,6 +4471,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>%1 %2.</source>
         <translation>%1 %2.</translation>
     </message>
+    <message>
+        <source>The device is ready. Its force is on.</source>
+        <translation>Das Gerät ist bereit. Seine Kraft ist an.</translation>
+    </message>
+    <message>
+        <source>The device is ready. Its force is off. Press Enter to switch it on.</source>
+        <translation>Das Gerät ist bereit. Seine Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
+    </message>
 </context>
 <context>
     <name>tp::ExtractionWords</name>

@@ -4445,6 +4445,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>%1 %2.</source>
         <translation>%1 %2.</translation>
     </message>
+    <message>
+        <source>The device is ready. Its force is on.</source>
+        <translation>장치가 준비되었습니다. 힘이 켜졌습니다.</translation>
+    </message>
+    <message>
+        <source>The device is ready. Its force is off. Press Enter to switch it on.</source>
+        <translation>장치가 준비되었습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
+    </message>
 </context>
 <context>
     <name>tp::ExtractionWords</name>

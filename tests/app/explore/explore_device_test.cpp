@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A real device under the Explore page: its handle is the finger, its force is the person's own, and it comes and goes.
 #include "app/controls/recording_announcer.hpp"
+#include "app/explore/fault_watch.hpp"
 #include "device/calibration_file.hpp"
 #include "device_socket.hpp"
 #include "explore_bench.hpp"
@@ -296,6 +297,30 @@ private slots:
         QVERIFY(bench.session.faultSentence().contains("too hot"));
         bench.socket.switch_motors_off({});
         QTRY_VERIFY(bench.session.faultSentence().isEmpty());
+        QTRY_VERIFY(bench.said("The device is ready. Its force is on."));
+    }
+
+    void a_handle_to_be_homed_is_asked_for_again_and_its_force_comes_when_it_is() {
+        double time = 100.0;
+        Bench bench(false, &time);
+        bench.socket.plug_in();
+        bench.socket.switch_motors_off("Home it.");
+        bench.begin();
+        QTRY_VERIFY(bench.with_device());
+        bench.socket.hold_at(Bench::in_device(bench.left_of_outline(2.0)));
+        bench.session.engage();
+        const auto asked = [&] { return bench.voice.said().filter("Home it.").size(); };
+        const auto wait_until = [&](auto holds) { // the session's clock runs on meanwhile
+            return QTest::qWaitFor([&] { return time += 0.1, holds(); }, 60000);
+        };
+        QVERIFY(wait_until([&] { return asked() == 1; }));
+        const double first = time;
+        QVERIFY(wait_until([&] { return asked() == 2; }));
+        QVERIFY(time - first >= FaultWatch::remind_s);
+        QCOMPARE(bench.socket.strongest(), 0.0);
+        bench.socket.switch_motors_off({});
+        QVERIFY(wait_until([&] { return bench.said("The device is ready. Its force is on."); }));
+        QTRY_VERIFY_WITH_TIMEOUT(length(bench.socket.force()) > 0.1, 60000);
     }
 
     void keys_that_would_move_the_finger_tell_the_way_instead() {

@@ -62,15 +62,15 @@ int pull(const std::string& path, const std::string& program) {
         return 2;
     }
     double now = 0.0;
-    bool said = false;
+    std::string said;
     for (pollfd input{STDIN_FILENO, POLLIN, 0}; poll(&input, 1, 1) == 0; now += 0.001) {
         device.read(now);
         if (!device.write(safe({0.5, 0.3})))
             return 3;
-        if (!device.complaint().empty() && !said) {
-            std::printf("%s\n", device.complaint().c_str());
+        if (const std::string complaint = device.complaint(); complaint != said) {
+            std::printf("%s\n", complaint.c_str());
             std::fflush(stdout);
-            said = true;
+            said = complaint;
         }
     }
     device.stop();
@@ -157,17 +157,24 @@ private:
 
 /// This program again, pulling.
 struct Puller {
+    static constexpr int most_attempts = 20;
     QProcess process;
+    bool pulled = false; ///< once at least: on a busy machine the guard may have stepped in since
 
     explicit Puller(PtyBoard& board) {
         process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        process.start(
-            QCoreApplication::applicationFilePath(),
-            {"--pull", QString::fromStdString(board.path()), QString::fromStdString(guard_program())});
-        process.waitForStarted(-1);
-        until([&] {
-            return board.pulls() || process.state() == QProcess::NotRunning || process.waitForFinished(0);
-        });
+        // On a busy machine the board may answer too late for a program that opens it.
+        for (int attempt = 0; attempt < most_attempts && !pulled; ++attempt) {
+            until([&] { return attempt == 0 || board.hung_up(); });
+            process.start(
+                QCoreApplication::applicationFilePath(),
+                {"--pull", QString::fromStdString(board.path()), QString::fromStdString(guard_program())});
+            process.waitForStarted(-1);
+            until([&] {
+                pulled = board.pulls();
+                return pulled || process.state() == QProcess::NotRunning || process.waitForFinished(0);
+            });
+        }
     }
 };
 
@@ -179,7 +186,7 @@ private slots:
     void a_program_killed_in_mid_touch_pulls_no_more() {
         PtyBoard board;
         Puller puller(board);
-        QVERIFY(board.pulls());
+        QVERIFY(puller.pulled);
         puller.process.kill(); // SIGKILL
         puller.process.waitForFinished(-1);
         until([&] { return board.hung_up(); }); // the guard has ended
@@ -190,7 +197,7 @@ private slots:
     void a_program_killed_with_a_frame_half_written_pulls_no_more() {
         PtyBoard board;
         Puller puller(board);
-        QVERIFY(board.pulls());
+        QVERIFY(puller.pulled);
         const auto process = static_cast<pid_t>(puller.process.processId());
         ::kill(process, SIGSTOP);
         siginfo_t stopped{};
@@ -207,10 +214,13 @@ private slots:
         for (int attempt = 0; attempt < 20; ++attempt) { // each is killed elsewhere in what it sends
             PtyBoard board;
             Puller puller(board);
-            QVERIFY(board.pulls());
+            QVERIFY(puller.pulled);
             board.begin_a_frame();
             const std::uint64_t before = board.heard();
-            until([&] { return board.heard() > before + static_cast<std::uint64_t>(attempt % 5); });
+            until([&] {
+                return board.heard() > before + static_cast<std::uint64_t>(attempt % 5) ||
+                       puller.process.waitForFinished(0);
+            });
             puller.process.kill();
             puller.process.waitForFinished(-1);
             until([&] { return board.hung_up(); });
@@ -221,15 +231,18 @@ private slots:
     void a_program_that_stands_still_is_let_go_of_and_hears_of_it() {
         PtyBoard board;
         Puller puller(board);
-        QVERIFY(board.pulls());
+        QVERIFY(puller.pulled);
         const auto process = static_cast<pid_t>(puller.process.processId());
-        ::kill(process, SIGSTOP);
+        QString words;
+        until([&] { // on a busy machine the board may have been behind, and the guard not yet due
+            ::kill(process, SIGSTOP);
+            until([&] { return !board.pulls(); });
+            ::kill(process, SIGCONT);
+            puller.process.waitForReadyRead(1000);
+            words += puller.process.readAllStandardOutput();
+            return words.contains("watches over the motors");
+        });
         until([&] { return !board.pulls(); });
-        ::kill(process, SIGCONT);
-        puller.process.waitForReadyRead(-1);
-        const QString words = puller.process.readAllStandardOutput();
-        QVERIFY2(words.contains("watches over the motors"), qPrintable(words));
-        QVERIFY(!board.pulls());
         puller.process.closeWriteChannel();
         puller.process.waitForFinished(-1);
         QCOMPARE(puller.process.exitCode(), 0);
@@ -240,7 +253,7 @@ private slots:
     void a_program_that_stops_takes_leave_and_the_board_counts_on() {
         PtyBoard board;
         Puller puller(board);
-        QVERIFY(board.pulls());
+        QVERIFY(puller.pulled);
         puller.process.closeWriteChannel();
         puller.process.waitForFinished(-1);
         QCOMPARE(puller.process.exitStatus(), QProcess::NormalExit);

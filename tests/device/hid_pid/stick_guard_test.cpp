@@ -60,12 +60,16 @@ int pull() {
 /// This program again, pulling.
 struct Puller {
     QProcess process;
+    bool pulled = false; ///< once at least: on a busy machine the guard may have stepped in since
 
     explicit Puller(StickBed& bed) {
         process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         process.start(QCoreApplication::applicationFilePath(), {"--pull"});
         process.waitForStarted(-1);
-        until([&] { return bed.force() != Vec2(0.0) || process.waitForFinished(0); });
+        until([&] {
+            pulled = bed.force() != Vec2(0.0);
+            return pulled || process.waitForFinished(0);
+        });
     }
     void signal(int number) const { ::kill(static_cast<pid_t>(process.processId()), number); }
     void end() {
@@ -92,7 +96,7 @@ private slots:
         StickBed bed;
         QVERIFY(bed.plug_in());
         Puller puller(bed);
-        QVERIFY(bed.force() != Vec2(0.0));
+        QVERIFY(puller.pulled);
         puller.process.kill(); // SIGKILL
         puller.process.waitForFinished(-1);
         until([&] { return bed.hung_up(); }); // the guard has ended
@@ -105,7 +109,7 @@ private slots:
         StickBed bed;
         QVERIFY(bed.plug_in());
         Puller puller(bed);
-        QVERIFY(bed.force() != Vec2(0.0));
+        QVERIFY(puller.pulled);
         puller.signal(SIGSTOP);
         until([&] { return bed.force() == Vec2(0.0); });
         QCOMPARE(bed.effects(), std::size_t(2));
@@ -135,7 +139,7 @@ private slots:
         StickBed bed;
         QVERIFY(bed.plug_in());
         Puller puller(bed);
-        QVERIFY(bed.force() != Vec2(0.0));
+        QVERIFY(puller.pulled);
         puller.end();
         QCOMPARE(puller.process.exitStatus(), QProcess::NormalExit);
         QCOMPARE(puller.process.exitCode(), 0);
@@ -148,7 +152,7 @@ private slots:
         StickBed bed;
         QVERIFY(bed.plug_in());
         Puller puller(bed);
-        QVERIFY(bed.force() != Vec2(0.0));
+        QVERIFY(puller.pulled);
         PidStick device = stick_that_is_plugged_in(guard_program());
         const Result<Capabilities> refused = device.open();
         QVERIFY2(refused.error().find("Another program uses the force stick") != std::string::npos,

@@ -3,6 +3,7 @@
 
 #include "app/bench/bench_clock.hpp"
 #include "faces/batch.hpp"
+#include "faces/evaluation/closed_eyes.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/degraded.hpp"
 #include "faces/evaluation/opened_mouth.hpp"
@@ -57,11 +58,13 @@ std::optional<std::array<double, 4>> errors_of(const std::vector<Contour>& truth
     return std::array{0.5 * (*right + *left), *outer, *inner, *outline};
 }
 
-/// The portrait as it is, harder to see, turned, and with its mouth open.
+/// The portrait as it is, harder to see, turned, with its mouth open, and with its eyes shut.
 std::vector<Degraded> made_harder(const Sample& sample, unsigned seed) {
     std::vector<Degraded> ways = degraded(sample.picture, sample.truth, seed);
     for (const double openness : {0.1, 0.25, 0.5, 0.8})
         ways.push_back(with_opened_mouth(sample.picture, sample.truth, openness, seed));
+    for (const double shut : {0.5, 1.0})
+        ways.push_back(with_closed_eyes(sample.picture, sample.truth, shut, seed));
     return ways;
 }
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/geometry/flatten.hpp"
-#include "core/geometry/polyline.hpp"
-#include "faces/evaluation/contour_error.hpp"
+#include "drawn_contours.hpp"
 #include "faces/evaluation/opened_mouth.hpp"
 
 #include <QTest>
@@ -16,15 +14,6 @@
 using namespace tp;
 
 namespace {
-
-Contour ellipse(const char* name, Vec2 centre, Vec2 radii) {
-    std::vector<Vec2> points;
-    for (int i = 0; i < 40; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / 40;
-        points.push_back(centre + radii * Vec2(std::cos(angle), std::sin(angle)));
-    }
-    return contour_through(name, points, true);
-}
 
 /// A face of ellipses: the mouth 80 px wide around (200, 280), a little open.
 std::vector<Contour> truth() {
@@ -43,10 +32,6 @@ cv::Mat portrait() {
     cv::Mat picture(480, 400, CV_8UC3, cv::Scalar(130, 150, 200));
     cv::ellipse(picture, {200, 280}, {46, 16}, 0.0, 20.0, 160.0, cv::Scalar(0, 0, 0), 3);
     return picture;
-}
-
-Rect extent(const std::vector<Contour>& contours, const char* name) {
-    return bounds_of(flatten(*contour_named(contours, name)).points);
 }
 
 } // namespace

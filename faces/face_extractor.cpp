@@ -3,6 +3,7 @@
 
 #include "faces/contour_fit.hpp"
 #include "faces/contour_nets.hpp"
+#include "faces/covered_eye.hpp"
 #include "faces/covered_mouth.hpp"
 #include "faces/edge_fit.hpp"
 #include "faces/embedded_detector.hpp"
@@ -34,8 +35,8 @@ constexpr double least_confidence_turned = 0.95;
 constexpr int longest_turned_px = 1280;
 /// What a photograph keeps of its longest side where its decoder shrinks it: the detector looks at 1280 px.
 constexpr int longest_shrunk_px = 1600;
-/// Of faces for which the shrunk pixels are enough: eyes that are 150 px apart, outer corner to outer corner. Contours are as
-/// exact from there on (faces/README.md, errors over the size of the picture).
+/// Of faces for which the shrunk pixels are enough: eyes that are 150 px apart, outer corner to outer corner.
+/// Contours are as exact from there on (faces/README.md, errors over the size of the picture).
 constexpr double least_shrunk_face_px = 300.0;
 constexpr double same_within = 0.4; ///< of a face's size; two heads cannot be that near
 
@@ -67,6 +68,19 @@ Result<std::unique_ptr<LandmarkModel>> make_model(const std::string& choice) {
         return std::unique_ptr<LandmarkModel>(std::make_unique<ContourNets>());
     const auto model = find_model(choice, PluggableModel::Role::landmarks);
     return model ? load_landmarks(*model) : Error{model.error()};
+}
+
+/// What is covered is where it would be in such a face.
+void guess_covered(FaceLines& lines, const Landmarks& points, const QualitySigns& signs) {
+    if (is_guessed(signs, at_right_eye))
+        lines.right_eye = lines_through(with_guessed_eye(points, at_right_eye)).right_eye;
+    if (is_guessed(signs, at_left_eye))
+        lines.left_eye = lines_through(with_guessed_eye(points, at_left_eye)).left_eye;
+    if (is_guessed(signs, at_outer_lip)) {
+        const FaceLines guess = lines_through(with_guessed_lips(points));
+        lines.outer_lip = guess.outer_lip;
+        lines.inner_lip = guess.inner_lip;
+    }
 }
 
 /// Milliseconds since it was made or last asked.
@@ -270,11 +284,7 @@ struct FaceExtractor::Parts {
                 lines = on_edges(picture, std::move(lines), &seen);
             result.milliseconds.edges += watch.lap();
             const QualitySigns signs = signs_of(face.points, seen, picture);
-            if (is_mouth_covered(signs)) {
-                const FaceLines guess = lines_through(with_guessed_lips(face.points));
-                lines.outer_lip = guess.outer_lip;
-                lines.inner_lip = guess.inner_lip;
-            }
+            guess_covered(lines, face.points, signs);
             std::string problem = problem_of(face.detection, face.points, picture.size());
             if (problem.empty() && edges)
                 problem = problem_of(signs);

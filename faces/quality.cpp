@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/quality.hpp"
 
+#include "faces/covered_eye.hpp"
 #include "faces/covered_mouth.hpp"
 #include "faces/outline_step.hpp"
 
@@ -26,6 +27,9 @@ constexpr double error_floor_percent =
 constexpr std::array<std::array<double, predictor_count>, feature_count> weights{{
 #include "faces/quality_weights.inc"
 }};
+
+bool is_eye(FeatureIndex feature) { return feature == at_right_eye || feature == at_left_eye; }
+bool is_lip(FeatureIndex feature) { return feature == at_outer_lip || feature == at_inner_lip; }
 
 double mean_of(const std::array<double, feature_count>& values) {
     double sum = 0.0;
@@ -60,10 +64,9 @@ double mean_clarity(const EdgeReports& edges) {
 /// may be faint in any face: a covered mouth is told by the line between the lips, and better where the
 /// landmarks say more of it.
 bool may_be_covered(const QualitySigns& signs, FeatureIndex feature) {
-    const bool lip = feature == at_outer_lip || feature == at_inner_lip;
-    if (lip && can_tell_cover(signs))
-        return is_mouth_covered(signs);
-    const EdgeReports::Pair* pair = edges_of(signs.edges, lip ? at_inner_lip : feature);
+    if (is_lip(feature) ? can_tell_cover(signs) : is_eye(feature) && can_tell_eye_cover(signs, feature))
+        return is_guessed(signs, feature);
+    const EdgeReports::Pair* pair = edges_of(signs.edges, is_lip(feature) ? at_inner_lip : feature);
     if (!pair)
         return false;
     const double here = pair->lower.clarity + pair->upper.clarity;
@@ -102,6 +105,8 @@ QualitySigns signs_of(const Landmarks& points, const EdgeReports& edges, const c
     signs.unit_px = length(left - right);
     if (!(signs.unit_px > 0.0))
         return signs;
+    signs.eye_off_guess = {off_guess_percent(points, at_right_eye), off_guess_percent(points, at_left_eye)};
+    signs.eye_openness = {openness(points.right_eye), openness(points.left_eye)};
     signs.outline_off_step = outline_off_step(picture, points.outline, signs.unit_px);
     const Vec2 across = (left - right) / signs.unit_px;
     const auto balance = [](double a, double b) {
@@ -117,6 +122,10 @@ QualitySigns signs_of(const Landmarks& points, const EdgeReports& edges, const c
         signs.between_mirrors[f] = 100.0 * points.between_mirrors_px[f] / signs.unit_px;
     }
     return signs;
+}
+
+bool is_guessed(const QualitySigns& signs, FeatureIndex feature) {
+    return is_lip(feature) ? is_mouth_covered(signs) : is_eye(feature) && is_eye_covered(signs, feature);
 }
 
 std::array<double, predictor_count> predictors(const QualitySigns& signs, FeatureIndex feature) {
@@ -139,8 +148,9 @@ std::array<double, predictor_count> predictors(const QualitySigns& signs, Featur
 }
 
 ContourQuality quality_of(const QualitySigns& signs, FeatureIndex feature) {
-    if ((feature == at_outer_lip || feature == at_inner_lip) && is_mouth_covered(signs))
-        return {guessed_lips_error_percent, reasons(signs, feature)};
+    if (is_guessed(signs, feature))
+        return {is_eye(feature) ? guessed_eye_error_percent : guessed_lips_error_percent,
+                reasons(signs, feature)};
     const auto predictor = predictors(signs, feature);
     const auto& weight = weights[feature];
     double logarithm = 0.0;

@@ -18,12 +18,19 @@ struct QualitySigns {
     double turn = 0.0, eye_turn = 0.0;
     double confidence = 0.0; ///< of the landmarks, 0 … 1
     std::array<double, feature_count> between_passes{}, between_nets{}, between_mirrors{}; ///< see Landmarks
+    /// Of right and left eye; negative: not known. See off_guess_percent.
+    std::array<double, 2> eye_off_guess{-1.0, -1.0};
+    /// Of right and left eye: between the lids half way, of the width; negative: not known.
+    std::array<double, 2> eye_openness{-1.0, -1.0};
     double outline_off_step = 0.0; ///< see outline_step.hpp
     EdgeReports edges;
 };
 
 /// `picture` (8-bit BGR) is the one in which they were found.
 QualitySigns signs_of(const Landmarks& landmarks, const EdgeReports& edges, const cv::Mat& picture);
+
+/// Whether something lies in front of that feature, so that its contour is a guess from the rest of the face.
+bool is_guessed(const QualitySigns& signs, FeatureIndex feature);
 
 /// The numbers that predict a contour's error, the first one 1.
 inline constexpr std::size_t predictor_count = 12;

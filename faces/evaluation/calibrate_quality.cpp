@@ -107,10 +107,13 @@ int main(int argc, char** argv) {
                 EdgeReports edges;
                 const auto contours = contours_of(on_edges(harder.picture, lines_through(*points), &edges));
                 const QualitySigns signs = signs_of(*points, edges, harder.picture);
-                for (std::size_t f = 0; f < feature_count; ++f)
+                for (std::size_t f = 0; f < feature_count; ++f) {
+                    if (is_guessed(signs, static_cast<FeatureIndex>(f)))
+                        continue; // its error is that of guesses
                     if (const auto error = contour_error_percent(harder.truth, contours, names[f]))
                         samples[f].push_back({predictors(signs, static_cast<FeatureIndex>(f)),
                                               std::log(*error + error_floor_percent)});
+                }
             }
         }
     }

@@ -4,10 +4,9 @@
 // training saw; the other quarter, every fourth from the second on, is the test's (tests/faces).
 #include "faces/contour_nets.hpp"
 #include "faces/covered_mouth.hpp"
-#include "faces/edge_fit.hpp"
 #include "faces/embedded_detector.hpp"
+#include "faces/evaluation/cover_lessons.hpp"
 #include "faces/evaluation/degraded.hpp"
-#include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/opened_mouth.hpp"
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/evaluation/training_half.hpp"
@@ -17,17 +16,14 @@
 #include "faces/quiet_opencv.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 using namespace tp;
 
 namespace {
 
-constexpr double ridge = 0.1;         ///< of lips from guides, in units of guides divided by their deviation
-constexpr double cover_ridge = 0.002; ///< the same of signs
-constexpr double prior = 0.2;         ///< covered mouths to seen ones, as they are weighed
-constexpr int newton_steps = 30;
+constexpr double ridge = 0.1; ///< of lips from guides, in units of guides divided by their deviation
+constexpr double prior = 0.2; ///< covered mouths to seen ones, as they are weighed
 constexpr const char* covered = "mouth covered";
 
 /// The ways of degraded() that are most like a covered mouth; blurred and small faces are told by other
@@ -36,20 +32,6 @@ bool is_like_cover(const std::string& how) {
     constexpr const char* ways[] = {covered, "as it is", "noise 45", "jpeg 8", "side light"};
     return how.starts_with("turned") ||
            std::any_of(std::begin(ways), std::end(ways), [&](const char* way) { return how == way; });
-}
-
-struct Sight {
-    Landmarks points;
-    QualitySigns signs;
-};
-
-std::optional<Sight> sight_of(EmbeddedDetector& detector, ContourNets& nets, const cv::Mat& picture) {
-    const auto points = located(nets, picture, surest_first(detector, picture));
-    if (!points)
-        return std::nullopt;
-    EdgeReports edges;
-    on_edges(picture, lines_through(*points), &edges);
-    return Sight{*points, signs_of(*points, edges, picture)};
 }
 
 /// x and y of lip points in the frame of lip_guides, by mirroring also those of the mirrored face.
@@ -85,71 +67,6 @@ cv::Mat1d guides_of(const Landmarks& points) {
 /// Jaw and chin seen from the other side: the first and the last place change sides.
 cv::Mat1d mirrored_guides(const cv::Mat1d& g) {
     return (cv::Mat1d(1, static_cast<int>(lip_guide_count)) << g(0), -g(5), g(6), -g(3), g(4), -g(1), g(2));
-}
-
-/// Each column but the first by its deviation; the deviations.
-cv::Mat1d scale_columns(cv::Mat1d& x) {
-    cv::Mat1d deviation(1, x.cols, 1.0);
-    for (int c = 1; c < x.cols; ++c) {
-        cv::Scalar m, d;
-        cv::meanStdDev(x.col(c), m, d);
-        deviation(c) = d[0] + 1e-9;
-        x.col(c) /= deviation(c);
-    }
-    return deviation;
-}
-
-/// Weights of guides (rows) for places (columns). The first weight of each place is not shrunk, and the
-/// others are those of deviations from the mean.
-cv::Mat1d fitted_lips(cv::Mat1d x, const cv::Mat1d& y) {
-    cv::Mat1d mean;
-    cv::reduce(x, mean, 0, cv::REDUCE_AVG);
-    for (int c = 1; c < x.cols; ++c)
-        x.col(c) -= mean(c);
-    const cv::Mat1d deviation = scale_columns(x);
-    cv::Mat1d normal(x.t() * x), weights;
-    for (int c = 1; c < x.cols; ++c)
-        normal(c, c) += ridge * x.rows;
-    cv::solve(normal, x.t() * y, weights, cv::DECOMP_CHOLESKY);
-    for (int c = 1; c < x.cols; ++c) {
-        weights.row(c) /= deviation(c);
-        weights.row(0) -= mean(c) * weights.row(c);
-    }
-    return weights;
-}
-
-/// Logistic regression by Newton's method.
-cv::Mat1d fitted_cover(cv::Mat1d x, const cv::Mat1d& y) {
-    const cv::Mat1d deviation = scale_columns(x);
-    const double seen = y.rows - cv::sum(y)[0], weight_of_covered = prior * seen / cv::sum(y)[0];
-    cv::Mat1d b(x.cols, 1, 0.0), step;
-    for (int round = 0; round < newton_steps; ++round) {
-        const cv::Mat1d z(x * b);
-        cv::Mat1d slope(x.rows, 1), bent = x.clone();
-        for (int r = 0; r < x.rows; ++r) {
-            const double weight = y(r) > 0.5 ? weight_of_covered : 1.0, p = 1.0 / (1.0 + std::exp(-z(r)));
-            slope(r) = weight * (y(r) - p);
-            bent.row(r) *= weight * p * (1.0 - p);
-        }
-        cv::Mat1d normal(x.t() * bent), gradient(x.t() * slope);
-        for (int c = 0; c < x.cols; ++c) {
-            normal(c, c) += cover_ridge * x.rows;
-            gradient(c) -= c > 0 ? cover_ridge * x.rows * b(c) : 0.0;
-        }
-        cv::solve(normal, gradient, step, cv::DECOMP_CHOLESKY);
-        b += step;
-    }
-    for (int c = 1; c < x.cols; ++c)
-        b(c) /= deviation(c);
-    return b;
-}
-
-/// {a, b, …}
-void print_row(const cv::Mat1d& values) {
-    std::printf("{");
-    for (int i = 0; i < static_cast<int>(values.total()); ++i)
-        std::printf("%s%.4f", i ? ", " : "", values(i));
-    std::printf("}");
 }
 
 } // namespace
@@ -208,7 +125,7 @@ int main(int argc, char** argv) {
                 "mouths.\n",
                 signs.rows, static_cast<int>(cv::sum(is_covered)[0]));
     std::puts("constexpr std::array<double, cover_sign_count> cover_weights");
-    print_row(fitted_cover(signs, is_covered));
+    print_row(fitted_cover(signs, is_covered, prior));
     std::puts(";\n/// Least and most of lip_guides.");
     std::puts("constexpr double lip_guide_range[lip_guide_count][2] = {");
     for (int g = 0; g < guides.cols; ++g) {
@@ -220,7 +137,7 @@ int main(int argc, char** argv) {
         "};\n/// Of lip_guides, for x and y of each point of the outer, then of the inner lip: %d faces.\n",
         guides.rows);
     std::puts("constexpr double lip_weights[4 * points_of_a_lip][lip_guide_count] = {");
-    const cv::Mat1d weights = fitted_lips(guides, places);
+    const cv::Mat1d weights = fitted_places(guides, places, ridge);
     for (int p = 0; p < weights.cols; ++p) {
         std::printf("    ");
         print_row(cv::Mat1d(weights.col(p).t()));

@@ -32,8 +32,8 @@ void paint_magnitude(QImage& image, const HapticScene& haptic, const Frame& fram
     for (int y = 0; y < height && !stop.stop_requested(); ++y) {
         auto* const row = reinterpret_cast<QRgb*>(image.scanLine(y)); // of Format_RGB32
         for (int x = 0; x < image.width(); ++x) {
-            const Guidance at = haptic.law->at(frame.back(x + 0.5, y + 0.5));
-            row[x] = field_colour(length(at.force) / peak).rgb();
+            const Vec2 force = haptic.law->force_at(frame.back(x + 0.5, y + 0.5));
+            row[x] = field_colour(length(force) / peak).rgb();
         }
     }
 }
@@ -54,7 +54,7 @@ void paint_arrows(QPainter& painter, const HapticScene& haptic, const Frame& fra
     painter.setPen(QPen(QColor(255, 255, 255, 150), 1.0));
     for (double y = 0.5 * gap; y < height; y += gap)
         for (double x = 0.5 * gap; x < width; x += gap) {
-            const Vec2 force = haptic.law->at(frame.back(x, y)).force / haptic.profile.peak();
+            const Vec2 force = haptic.law->force_at(frame.back(x, y)) / haptic.profile.peak();
             if (length(force) > 0.05)
                 paint_arrow(painter, {x, y}, 0.85 * gap * QPointF(force.x, -force.y));
         }

@@ -13,8 +13,11 @@ public:
     DifferenceLaw(const GuidanceLaw& before, const GuidanceLaw& after) : before_(before), after_(after) {}
     Guidance at(Vec2 finger) const noexcept override {
         Guidance guidance = after_.at(finger);
-        guidance.force -= before_.at(finger).force;
+        guidance.force -= before_.force_at(finger);
         return guidance;
+    }
+    Vec2 force_at(Vec2 finger) const noexcept override {
+        return after_.force_at(finger) - before_.force_at(finger);
     }
 
 private:
@@ -35,8 +38,8 @@ FieldDifference difference_between(const GuidanceLaw& before, const GuidanceLaw&
     for (double y = surface_mm.min.y; y <= surface_mm.max.y; y += step_mm)
         for (double x = surface_mm.min.x; x <= surface_mm.max.x; x += step_mm) {
             ++places;
-            const Vec2 one = before.at({x, y}).force;
-            const Vec2 other = after.at({x, y}).force;
+            const Vec2 one = before.force_at({x, y});
+            const Vec2 other = after.force_at({x, y});
             if (one == Vec2(0.0) && other == Vec2(0.0))
                 continue;
             sizes.push_back(length(other - one));

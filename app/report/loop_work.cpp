@@ -28,7 +28,7 @@ void compare_forces(const GuidanceLaw& law, const GuidanceLaw& truth, double pea
     int wrong = 0;
     for (int i = 0; i < points; ++i) {
         const Vec2 place = random_place(random, half_side_mm);
-        const double error = length(law.at(place).force - truth.at(place).force);
+        const double error = length(law.force_at(place) - truth.force_at(place));
         row.max_force_error_n = std::max(row.max_force_error_n, error);
         wrong += error > 0.1 * peak ? 1 : 0;
     }
@@ -44,7 +44,7 @@ void walk_loops(const GuidanceLaw& law, const LoopWorkEffort& effort, LoopWork& 
         Vec2 last(0.0);
         for (int i = 0; i < effort.steps_per_loop; ++i) {
             const Vec2 out(std::cos(i * step), std::sin(i * step));
-            const Vec2 force = law.at(centre + loop_radius_mm * out).force;
+            const Vec2 force = law.force_at(centre + loop_radius_mm * out);
             work += glm::dot(force, Vec2(-out.y, out.x)) * loop_radius_mm * step;
             if (i > 0)
                 row.max_force_step_n = std::max(row.max_force_step_n, length(force - last));

@@ -22,8 +22,12 @@ public:
 
     /// Force and energy are the means; distance, nearest place and contour are the finger's own.
     Guidance at(Vec2 finger) const noexcept override;
+    Vec2 force_at(Vec2 finger) const noexcept override;
 
 private:
+    /// The means, where the finger's own nearest place is that.
+    Guidance around(Vec2 finger, const Nearest& nearest) const noexcept;
+
     static constexpr std::size_t pairs = 12;
     ContourIndex index_;
     TentProfile profile_;

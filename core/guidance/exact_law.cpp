@@ -20,4 +20,8 @@ Guidance ExactLaw::at(Vec2 finger) const noexcept {
     return pull_towards(nearest, finger, profile_);
 }
 
+Vec2 ExactLaw::force_at(Vec2 finger) const noexcept {
+    return pull_towards(index_.nearest_within(finger, profile_.band()), finger, profile_).force;
+}
+
 } // namespace tp

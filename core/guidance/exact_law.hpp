@@ -19,6 +19,7 @@ public:
         : index_(scene, profile.band()), profile_(profile) {}
 
     Guidance at(Vec2 finger) const noexcept override;
+    Vec2 force_at(Vec2 finger) const noexcept override;
     /// The potential at `finger`, mJ; outside the band the constant stiffness · range².
     double energy(Vec2 finger) const noexcept { return profile_.energy(index_.nearest(finger).distance); }
 

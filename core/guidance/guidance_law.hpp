@@ -25,6 +25,9 @@ public:
     virtual ~GuidanceLaw() = default;
     /// `finger` in mm, surface frame. A finger that is not finite gets no force.
     virtual Guidance at(Vec2 finger) const noexcept = 0;
+    /// The force of `at` and nothing else, N: pictures and sums over a whole surface want no distance where
+    /// nothing pulls, which takes the longest to find.
+    virtual Vec2 force_at(Vec2 finger) const noexcept { return at(finger).force; }
 };
 
 } // namespace tp

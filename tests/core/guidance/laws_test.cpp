@@ -52,14 +52,18 @@ private slots:
             QVERIFY(made.ok());
             const GuidanceLaw& law = *(*made)->law;
             for (int k = 0; k < 100; ++k) {
-                const Guidance at = law.at(random_point(random));
+                const Vec2 place = random_point(random);
+                const Guidance at = law.at(place);
                 QVERIFY(is_finite(at.force));
+                QVERIFY(law.force_at(place) == at.force);
                 QVERIFY(length(at.force) <= most * tent.peak() * (1.0 + 1e-12));
                 QVERIFY(at.distance < tent.band() + blend_mm || at.force == Vec2(0.0));
             }
             for (const double x : hostile)
-                for (const double y : hostile)
+                for (const double y : hostile) {
                     QVERIFY(is_finite(law.at({x, y}).force));
+                    QVERIFY(law.force_at({x, y}) == law.at({x, y}).force);
+                }
         }
     }
 

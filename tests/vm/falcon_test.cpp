@@ -53,7 +53,7 @@ private slots:
         Bench bench;
         QVERIFY(bench.pulls());
         say("from the cable to the first pull", 1e3 * (now() - plugged_in));
-        feels_the_whole_face(bench);
+        feels_the_whole_face(bench, "falcon");
     }
 
     /// Its firmware runs and it is homed still.

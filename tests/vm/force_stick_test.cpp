@@ -18,7 +18,7 @@ class ForceStickVmTest : public QObject {
 private slots:
     void a_face_is_felt_and_no_tick_is_late() {
         Bench bench;
-        feels_the_whole_face(bench);
+        feels_the_whole_face(bench, "stick");
     }
 
     void the_lab_lists_and_reads_it() {

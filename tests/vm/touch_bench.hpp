@@ -9,6 +9,7 @@
 #include "virtual_device.hpp"
 
 #include <QCoreApplication>
+#include <QDate>
 #include <QProcess>
 #include <QString>
 #include <QStringList>
@@ -25,16 +26,25 @@
 
 namespace tp::vm {
 
-inline constexpr double tick = 0.001;         ///< s
-inline constexpr double on_the_way = 0.002;   ///< s, of a report between two programs, at most
-inline constexpr double ramp_down = 0.020;    ///< s, SafetyLimits
-inline constexpr double stale_after = 0.020;  ///< s, SafetyLimits
+inline constexpr double tick = 0.001;        ///< s
+inline constexpr double on_the_way = 0.002;  ///< s, of a report between two programs, at most
+inline constexpr double ramp_down = 0.020;   ///< s, SafetyLimits
+inline constexpr double stale_after = 0.020; ///< s, SafetyLimits
 /// s: a guard steps in 50 ms after the last sign of life, which come before the end of a program whose memory
 /// is large, and has its turn.
 inline constexpr double guarded = 0.060;
 inline constexpr double unfelt = 0.02;        ///< N, what rounding and the rest tension leave of no force
 inline constexpr double round_the_face = 8.0; ///< s, in which a hand goes past every line
 inline constexpr double a_minute = 60.0;      ///< s, more than seven times round
+
+/// How long a face is felt with a device, s: a minute with one of the four, another each day, for a second
+/// costs up to four of a processor. TP_A_MINUTE_WITH names one, or "all".
+inline double felt_for(const QString& device) {
+    const QStringList in_turn{"hid", "bulk", "stick", "falcon"};
+    const QString today = in_turn[QDate::currentDate().dayOfYear() % in_turn.size()];
+    const QString asked = qEnvironmentVariable("TP_A_MINUTE_WITH", today);
+    return asked == device || asked == "all" ? a_minute : round_the_face;
+}
 
 inline double now() {
     timespec time{};

@@ -11,12 +11,14 @@
 /// What is asked of every device that a program begins to touch with. Each fails the test that calls it.
 namespace tp::vm {
 
-/// At least once round the face: nothing is late, nobody is told of a fault, and every part of it draws the hand.
-inline void feels_the_whole_face(TouchBench& bench, double seconds = round_the_face) {
+/// At least once round the face: nothing is late, nobody is told of a fault, and every part of it draws the
+/// hand. `device`: see felt_for.
+inline void feels_the_whole_face(TouchBench& bench, const QString& device) {
     QVERIFY(bench.pulls());
     const double begun = now();
-    pass(seconds);
+    pass(felt_for(device));
     const double ended = now();
+    qInfo("felt for %.0f s", ended - begun);
     QVERIFY(bench.end_touching());
     QCOMPARE(bench.sessions.size(), std::size_t(1));
     const TouchSession session = bench.sessions[0];

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/golden_set.hpp"
+#include "faces/face_extractor.hpp"
 #include "portraits.hpp"
 
 #include <QTest>
@@ -126,6 +128,37 @@ private slots:
         const auto gain = [&](FeatureIndex f) { return moved.features[f].mean / plain.features[f].mean; };
         QVERIFY(gain(at_outer_lip) < 0.95);
         QVERIFY(gain(at_inner_lip) < 0.8);
+    }
+
+    /// Nobody placed the contours of smiling faces by hand. Two models that learned from different pictures,
+    /// and are about as exact as each other on the same people's neutral faces, see them in the same places.
+    void smiles_are_seen_where_the_mesh_sees_them() {
+        NEEDS_PORTRAITS();
+        constexpr Limits most{0.45, 0.45, 0.60, 0.50, 1.00};
+        auto own = FaceExtractor::create();
+        auto mesh = FaceExtractor::create({"embedded", path_of("teacher_face_mesh.onnx")});
+        QVERIFY(own.ok() && mesh.ok());
+        Limits sum{};
+        const auto people = portraits::held_out();
+        for (const auto& person : people) {
+            const std::string number = person.photo.stem().string().substr(0, 3);
+            const auto smiling = read_picture(person.photo.parent_path() / (number + "_08.jpg"));
+            QVERIFY2(smiling.ok(), number.c_str());
+            const Extraction ours = own->extract(*smiling), theirs = mesh->extract(*smiling);
+            QVERIFY2(ours.faces.size() == 1 && theirs.faces.size() == 1, number.c_str());
+            for (std::size_t f = 0; f < feature_count; ++f) {
+                const double apart =
+                    contour_error_percent(theirs.faces[0].contours, ours.faces[0].contours, felt_features[f])
+                        .value();
+                QVERIFY2(apart < 5.0, number.c_str());
+                sum[f] += apart;
+            }
+        }
+        for (std::size_t f = 0; f < feature_count; ++f) {
+            const double mean = sum[f] / static_cast<double>(people.size());
+            qInfo("  %-9s %.2f %% apart", felt_features[f], mean);
+            QVERIFY2(mean <= most[f], felt_features[f]);
+        }
     }
 };
 

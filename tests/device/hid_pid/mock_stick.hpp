@@ -98,7 +98,7 @@ private:
             constexpr unsigned get_feature = 0x07;
             constexpr unsigned get_input = 0x0A;
             // On a bus a request comes after what was written before it; here they go different ways. The
-            // gain is the last that is written before an effect is asked for.
+            // gain is the last that is written, after commands, before an effect is asked for.
             while (_IOC_NR(request) == set_feature && !gain_taken_.load() && !quit_.load())
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             const std::lock_guard lock(mutex_);
@@ -163,8 +163,10 @@ private:
         constexpr std::uint8_t gain = 0x0D;
         if (report[0] == gain)
             gain_taken_.store(true);
-        if (report[0] == model_.wire().control)
+        if (report[0] == model_.wire().control) {
+            gain_taken_.store(false);
             commands_.fetch_add(1);
+        }
         if (report[0] == model_.wire().constant_force)
             taken_.fetch_add(1);
     }

@@ -90,7 +90,6 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "Qt's driver for SQLite is not installed; without it there is no album. On Debian it is the package libqt6sql6-sqlite."),
     QT_TRANSLATE_NOOP("Sentence", "Stiffness and range of the guidance must both be numbers above zero."),
     QT_TRANSLATE_NOOP("Sentence", "The %1 \"%2\""),
-    QT_TRANSLATE_NOOP("Sentence", "The %1 cannot be used on this system yet: nothing would watch over its motors here."),
     QT_TRANSLATE_NOOP("Sentence", "The %1 could not be opened. Unplug it, plug it in again and try once more."),
     QT_TRANSLATE_NOOP("Sentence", "The %1 file is damaged."),
     QT_TRANSLATE_NOOP("Sentence", "The %1 has the wrong driver. In the Device Manager choose Update driver, then \"USB Input Device\"."),

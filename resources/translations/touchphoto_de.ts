@@ -3187,10 +3187,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Arduino-Platine: ein Haply 2diy der dritten Generation?</translation>
     </message>
     <message>
-        <source>The %1 cannot be used on this system yet: nothing would watch over its motors here.</source>
-        <translation>Das Gerät „%1“ lässt sich auf diesem System noch nicht benutzen: Nichts würde hier über seine Motoren wachen.</translation>
-    </message>
-    <message>
         <source>The Haply 2diy could not be homed. See that it is plugged in and switched on, and try again.</source>
         <translation>Der Nullpunkt des Haply 2diy konnte nicht gesetzt werden. Sehen Sie nach, ob er angesteckt und eingeschaltet ist, und versuchen Sie es noch einmal.</translation>
     </message>

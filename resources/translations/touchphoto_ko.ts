@@ -3175,10 +3175,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>아두이노 보드: 3세대 Haply 2diy인가요?</translation>
     </message>
     <message>
-        <source>The %1 cannot be used on this system yet: nothing would watch over its motors here.</source>
-        <translation>%1 장치는 아직 이 시스템에서 쓸 수 없습니다. 여기서는 그 모터를 지켜볼 것이 없습니다.</translation>
-    </message>
-    <message>
         <source>The Haply 2diy could not be homed. See that it is plugged in and switched on, and try again.</source>
         <translation>Haply 2diy의 기준점을 잡지 못했습니다. 꽂혀 있고 켜져 있는지 확인하고 다시 시도하세요.</translation>
     </message>

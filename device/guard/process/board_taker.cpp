@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "device/guard/process/ends.hpp"
 #include "device/guard/process/force_taker.hpp"
-#include "device/guard/process/wait_for.hpp"
 #include "device/haply_2diy/protocol/board_frames.hpp"
 
 #include <array>
-#include <cerrno>
 #include <cstddef>
 #include <span>
-#include <unistd.h>
 
 namespace tp::guard {
 
@@ -15,27 +13,13 @@ using namespace tp::haply;
 
 namespace {
 
-constexpr int line = device;
 constexpr int answer_ms = 30;
-constexpr int patience_ms = 2000; ///< with a line that takes nothing
 /// A command of no torque; more than can be answered without having been obeyed: what the program's last ones
 /// may still be answered with, and one that the board makes of a half frame of the program and half of ours.
 constexpr std::size_t times = 5;
 constexpr unsigned rounds = 20;
 
-bool write_all(std::span<const std::uint8_t> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t gone = write(line, bytes.data(), bytes.size());
-        if (gone > 0)
-            bytes = bytes.subspan(static_cast<std::size_t>(gone));
-        else if (gone < 0 && errno == EAGAIN) {
-            if (wait_for(line, POLLOUT, patience_ms) <= 0)
-                return false;
-        } else if (gone < 0 && errno != EINTR)
-            return false;
-    }
-    return true;
-}
+bool write_line(std::span<const std::uint8_t> bytes) { return write_all(End::device, bytes); }
 
 /// Whether these are a board's answers to commands and nothing else.
 bool are_replies(std::span<const std::uint8_t> bytes, std::uint8_t id) {
@@ -49,8 +33,8 @@ bool are_replies(std::span<const std::uint8_t> bytes, std::uint8_t id) {
 bool answered(std::uint8_t id, std::size_t replies) {
     std::vector<std::uint8_t> heard;
     std::array<std::uint8_t, 256> some{};
-    while (heard.size() < 4096 && wait_for(line, POLLIN, answer_ms) > 0) {
-        const ssize_t got = read(line, some.data(), some.size());
+    while (heard.size() < 4096) {
+        const int got = read_within(End::device, some, answer_ms);
         if (got <= 0)
             return false;
         heard.insert(heard.end(), some.begin(), some.begin() + got);
@@ -64,14 +48,14 @@ bool answered(std::uint8_t id, std::size_t replies) {
 /// Whether the board is in step and has taken the torque away, as it was told.
 bool obeys(std::uint8_t id) {
     for (std::size_t i = 0; i < times; ++i)
-        if (!write_all(encode(Command{id, {}})))
+        if (!write_line(encode(Command{id, {}})))
             return false;
     return answered(id, times);
 }
 
 void drop_what_came() {
     std::array<std::uint8_t, 4096> some{};
-    while (wait_for(line, POLLIN, 0) > 0 && read(line, some.data(), some.size()) > 0) {
+    while (read_within(End::device, some, 0) > 0) {
     }
 }
 
@@ -81,10 +65,10 @@ void take_torque_away(const SetUp& set_up) {
         return;
     // The program died in the middle of a frame, or the board is out of step.
     for (unsigned round = 0; round < rounds; ++round) {
-        if (!write_all(resynchronisation(set_up, round).view()))
+        if (!write_line(resynchronisation(set_up, round).view()))
             return;
         if (answered(set_up.device_id, 1) && obeys(set_up.device_id)) {
-            write_all(
+            write_line(
                 encode_reset(set_up.device_id)); // its angles are not those it had: nobody shall believe them
             return;
         }

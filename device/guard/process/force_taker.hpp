@@ -8,9 +8,6 @@
 /// The process that takes the force off a device when the program beside it no longer can.
 namespace tp::guard {
 
-inline constexpr int device = 3; ///< the descriptors that it is started with
-inline constexpr int beats = 4;
-
 /// How the force is taken off one kind of device.
 class ForceTaker {
 public:

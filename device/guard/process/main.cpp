@@ -1,25 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// touchphoto-force-guard: started by TouchPhoto beside a device that has no watchdog. Holds the device as
-// descriptor 3 and listens at 4: 'p' is a sign of life of a program that pulls, 'z' of one that does not, 'q'
-// takes leave. 50 ms after the last 'p' it takes the force away and says 's' there, or ends where the program
-// cannot go on; when the other end is gone it takes the force away and ends.
+// touchphoto-force-guard: started by TouchPhoto beside a device that has no watchdog. Holds the device open
+// too and listens to the program: 'p' is a sign of life of a program that pulls, 'z' of one that does not,
+// 'q' takes leave. 50 ms after the last 'p' it takes the force away and says 's' there, or ends where the
+// program cannot go on; when the other end is gone it takes the force away and ends.
 //
 //     touchphoto-force-guard board SET-UP
 //     touchphoto-force-guard reports NO-FORCE… then AT-THE-END…
 //     touchphoto-force-guard packet ENDPOINT NO-FORCE
 //
-// Bytes are words of hexadecimal digits.
+// Bytes are words of hexadecimal digits. The device is descriptor 3 and the program descriptor 4; on Windows
+// they are handles, whose numbers come before these words.
+#include "device/guard/process/ends.hpp"
 #include "device/guard/process/force_taker.hpp"
-#include "device/guard/process/wait_for.hpp"
 
 #include <array>
 #include <charconv>
-#include <csignal>
 #include <cstddef>
 #include <span>
 #include <string_view>
-#include <sys/socket.h>
-#include <unistd.h>
 #include <utility>
 
 using namespace tp::guard;
@@ -67,7 +65,10 @@ std::unique_ptr<ForceTaker> taker_of(std::string_view kind, std::span<char* cons
     return nullptr;
 }
 
-bool say(char word) { return send(beats, &word, 1, MSG_DONTWAIT) == 1; }
+bool say(char letter) {
+    const std::array<std::uint8_t, 1> byte{static_cast<std::uint8_t>(letter)};
+    return write_all(End::program, byte);
+}
 
 /// What was heard of the program.
 struct Heard {
@@ -76,29 +77,30 @@ struct Heard {
     bool took_leave = false;
     bool gone = false;
 
-    void listen() {
-        std::array<char, 256> bytes{};
-        const ssize_t got = read(beats, bytes.data(), bytes.size());
-        gone = got <= 0;
-        if (gone)
-            return;
-        for (const char byte : std::span(bytes).first(static_cast<std::size_t>(got))) {
+    /// False where nothing came in time.
+    bool listen() {
+        std::array<std::uint8_t, 256> bytes{};
+        const int got = read_within(End::program, bytes, awaits ? silence_ms : -1);
+        gone = got < 0;
+        if (got <= 0)
+            return gone;
+        for (const std::uint8_t byte : std::span(bytes).first(static_cast<std::size_t>(got))) {
             took_leave = took_leave || byte == 'q';
             may_pull = awaits = byte == 'p';
         }
+        return true;
     }
 };
 
 void watch(ForceTaker& taker) {
     for (Heard program;;) {
-        if (wait_for(beats, POLLIN, program.awaits ? silence_ms : -1) == 0) {
+        if (!program.listen()) {
             if (!taker.let_go())
                 return;
             program.awaits = false;
             say('s');
             continue;
         }
-        program.listen();
         if (program.took_leave)
             return;
         if (program.gone)
@@ -109,10 +111,10 @@ void watch(ForceTaker& taker) {
 } // namespace
 
 int main(int count, char** words) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTTOU, SIGTTIN})
-        std::signal(signal, SIG_IGN);
-    const std::span<char* const> all(words, static_cast<std::size_t>(count));
-    const auto taker = all.size() > 1 ? taker_of(all[1], all.subspan(2)) : nullptr;
+    std::span<char*> told = std::span(words, static_cast<std::size_t>(count)).subspan(count > 0 ? 1 : 0);
+    if (!take_ends(told))
+        return 2;
+    const auto taker = told.empty() ? nullptr : taker_of(told.front(), told.subspan(1));
     if (!taker)
         return 2;
     if (!say('r'))

@@ -2,6 +2,8 @@
 #include "device/guard/process/force_taker.hpp"
 
 #if defined(__linux__)
+#include "device/guard/process/posix_ends.hpp"
+
 #include <cerrno>
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
@@ -26,10 +28,10 @@ public:
         for (unsigned i = 0; i < packet_tries && taken < packets; ++i) {
             usbdevfs_bulktransfer packet{endpoint_, static_cast<unsigned>(no_force_.size()),
                                          packet_timeout_ms, no_force_.data()};
-            if (ioctl(device, USBDEVFS_BULK, &packet) == static_cast<int>(no_force_.size()))
+            if (ioctl(device_descriptor, USBDEVFS_BULK, &packet) == static_cast<int>(no_force_.size()))
                 ++taken;
             else if (errno == EPIPE)
-                ioctl(device, USBDEVFS_CLEAR_HALT, &endpoint_);
+                ioctl(device_descriptor, USBDEVFS_CLEAR_HALT, &endpoint_);
             else if (errno == ENODEV)
                 break;
         }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "device/guard/process/ends.hpp"
 #include "device/guard/process/force_taker.hpp"
 
-#include <cerrno>
-#include <unistd.h>
 #include <utility>
 
 namespace tp::guard {
@@ -13,8 +12,7 @@ constexpr int report_tries = 3; ///< of a report that breaks on the way
 
 void write_reports(const std::vector<Bytes>& reports) {
     for (const Bytes& report : reports)
-        for (int i = 0;
-             i < report_tries && write(device, report.data(), report.size()) < 0 && errno != ENODEV; ++i) {
+        for (int i = 0; i < report_tries && !write_all(End::device, report); ++i) {
         }
 }
 

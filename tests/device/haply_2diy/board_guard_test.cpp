@@ -1,184 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board behind a real pseudo-terminal, a real process that pulls on it, and the real guard beside that.
-#include "../until.hpp"
-#include "device/guard/guard_process.hpp"
-#include "device/haply_2diy/haply_2diy.hpp"
-#include "device/haply_2diy/model_board.hpp"
-#include "device/haply_2diy/posix_serial.hpp"
-#include "safe_force.hpp"
+#include "puller.hpp"
 
 #include <QCoreApplication>
-#include <QProcess>
 #include <QTest>
 
-#include <array>
-#include <atomic>
-#include <cerrno>
-#include <chrono>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
-#include <fcntl.h>
-#include <memory>
-#include <mutex>
-#include <poll.h>
-#include <string>
 #include <sys/wait.h>
-#include <thread>
-#include <unistd.h>
-#include <vector>
 
-using namespace tp;
-using tp::testing::safe;
+using tp::testing::PtyBoard;
+using tp::testing::Puller;
 using tp::testing::until;
-
-namespace {
-
-std::string guard_program() { return qEnvironmentVariable("TP_FORCE_GUARD").toStdString(); }
-
-Haply2diy::Opener over(const std::string& path, const std::string& program) {
-    return [path, program]() -> Result<Haply2diy::Board> {
-        auto line = PosixSerial::open(path, "Haply 2diy");
-        if (!line)
-            return Error{line.error()};
-        const Pantograph arms(HaplyGeneration::third);
-        auto guard =
-            start_force_guard(program, (*line)->descriptor(),
-                              {"board", guard_word(encode(arms.set_up(arms.reference_deg())).view())});
-        if (!guard)
-            return Error{guard.error()};
-        return Haply2diy::Board{std::move(*line), std::move(*guard), {}, "X"};
-    };
-}
-
-/// What the killed process does: pulls until its input ends, then stops as a program should. Says what it
-/// sees.
-int pull(const std::string& path, const std::string& program) {
-    Haply2diy device(HaplyGeneration::third, over(path, program));
-    const auto can = device.open();
-    const auto homed = can ? device.home() : Result<bool>(Error{can.error()});
-    if (!homed) {
-        std::fprintf(stderr, "%s\n", homed.error().c_str());
-        return 2;
-    }
-    double now = 0.0;
-    std::string said;
-    for (pollfd input{STDIN_FILENO, POLLIN, 0}; poll(&input, 1, 1) == 0; now += 0.001) {
-        device.read(now);
-        if (!device.write(safe({0.5, 0.3})))
-            return 3;
-        if (const std::string complaint = device.complaint(); complaint != said) {
-            std::printf("%s\n", complaint.c_str());
-            std::fflush(stdout);
-            said = complaint;
-        }
-    }
-    device.stop();
-    return 0;
-}
-
-/// A board at the other end of a pseudo-terminal, on a thread of its own.
-class PtyBoard {
-public:
-    PtyBoard() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)) {
-        grantpt(master_);
-        unlockpt(master_);
-        path_ = ptsname(master_);
-        thread_ = std::thread([this] { serve(); });
-    }
-    ~PtyBoard() {
-        quit_.store(true);
-        thread_.join();
-        ::close(master_);
-    }
-    PtyBoard(const PtyBoard&) = delete;
-    PtyBoard& operator=(const PtyBoard&) = delete;
-
-    std::string path() const { return path_; }
-    bool pulls() {
-        const std::scoped_lock lock(mutex_);
-        return board_.torques() != std::array<double, 2>{};
-    }
-    bool is_set_up() {
-        const std::scoped_lock lock(mutex_);
-        return board_.set_up();
-    }
-    /// Nobody has the line open.
-    bool hung_up() const { return hung_up_.load(); }
-    std::uint64_t heard() const { return heard_.load(); }
-    /// The board gets these before what comes next, as the beginning of a frame that was never ended: a
-    /// command with the torque of the first motor, 0.1 N·m, which the next bytes of whatever kind complete.
-    void begin_a_frame() {
-        const std::scoped_lock lock(mutex_);
-        for (const std::uint8_t byte : std::array<std::uint8_t, 6>{2, 5, 0xcd, 0xcc, 0xcc, 0x3d})
-            board_.receive(byte);
-    }
-
-private:
-    void serve() {
-        while (!quit_.load()) {
-            pollfd one{master_, POLLIN, 0};
-            poll(&one, 1, 1);
-            std::uint8_t bytes[256];
-            const ssize_t got = ::read(master_, bytes, sizeof bytes);
-            hung_up_.store(got < 0 && errno == EIO);
-            if (got <= 0) {
-                std::this_thread::sleep_for(std::chrono::microseconds(100));
-                continue;
-            }
-            const std::scoped_lock lock(mutex_);
-            heard_.fetch_add(static_cast<std::uint64_t>(got));
-            for (ssize_t i = 0; i < got; ++i) {
-                board_.receive(bytes[i]);
-                send_the_answer();
-            }
-        }
-    }
-    void send_the_answer() {
-        const std::vector<std::uint8_t> answer(board_.sent().begin(), board_.sent().end());
-        board_.sent().clear();
-        if (answer.empty())
-            return;
-        if (::write(master_, answer.data(), answer.size()) < 0)
-            hung_up_.store(true);
-        std::this_thread::sleep_for(
-            std::chrono::microseconds(300)); // a board is no faster: it is read before the next
-    }
-
-    int master_;
-    std::string path_;
-    std::mutex mutex_;
-    ModelBoard board_{HaplyGeneration::third};
-    std::atomic<bool> quit_{false};
-    std::atomic<bool> hung_up_{false};
-    std::atomic<std::uint64_t> heard_{0};
-    std::thread thread_;
-};
-
-/// This program again, pulling.
-struct Puller {
-    static constexpr int most_attempts = 20;
-    QProcess process;
-    bool pulled = false; ///< once at least: on a busy machine the guard may have stepped in since
-
-    explicit Puller(PtyBoard& board) {
-        process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        // On a busy machine the board may answer too late for a program that opens it.
-        for (int attempt = 0; attempt < most_attempts && !pulled; ++attempt) {
-            until([&] { return attempt == 0 || board.hung_up(); });
-            process.start(
-                QCoreApplication::applicationFilePath(),
-                {"--pull", QString::fromStdString(board.path()), QString::fromStdString(guard_program())});
-            process.waitForStarted(-1);
-            until([&] {
-                pulled = board.pulls();
-                return pulled || process.state() == QProcess::NotRunning || process.waitForFinished(0);
-            });
-        }
-    }
-};
-
-} // namespace
 
 class BoardGuardTest : public QObject {
     Q_OBJECT
@@ -263,71 +95,67 @@ private slots:
         QVERIFY(board.is_set_up());
     }
 
-    void without_the_guard_the_device_does_not_open() {
-        PtyBoard board;
-        Haply2diy device(HaplyGeneration::third, over(board.path(), guard_program() + "-that-is-not-there"));
-        const auto can = device.open();
-        QVERIFY(!can.ok());
-        QVERIFY2(can.error().find("touchphoto-force-guard, is not beside this one") != std::string::npos,
-                 can.error().c_str());
-        QVERIFY(!device.read(0.0));
-        QCOMPARE(board.heard(), std::uint64_t(0)); // nothing is sent that nobody would take back
-    }
-
-    void a_guard_that_does_not_start_is_said() {
-        PtyBoard board;
-        Haply2diy device(HaplyGeneration::third, over(board.path(), "/bin/true"));
-        const auto can = device.open();
-        QVERIFY(!can.ok());
-        QVERIFY2(can.error().find("does not start") != std::string::npos, can.error().c_str());
-    }
-
-    void what_is_no_serial_port_is_refused_with_a_sentence() {
-        QVERIFY(PosixSerial::open("/dev/null", "Haply 2diy").error().find("could not be opened") !=
-                std::string::npos);
-        QVERIFY(PosixSerial::open("/dev/none", "Haply 2diy").error().find("unplugged") != std::string::npos);
-    }
-
-    void bytes_pass_a_serial_port_as_they_are() {
+    void bytes_pass_a_serial_port_as_they_are_until_it_is_gone() {
         const int master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
         grantpt(master);
         unlockpt(master);
-        auto line = PosixSerial::open(ptsname(master), "Haply 2diy");
-        QVERIFY(line.ok());
+        QProcess process;
+        process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        tp::testing::start_puller(process, {"echo", tp::testing::port_name(ptsname(master))});
+        QVERIFY(process.waitForReadyRead(-1));
         std::vector<std::uint8_t> all(256);
         for (std::size_t i = 0; i < all.size(); ++i)
             all[i] = static_cast<std::uint8_t>(i); // among them Ctrl-C, XON, line ends and 0xFF
-        QVERIFY((*line)->write(all));
-        std::vector<std::uint8_t> there;
-        while (there.size() < all.size()) {
-            std::uint8_t some[64];
-            const ssize_t got = ::read(master, some, sizeof some);
-            QVERIFY(got > 0);
-            there.insert(there.end(), some, some + got);
-        }
-        QVERIFY(there == all);
         QCOMPARE(::write(master, all.data(), all.size()), static_cast<ssize_t>(all.size()));
         std::vector<std::uint8_t> back;
         while (back.size() < all.size()) {
             std::uint8_t some[64];
-            const int got = (*line)->read(some, 1000);
+            const ssize_t got = ::read(master, some, sizeof some);
             QVERIFY(got > 0);
             back.insert(back.end(), some, some + got);
         }
         QVERIFY(back == all);
-        std::uint8_t none[4];
-        QCOMPARE((*line)->read(none, 0), 0);
         ::close(master);
-        QCOMPARE((*line)->read(none, 0), -1);
-        QVERIFY(!(*line)->write(all));
+        process.waitForFinished(-1);
+        QCOMPARE(process.exitCode(), 0);
+    }
+
+    void a_port_that_another_program_uses_or_that_is_none_is_a_sentence() {
+        const bool on_windows = qEnvironmentVariableIsSet("TP_WINE_PREFIX");
+        const auto said_of = [](const QString& port) {
+            QProcess process;
+            tp::testing::start_puller(process, {"echo", port});
+            process.waitForFinished(-1);
+            return process.readAllStandardError();
+        };
+        QVERIFY(said_of(on_windows ? "COM99" : "/dev/none").contains("unplugged"));
+        QVERIFY(said_of(on_windows ? "NUL" : "/dev/null").contains("could not be opened"));
+        if (on_windows || geteuid() == 0)
+            return; // Wine opens a port twice, and Linux does for root
+        PtyBoard board;
+        QProcess first;
+        tp::testing::start_puller(first, {"echo", QString::fromStdString(board.path())});
+        QVERIFY(first.waitForReadyRead(-1));
+        QVERIFY(said_of(QString::fromStdString(board.path())).contains("Close "));
+        first.kill();
+        first.waitForFinished(-1);
+    }
+
+    void a_guard_that_is_not_there_or_does_not_start_is_a_sentence_and_nothing_is_sent() {
+        PtyBoard board;
+        const QString guard = qEnvironmentVariable("TP_FORCE_GUARD");
+        const auto said_with = [&](const QString& program) {
+            QProcess process;
+            tp::testing::start_puller(process, {"pull", tp::testing::port_name(board.path()), program});
+            process.waitForFinished(-1);
+            return process.exitCode() == 2 ? process.readAllStandardError() : QByteArray();
+        };
+        QVERIFY(said_with(guard + "-that-is-not-there")
+                    .contains("touchphoto-force-guard, is not beside this one"));
+        QVERIFY(said_with(tp::testing::puller_command().last()).contains("does not start"));
+        QCOMPARE(board.heard(), std::uint64_t(0)); // nothing is sent that nobody would take back
     }
 };
 
-int main(int argc, char** argv) {
-    if (argc == 4 && std::string(argv[1]) == "--pull")
-        return pull(argv[2], argv[3]);
-    QCoreApplication app(argc, argv);
-    BoardGuardTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+QTEST_GUILESS_MAIN(BoardGuardTest)
 #include "board_guard_test.moc"

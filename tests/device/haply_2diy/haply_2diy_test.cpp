@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "board_bench.hpp"
-#include "device/haply_2diy/plugged_boards.hpp"
+#include "device/haply_2diy/found_boards.hpp"
 #include "device/open_problem.hpp"
 
 #include <QTemporaryDir>
@@ -208,13 +208,27 @@ private slots:
         add("ttyACM0", "1-3", "2a03", "");
         add("ttyUSB0", "1-4", "0403", "A900");
         std::filesystem::create_directories(root / "tty" / "tty0"); // a console
-        const std::vector<FoundBoard> found = find_boards(root / "tty", "/dev");
+        const std::vector<FoundBoard> found = find_boards_below(root / "tty", "/dev");
         QCOMPARE(found.size(), std::size_t(2));
         QCOMPARE(found[0].path, std::string("/dev/ttyACM0"));
         QCOMPARE(found[0].serial_number, std::string());
         QCOMPARE(found[1].path, std::string("/dev/ttyACM1"));
         QCOMPARE(found[1].serial_number, std::string("7523031393535120A0D1"));
-        QVERIFY(find_boards(root / "none", "/dev").empty());
+        QVERIFY(find_boards_below(root / "none", "/dev").empty());
+    }
+
+    void boards_are_known_by_what_windows_calls_them() {
+        const std::string due = "USB\\VID_2341&PID_003E\\7523031393535120A0D1";
+        QVERIFY(is_arduino_instance(due));
+        QCOMPARE(serial_number_in(due), std::string("7523031393535120A0D1"));
+        const std::string part =
+            "USB\\VID_2A03&PID_003D&MI_00\\6&2A8C9D&0&0000"; // of several: made up by Windows
+        QVERIFY(is_arduino_instance(part));
+        QCOMPARE(serial_number_in(part), std::string());
+        for (const char* const other :
+             {"USB\\VID_0403&PID_6001\\A900", "ACPI\\PNP0501\\1", "USB\\VID_23", ""})
+            QVERIFY(!is_arduino_instance(other));
+        QCOMPARE(serial_number_in("COM7"), std::string());
     }
 
     void a_port_that_one_may_not_use_says_what_to_do() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/guard/guard_process.hpp"
+#include "device/guard/no_guard.hpp"
 
-#if defined(__unix__) || defined(__APPLE__)
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
@@ -12,26 +12,13 @@
 #include <system_error>
 #include <unistd.h>
 #include <utility>
-#endif
 #if defined(__APPLE__)
 #include <mach-o/dyld.h>
 #endif
 
-#if defined(__unix__) || defined(__APPLE__)
 extern char** environ; // POSIX has it in no header
-#endif
 
 namespace tp {
-
-namespace {
-
-Error nobody_to_watch() {
-    return Error{"The device stays off, because nothing would watch over its motors on this system."};
-}
-
-} // namespace
-
-#if defined(__unix__) || defined(__APPLE__)
 
 namespace {
 
@@ -151,9 +138,7 @@ Result<std::unique_ptr<ForceGuard>> watching(Descriptor beats, pid_t process) {
     std::unique_ptr<ForceGuard> guard = std::make_unique<GuardProcess>(std::move(beats), process);
     char said = 0;
     if (!within(listening, start_patience_ms, said) || said != 'r')
-        return Error{"The device stays off, because the program that watches over its motors, "
-                     "touchphoto-force-guard, does "
-                     "not start. Install TouchPhoto again."};
+        return guard_does_not_start();
     return guard;
 }
 
@@ -173,22 +158,20 @@ std::string force_guard_program() {
     return (own.parent_path() / "touchphoto-force-guard").string();
 }
 
-Result<std::unique_ptr<ForceGuard>> start_force_guard(const std::string& program, int device_descriptor,
+Result<std::unique_ptr<ForceGuard>> start_force_guard(const std::string& program, SystemHandle opened,
                                                       const std::vector<std::string>& words) {
-    if (device_descriptor < 0)
+    if (opened == no_handle)
         return nobody_to_watch();
     int pair[2] = {-1, -1};
     if (socketpair(AF_UNIX, socket_kind, 0, pair) != 0)
-        return Error{"This computer has no room for the program that watches over the motors. Close other "
-                     "programs and try "
-                     "again."};
+        return no_room_for_guard();
     Descriptor low_ours(pair[0]);
     Descriptor low_theirs(pair[1]);
     for (const int low : pair)
         fcntl(low, F_SETFD, FD_CLOEXEC);
     Descriptor ours(fcntl(pair[0], F_DUPFD_CLOEXEC, first_free));
     Descriptor theirs(fcntl(pair[1], F_DUPFD_CLOEXEC, first_free));
-    const Descriptor device(fcntl(device_descriptor, F_DUPFD_CLOEXEC, first_free));
+    const Descriptor device(fcntl(static_cast<int>(opened), F_DUPFD_CLOEXEC, first_free));
     low_ours.reset();
     low_theirs.reset();
     quiet(ours.get());
@@ -196,30 +179,8 @@ Result<std::unique_ptr<ForceGuard>> start_force_guard(const std::string& program
     const int problem = spawn(program, words, device.get(), theirs.get(), process);
     theirs.reset(); // the guard's alone: where it ends, this end hears of it
     if (problem != 0)
-        return Error{"The device stays off, because the program that watches over its motors, "
-                     "touchphoto-force-guard, is "
-                     "not beside this one. Install TouchPhoto again."};
+        return guard_is_missing();
     return watching(std::move(ours), process);
-}
-
-#else
-
-std::string force_guard_program() { return {}; }
-
-Result<std::unique_ptr<ForceGuard>> start_force_guard(const std::string&, int,
-                                                      const std::vector<std::string>&) {
-    return nobody_to_watch();
-}
-
-#endif
-
-std::string guard_word(std::span<const std::uint8_t> bytes) {
-    std::string text;
-    for (const std::uint8_t byte : bytes) {
-        text += "0123456789abcdef"[byte >> 4];
-        text += "0123456789abcdef"[byte & 15u];
-    }
-    return text;
 }
 
 } // namespace tp

@@ -50,7 +50,7 @@ bool SafetyChain::inside_workspace(Vec2 p) const noexcept {
 Fault SafetyChain::notice(const SafetyInput& input, double elapsed) noexcept {
     if (input.device_lost)
         return Fault::device_lost;
-    if (elapsed > limits_.stall)
+    if (input.halted || elapsed > limits_.stall)
         return Fault::stalled;
     if (elapsed > (1.0 + limits_.late_periods) * period_)
         return Fault::late_ticks;

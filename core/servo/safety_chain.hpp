@@ -26,10 +26,11 @@ struct SafetyInput {
     double now = 0.0;   ///< s
     bool fresh = false; ///< a new reading arrived in this tick
     bool device_lost = false;
+    bool halted = false;     ///< the watchdog has halted the device
     bool motors_off = false; ///< the device's own doing
-    Vec2 position{0.0}; ///< mm, device frame, of the newest reading
-    Vec2 velocity{0.0}; ///< mm/s, device frame, filtered
-    Vec2 force{0.0};    ///< N, device frame, as the law wants it
+    Vec2 position{0.0};      ///< mm, device frame, of the newest reading
+    Vec2 velocity{0.0};      ///< mm/s, device frame, filtered
+    Vec2 force{0.0};         ///< N, device frame, as the law wants it
 };
 
 /// The one place between any law and any device, and the only maker of a force that a device accepts.

@@ -178,6 +178,7 @@ void ServoLoop::tick() noexcept {
     input.now = now;
     input.fresh = reading.state.has_value();
     input.device_lost = reading.lost;
+    input.halted = watchdog_.halted();
     input.motors_off = reading.motors_off;
     input.position = position;
     input.velocity = velocity_.velocity();

@@ -17,16 +17,22 @@ Watchdog::Reading Watchdog::read(double now) noexcept {
 bool Watchdog::write(const SafeForce& force, double now) noexcept {
     last_beat_.store(now, std::memory_order_release);
     if (halted())
-        return true; // the chain hears of it through halted, and of what the watchdog did through
-                     // take_share_left
+        return true; // the chain hears of it
     if (!enter()) {
         if (now - watch_entered_.load(std::memory_order_acquire) > limits_.stall_after)
             halt();
         return true;
     }
     last_force_ = force;
-    const bool delivered = device_.write(force);
+    const bool delivered = deliver(force);
     leave();
+    return delivered;
+}
+
+bool Watchdog::deliver(const SafeForce& force) noexcept {
+    const bool delivered = device_.write(force);
+    if (halted()) // meanwhile: what was written later must not stay
+        device_.halt();
     return delivered;
 }
 
@@ -60,7 +66,7 @@ void Watchdog::check(double now) noexcept {
         return;
     const double share = std::clamp(1.0 - late / limits_.ramp, 0.0, share_.load(std::memory_order_relaxed));
     share_.store(share, std::memory_order_release);
-    device_.write(last_force_.scaled(share));
+    deliver(last_force_.scaled(share));
     leave();
 }
 

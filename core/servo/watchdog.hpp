@@ -17,6 +17,7 @@ namespace tp {
 ///
 /// Neither side waits for the other: whoever finds the device in use leaves it alone for this time. Where the
 /// watchdog itself hangs inside the device's write for longer than `stall_after`, the loop halts the device.
+/// A force that one side writes while the other halts does not stay: the device is halted again after it.
 class Watchdog {
 public:
     struct Limits {
@@ -41,7 +42,7 @@ public:
     /// Share of the last force that was left when the loop came back after the watchdog had stepped in, once;
     /// 1 where it had not. Only the loop's thread.
     double take_share_left() noexcept;
-    /// The device was halted, and stays so until `rearm`.
+    /// The device was halted, and stays so until `rearm`; the chain is told.
     bool halted() const noexcept { return halted_.load(std::memory_order_acquire); }
     /// Forgets a halt; the loop's thread, when a person engages again.
     void rearm(double now) noexcept;
@@ -51,6 +52,8 @@ public:
 
 private:
     void halt() noexcept;
+    /// To the device; only whoever has entered.
+    bool deliver(const SafeForce& force) noexcept;
     bool enter() noexcept { return !busy_.exchange(true, std::memory_order_acquire); }
     void leave() noexcept { busy_.store(false, std::memory_order_release); }
 

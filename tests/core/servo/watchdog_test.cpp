@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <thread>
+#include <utility>
 
 using namespace tp;
 using tp::testing::DeviceDouble;
@@ -53,6 +54,8 @@ public:
     std::function<void()> meanwhile = [] {};
     int met = 0;
     int written = 0;
+    int halts = 0;
+    bool obeys = false; ///< what was written last, not a halt
     Result<Capabilities> open() override { return DeviceDouble::capabilities(); }
     std::optional<DeviceState> read(double now) noexcept override {
         visit();
@@ -61,9 +64,13 @@ public:
     bool write(const SafeForce&) noexcept override {
         ++written;
         visit();
+        obeys = true;
         return true;
     }
-    void halt() noexcept override {}
+    void halt() noexcept override {
+        ++halts;
+        obeys = false;
+    }
     void stop() noexcept override {}
     bool motors_off() const noexcept override { return true; }
 
@@ -224,6 +231,43 @@ private slots:
         QVERIFY(!meanwhile.state);
         QVERIFY(meanwhile.motors_off); // as the device said last
         QCOMPARE(device.met, 0);
+    }
+
+    void a_force_written_while_the_other_side_halts_does_not_stay() {
+        CrowdedDevice device;
+        Watchdog watchdog(device, {});
+        QVERIFY(watchdog.write(SafeForce{}, 0.0));
+        QVERIFY(device.obeys);
+        device.meanwhile = [&] { watchdog.check(0.100); }; // the loop comes back at the last moment
+        QVERIFY(watchdog.write(SafeForce{}, 0.0));
+        QVERIFY(watchdog.halted() && !device.obeys);
+
+        watchdog.rearm(1.0);
+        device.meanwhile = [&] { watchdog.write(SafeForce{}, 1.100); }; // the watchdog does
+        watchdog.check(1.010);
+        QVERIFY(watchdog.halted() && !device.obeys);
+        QCOMPARE(device.met, 0);
+        QCOMPARE(device.written, 3);
+    }
+
+    void a_loop_that_comes_back_in_the_moment_of_the_halt_is_told() {
+        Bench bench;
+        bool once = true;
+        bench.device.place = [&](double) { // in the middle of a tick
+            if (std::exchange(once, false)) {
+                bench.clock.sleep_until(bench.clock.now() + 0.0495);
+                bench.loop.check();
+            }
+            return Vec2(0.0, 2.0);
+        };
+        bench.clock.sleep_until(bench.clock.now() + 0.001);
+        bench.loop.tick();
+        QCOMPARE(bench.device.halts, 1);
+        bench.clock.sleep_until(bench.clock.now() + 0.0003); // when its next period begins
+        bench.loop.tick();
+        bench.run(0.5);
+        QCOMPARE(bench.loop.snapshot().fault, Fault::stalled);
+        QVERIFY(!bench.loop.snapshot().engaged);
     }
 
     void makes_forces_smaller_and_never_larger() {

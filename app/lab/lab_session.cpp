@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/lab/lab_session.hpp"
 
-#include "app/lab/plot_curves.hpp"
+#include "app/lab/lab_photo.hpp"
+#include "app/lab/lab_words.hpp"
 #include "app/lab/sample_scenes.hpp"
-#include "app/picture/field_picture.hpp"
-#include "app/scene/corrections.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "core/files/durable_file.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/picture.hpp"
 
-#include <QColor>
-#include <QDateTime>
-#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
-#include <QPainter>
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 namespace tp {
@@ -34,42 +27,13 @@ constexpr double hang_s = 0.2;
 constexpr std::size_t most_steps = 100;
 constexpr int photo_scene = 3;
 
-QString path_words(const std::filesystem::path& file) {
-    return QDir::toNativeSeparators(QString::fromStdString(file.string()));
-}
-
-struct LabPhoto {
-    FlatScene flat;
-    std::string problem;
-};
-
-LabPhoto read_photo(const std::string& file, const SurfaceSize& surface, std::unique_ptr<FaceExtractor>& extractor,
-                    const std::stop_token& stop) {
-    try {
-        const Result<cv::Mat> picture = read_picture(file);
-        if (!picture)
-            return {{}, picture.error()};
-        if (!extractor) {
-            Result<FaceExtractor> made = FaceExtractor::create();
-            if (!made)
-                return {{}, made.error()};
-            extractor = std::make_unique<FaceExtractor>(std::move(made).value());
-        }
-        const Result<BuiltScene> built = build_scene(with_corrections(extractor->extract(*picture, stop), file), surface);
-        if (!built)
-            return {{}, built.error()};
-        return {flatten(built->scene), {}};
-    } catch (const std::exception&) { // out of memory, mostly
-        return {{}, "This picture could not be worked on. It may be too large for this computer."};
-    }
-}
-
 } // namespace
 
 LabSession::LabSession(Narrator& narrator, Preferences& preferences, LabSettings settings)
     : narrator_(narrator), preferences_(preferences), settings_(std::move(settings)),
       clock_(settings_.time != nullptr ? static_cast<Clock&>(*settings_.time) : steady_),
-      found_{{simulated_device_name, {}, {}, {}}}, extractor_(std::make_shared<std::unique_ptr<FaceExtractor>>()) {
+      found_{{simulated_device_name, {}, {}, {}}}, files_(settings_.folder),
+      field_(surface(), [this] { emit fieldChanged(); }), extractor_(std::make_shared<std::unique_ptr<FaceExtractor>>()) {
     status_ = tr("Nothing runs.");
     take(parameters_);
     timer_.setInterval(poll_ms);
@@ -130,7 +94,7 @@ bool LabSession::stop() {
     timer_.stop();
     end_run();
     const QString told = recording_ ? finish_recording() : tr("Stopped.");
-    replay_.reset();
+    playback_.reset();
     force_ = Vec2(0.0);
     become(Stopped, told);
     emit moved();
@@ -188,47 +152,6 @@ void LabSession::use_photo(const QString& file) {
             use_scene(photo_scene, QFileInfo(file).fileName(), std::move(photo->flat));
             say(tr("%1: %n line(s) can be felt.", nullptr, static_cast<int>(flat_.lines.size()))
                     .arg(QFileInfo(file).fileName()));
-        };
-    });
-}
-
-void LabSession::setFieldScale(double pixels_per_mm) {
-    const double scale = std::clamp(pixels_per_mm, 0.5, 16.0);
-    if (std::abs(scale - field_scale_) < 1e-6)
-        return;
-    field_scale_ = scale;
-    paint_field();
-}
-
-/// A coarse picture first, because the published law takes its time over many vertices.
-void LabSession::paint_field() {
-    if (field_scale_ < 2.0)
-        return paint_field_finely();
-    field_work_.ask([this, felt = felt_, area = surface(), scale = field_scale_,
-                     legend = legendPixels()](const std::stop_token& stop) -> LatestWork::Done {
-        const QImage coarse = draw_force_field(*felt, area, 0.25 * scale, {}, stop);
-        QImage image(static_cast<int>(std::lround(area.width() * scale)),
-                     static_cast<int>(std::lround(area.height() * scale)) + legend, QImage::Format_RGB32);
-        image.fill(QColor(12, 12, 18));
-        QPainter painter(&image);
-        painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawImage(image.rect().adjusted(0, 0, 0, -legend), coarse, coarse.rect().adjusted(0, 0, 0, -legend));
-        painter.end();
-        return [this, image] {
-            field_ = image;
-            emit fieldChanged();
-            paint_field_finely();
-        };
-    });
-}
-
-void LabSession::paint_field_finely() {
-    field_work_.ask([this, felt = felt_, area = surface(),
-                     scale = field_scale_](const std::stop_token& stop) -> LatestWork::Done {
-        const QImage image = draw_force_field(*felt, area, scale, {}, stop);
-        return [this, image] {
-            field_ = image;
-            emit fieldChanged();
         };
     });
 }
@@ -295,7 +218,7 @@ void LabSession::apply(LabEffect effect) {
         if (!made)
             return say(in_persons_language(made.error()));
         felt_ = std::move(made).value();
-        paint_field();
+        field_.show(felt_);
         if (servo_ && !recording_)
             servo_->render(felt_scene(flat_, parameters_).value());
     } else if (servo_ && effect == LabEffect::live) {
@@ -346,27 +269,7 @@ double LabSession::step(const QString& key) const {
     return number == nullptr ? 0.0 : number->step;
 }
 
-QString LabSession::words(const QString& key, double value) const {
-    const QLocale locale;
-    const auto number = [&](int decimals) { return locale.toString(value, 'f', decimals); };
-    if (key == "stiffness" || key == "handStiffness")
-        return tr("%1 newtons per millimetre").arg(number(2));
-    if (key == "maxForce")
-        return tr("%1 newtons").arg(number(1));
-    if (key == "friction")
-        return tr("%1 newtons").arg(number(2));
-    if (key == "damping" || key == "handDamping")
-        return tr("%1 newton seconds per metre").arg(number(1));
-    if (key == "mass")
-        return tr("%1 grams").arg(locale.toString(1000.0 * value, 'f', 0));
-    if (key == "delay")
-        return tr("%n tick(s)", nullptr, qRound(value));
-    if (key == "drop")
-        return tr("%1 percent").arg(locale.toString(100.0 * value, 'f', 0));
-    if (key == "lineDamping")
-        return tr("%1 of critical damping").arg(number(1));
-    return tr("%1 millimetres").arg(number(key == "quantum" ? 2 : 1));
-}
+QString LabSession::words(const QString& key, double value) const { return parameter_words(key, value); }
 
 void LabSession::reset() {
     make(tr("the reset"), tr("Law, servo, device and faults are as they were at first."),
@@ -521,17 +424,9 @@ void LabSession::nudge(double dx, double dy) {
     moveTo(to.x(), to.y());
 }
 
-QString LabSession::place_words(Vec2 place) const {
-    const QLocale locale;
-    const auto mm = [&](double value) { return locale.toString(std::abs(value), 'f', 1); };
-    return tr("%1, %2 of the middle")
-        .arg(place.x < 0.0 ? tr("%1 mm left").arg(mm(place.x)) : tr("%1 mm right").arg(mm(place.x)),
-             place.y < 0.0 ? tr("%1 mm below").arg(mm(place.y)) : tr("%1 mm above").arg(mm(place.y)));
-}
-
 void LabSession::whereAmI() {
     const Guidance guidance = felt_->law->at(finger_);
-    QString sentence = tr("The finger is %1. ").arg(place_words(finger_));
+    QString sentence = tr("The finger is %1. ").arg(middle_words(finger_));
     if (guidance.contour < 0 || !(guidance.distance < felt_->profile.band()))
         sentence += tr("No line pulls there.");
     else
@@ -604,48 +499,25 @@ void LabSession::watch(Fault fault) {
 }
 
 void LabSession::poll_replay() {
-    const std::vector<TickSample>& ticks = replay_->ticks;
-    const double elapsed = clock_.now() - replay_begun_;
-    for (; replay_at_ < ticks.size() && ticks[replay_at_].time - ticks.front().time <= elapsed; ++replay_at_) {
-        trace_.add(ticks[replay_at_]);
-        finger_ = pointer_ = ticks[replay_at_].place;
-        force_ = ticks[replay_at_].force;
+    for (const TickSample& tick : playback_->due(clock_.now())) {
+        trace_.add(tick);
+        finger_ = pointer_ = tick.place;
+        force_ = tick.force;
     }
     emit moved();
-    if (replay_at_ < ticks.size())
+    if (!playback_->over())
         return;
     timer_.stop();
-    replay_.reset();
+    playback_.reset();
     read_out();
     emit plotted();
     become(Stopped, tr("The replay has ended. %1").arg(replay_words_));
 }
 
-QString LabSession::reading(Quantity quantity) const {
-    const QLocale locale;
-    const TracePlot& plot = trace_plot(static_cast<TraceQuantity>(quantity));
-    const auto number = [&](double value) { return locale.toString(value, 'f', plot.decimals); };
-    if (trace_.points().empty())
-        return QStringList{tr("Position: nothing measured yet."), tr("Force |F|: nothing measured yet."),
-                           tr("Energy: nothing measured yet."), tr("Lateness: nothing measured yet.")}[quantity];
-    const TracePoint& last = trace_.points().back();
-    if (quantity == Position) {
-        const LabTrace::Range x = trace_.range(plot.curves[0].value);
-        const LabTrace::Range y = trace_.range(plot.curves[1].value);
-        return tr("Position now x %1, y %2 mm; x from %3 to %4, y from %5 to %6.")
-            .arg(number(last.x), number(last.y), number(x.least), number(x.most), number(y.least), number(y.most));
-    }
-    const LabTrace::Range range = range_of(trace_, plot);
-    const QString now = number(plot.curves[0].value(last));
-    if (quantity == Force)
-        return tr("Force |F| now %1 newtons, at most %2.").arg(now, number(range.most));
-    if (quantity == Energy)
-        return tr("Energy given to the hand now %1 millijoules, from %2 to %3.").arg(now, number(range.least), number(range.most));
-    return tr("Ticks late by now %1 milliseconds, at most %2.").arg(now, number(range.most));
-}
-
 void LabSession::read_out() {
-    readings_ = {reading(Position), reading(Force), reading(Energy), reading(Lateness)};
+    readings_.clear();
+    for (const Quantity quantity : {Position, Force, Energy, Lateness})
+        readings_ << plot_words(trace_, static_cast<TraceQuantity>(quantity));
     emit readingsChanged();
 }
 
@@ -655,27 +527,6 @@ void LabSession::readPlots() {
 }
 
 // --- files ---
-
-QString LabSession::folder() const { return path_words(settings_.folder); }
-
-QStringList LabSession::recordings() const {
-    QStringList names = QDir(QString::fromStdString(settings_.folder.string())).entryList({"*.touch"}, QDir::Files, QDir::Name);
-    std::reverse(names.begin(), names.end());
-    return names;
-}
-
-/// A name that neither a recording nor a table nor a setup has, without its ending.
-QString LabSession::new_name() {
-    const QString stamp = QDateTime::currentDateTime().toString("'lab-'yyyyMMdd'-'HHmmss");
-    for (int i = 1;; ++i) {
-        const QString name = i == 1 ? stamp : QString("%1-%2").arg(stamp).arg(i);
-        const auto taken = [&](const char* ending) {
-            return name_taken(settings_.folder / (name + ending).toStdString());
-        };
-        if (!taken(".touch") && !taken(".csv") && !taken(".json"))
-            return name;
-    }
-}
 
 std::string LabSession::setup() const {
     return setup_json({allowed(), scene_name_.toStdString(), flat_, !simulated()});
@@ -687,9 +538,9 @@ void LabSession::toggleRecording() {
         return;
     }
     stop();
-    if (const std::string reason = make_folder(settings_.folder); !reason.empty())
+    if (const std::string reason = files_.make_folder(); !reason.empty())
         return say(tr("The folder %1 cannot be made: %2").arg(folder(), in_persons_language(reason)));
-    recording_file_ = settings_.folder / (new_name() + ".touch").toStdString();
+    recording_file_ = files_.new_file(".touch");
     if (const std::string reason = replace_file(setup_file(recording_file_), setup()); !reason.empty())
         return say(tr("The recording cannot be begun: %1").arg(in_persons_language(reason)));
     recording_ = true;
@@ -702,7 +553,7 @@ QString LabSession::finish_recording() {
     emit recordingsChanged();
     if (!recording_whole_)
         return tr("The recording is not whole, because the disk is full or this computer was too busy.");
-    return tr("Recorded in %1; the parameters lie beside it.").arg(path_words(recording_file_));
+    return tr("Recorded in %1; the parameters lie beside it.").arg(LabFiles::path_words(recording_file_));
 }
 
 void LabSession::replay(int index) {
@@ -711,7 +562,7 @@ void LabSession::replay(int index) {
         return;
     stop();
     say(tr("Reading %1.").arg(names[index]));
-    replay_work_.ask([this, file = settings_.folder / names[index].toStdString()](const std::stop_token& stop_asked)
+    replay_work_.ask([this, file = files_.recording(names[index])](const std::stop_token& stop_asked)
                          -> LatestWork::Done {
         auto read = std::make_shared<Result<LabReplay>>(read_replay(file, stop_asked));
         return [this, read, name = QString::fromStdString(file.filename().string())] {
@@ -719,17 +570,12 @@ void LabSession::replay(int index) {
                 return say(in_persons_language(read->error()));
             if (state_ != Stopped)
                 return;
-            replay_ = std::make_shared<LabReplay>(std::move(*read).value());
-            replay_words_ = replay_->setup ? tr("Computed again, the forces differ by at most %1 newtons.")
-                                                 .arg(QLocale().toString(replay_->greatest_difference, 'g', 2))
-                                           : tr("Its parameters are not beside it, so it was not computed again.");
-            if (replay_->bytes_left > 0)
-                replay_words_ += ' ' + tr("Its end was cut short and is left out.");
-            if (replay_->ticks.empty())
+            LabReplay replay = std::move(*read).value();
+            if (replay.ticks.empty())
                 return say(tr("%1 holds nothing.").arg(name));
-            trace_.begin(replay_->rate, replay_->delay_ticks);
-            replay_at_ = 0;
-            replay_begun_ = clock_.now();
+            replay_words_ = replay_words(replay);
+            trace_.begin(replay.rate, replay.delay_ticks);
+            playback_.emplace(std::move(replay.ticks), clock_.now());
             if (settings_.time == nullptr)
                 timer_.start();
             become(Replaying, tr("Replaying %1. Escape ends it.").arg(name));
@@ -740,16 +586,16 @@ void LabSession::replay(int index) {
 void LabSession::writeTable() {
     if (trace_.points().empty())
         return say(tr("There is nothing to write yet. Start the servo first."));
-    if (const std::string reason = make_folder(settings_.folder); !reason.empty())
+    if (const std::string reason = files_.make_folder(); !reason.empty())
         return say(tr("The folder %1 cannot be made: %2").arg(folder(), in_persons_language(reason)));
-    const std::filesystem::path table = settings_.folder / (new_name() + ".csv").toStdString();
+    const std::filesystem::path table = files_.new_file(".csv");
     std::string reason = replace_file(table, trace_.csv());
     if (reason.empty())
         reason = replace_file(setup_file(table), setup());
     if (!reason.empty())
-        return say(tr("%1 cannot be written: %2").arg(path_words(table), in_persons_language(reason)));
+        return say(tr("%1 cannot be written: %2").arg(LabFiles::path_words(table), in_persons_language(reason)));
     say(tr("%n row(s) are in %1; the parameters lie beside them.", nullptr, static_cast<int>(trace_.points().size()))
-            .arg(path_words(table)));
+            .arg(LabFiles::path_words(table)));
 }
 
 } // namespace tp

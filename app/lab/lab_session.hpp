@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/lab/lab_field.hpp"
+#include "app/lab/lab_files.hpp"
+#include "app/lab/lab_playback.hpp"
 #include "app/lab/lab_replay.hpp"
 #include "app/lab/lab_servo.hpp"
 #include "app/lab/lab_setup.hpp"
@@ -23,6 +26,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace tp {
@@ -108,12 +112,12 @@ public:
     QPointF pointer() const { return to_sheet(pointer_); }
     QPointF force() const { return {force_.x, -force_.y}; }
     double newtons() const { return length(force_); }
-    QImage field() const { return field_; }
-    int legendPixels() const { return 44; } // of draw_force_field
+    QImage field() const { return field_.image(); }
+    int legendPixels() const { return LabField::legend_pixels; }
     QString fieldWords() const;
     QStringList readings() const { return readings_; }
-    QString folder() const;
-    QStringList recordings() const;
+    QString folder() const { return files_.folder_words(); }
+    QStringList recordings() const { return files_.recordings(); }
 
     const LabParameters& parameters() const { return parameters_; }
     const LabTrace& trace() const { return trace_; }
@@ -153,7 +157,7 @@ public:
     Q_INVOKABLE void replay(int index);
     Q_INVOKABLE void writeTable();
     /// Pixels a millimetre at which the field is drawn.
-    Q_INVOKABLE void setFieldScale(double pixels_per_mm);
+    Q_INVOKABLE void setFieldScale(double pixels_per_mm) { field_.set_scale(pixels_per_mm); }
 
     /// So much virtual time passes.
     void advance(double seconds);
@@ -187,8 +191,6 @@ private:
     void apply(LabEffect effect);
     void use_scene(int index, const QString& name, FlatScene flat);
     void use_photo(const QString& file);
-    void paint_field();
-    void paint_field_finely();
 
     bool simulated() const { return device_ == 0; }
     LabParameters allowed() const;
@@ -201,9 +203,6 @@ private:
     void poll_replay();
     void watch(Fault fault);
     void read_out();
-    QString reading(Quantity quantity) const;
-    QString place_words(Vec2 place) const;
-    QString new_name();
     std::string setup() const;
 
     Narrator& narrator_;
@@ -237,16 +236,14 @@ private:
     std::filesystem::path recording_file_;
     bool recording_whole_ = true;
 
-    std::shared_ptr<const LabReplay> replay_;
+    LabFiles files_;
+    std::optional<LabPlayback> playback_;
     QString replay_words_;
-    std::size_t replay_at_ = 0;
-    double replay_begun_ = 0.0; ///< s
 
-    double field_scale_ = 4.0;
-    QImage field_;
+    LabField field_;
     QTimer timer_;
     std::shared_ptr<std::unique_ptr<FaceExtractor>> extractor_; ///< what is in it belongs to photo_work_'s thread
-    LatestWork field_work_, photo_work_, device_work_, replay_work_; ///< last: they end first
+    LatestWork photo_work_, device_work_, replay_work_; ///< last: they end first
 };
 
 } // namespace tp

@@ -755,6 +755,108 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>LabWords</name>
+    <message>
+        <source>Position: nothing measured yet.</source>
+        <translation>Position: noch nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Force |F|: nothing measured yet.</source>
+        <translation>Kraft |F|: noch nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Energy: nothing measured yet.</source>
+        <translation>Energie: noch nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Lateness: nothing measured yet.</source>
+        <translation>Verspätung: noch nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 newtons per millimetre</source>
+        <translation>%1 Newton pro Millimeter</translation>
+    </message>
+    <message>
+        <source>%1 newtons</source>
+        <translation>%1 Newton</translation>
+    </message>
+    <message>
+        <source>%1 newton seconds per metre</source>
+        <translation>%1 Newtonsekunden pro Meter</translation>
+    </message>
+    <message>
+        <source>%1 grams</source>
+        <translation>%1 Gramm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tick(s)</source>
+        <translation>
+            <numerusform>%n Takt</numerusform>
+            <numerusform>%n Takte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 percent</source>
+        <translation>%1 Prozent</translation>
+    </message>
+    <message>
+        <source>%1 of critical damping</source>
+        <translation>%1 der kritischen Dämpfung</translation>
+    </message>
+    <message>
+        <source>%1 millimetres</source>
+        <translation>%1 Millimeter</translation>
+    </message>
+    <message>
+        <source>%1, %2 of the middle</source>
+        <translation>%1, %2 der Mitte</translation>
+    </message>
+    <message>
+        <source>%1 mm left</source>
+        <translation>%1 mm links</translation>
+    </message>
+    <message>
+        <source>%1 mm right</source>
+        <translation>%1 mm rechts</translation>
+    </message>
+    <message>
+        <source>%1 mm below</source>
+        <translation>%1 mm unterhalb</translation>
+    </message>
+    <message>
+        <source>%1 mm above</source>
+        <translation>%1 mm oberhalb</translation>
+    </message>
+    <message>
+        <source>Position now x %1, y %2 mm; x from %3 to %4, y from %5 to %6.</source>
+        <translation>Position jetzt x %1, y %2 mm; x von %3 bis %4, y von %5 bis %6.</translation>
+    </message>
+    <message>
+        <source>Force |F| now %1 newtons, at most %2.</source>
+        <translation>Kraft |F| jetzt %1 Newton, höchstens %2.</translation>
+    </message>
+    <message>
+        <source>Energy given to the hand now %1 millijoules, from %2 to %3.</source>
+        <translation>An die Hand abgegebene Energie jetzt %1 Millijoule, von %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>Ticks late by now %1 milliseconds, at most %2.</source>
+        <translation>Takte jetzt um %1 Millisekunden verspätet, höchstens um %2.</translation>
+    </message>
+    <message>
+        <source>Computed again, the forces differ by at most %1 newtons.</source>
+        <translation>Neu berechnet, weichen die Kräfte um höchstens %1 Newton ab.</translation>
+    </message>
+    <message>
+        <source>Its parameters are not beside it, so it was not computed again.</source>
+        <translation>Die Parameter liegen nicht daneben, deshalb wurde sie nicht neu berechnet.</translation>
+    </message>
+    <message>
+        <source>Its end was cut short and is left out.</source>
+        <translation>Das Ende war abgeschnitten und wird weggelassen.</translation>
+    </message>
+</context>
+<context>
     <name>LabelPart</name>
     <message>
         <source>Kind</source>
@@ -4890,41 +4992,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1: aus.</translation>
     </message>
     <message>
-        <source>%1 newtons per millimetre</source>
-        <translation>%1 Newton pro Millimeter</translation>
-    </message>
-    <message>
-        <source>%1 newtons</source>
-        <translation>%1 Newton</translation>
-    </message>
-    <message>
-        <source>%1 newton seconds per metre</source>
-        <translation>%1 Newtonsekunden pro Meter</translation>
-    </message>
-    <message>
-        <source>%1 grams</source>
-        <translation>%1 Gramm</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n tick(s)</source>
-        <translation>
-            <numerusform>%n Takt</numerusform>
-            <numerusform>%n Takte</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 percent</source>
-        <translation>%1 Prozent</translation>
-    </message>
-    <message>
-        <source>%1 of critical damping</source>
-        <translation>%1 der kritischen Dämpfung</translation>
-    </message>
-    <message>
-        <source>%1 millimetres</source>
-        <translation>%1 Millimeter</translation>
-    </message>
-    <message>
         <source>the reset</source>
         <translation>das Zurücksetzen</translation>
     </message>
@@ -4961,26 +5028,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Gerät hängt 200 Millisekunden lang.</translation>
     </message>
     <message>
-        <source>%1, %2 of the middle</source>
-        <translation>%1, %2 der Mitte</translation>
-    </message>
-    <message>
-        <source>%1 mm left</source>
-        <translation>%1 mm links</translation>
-    </message>
-    <message>
-        <source>%1 mm right</source>
-        <translation>%1 mm rechts</translation>
-    </message>
-    <message>
-        <source>%1 mm below</source>
-        <translation>%1 mm unterhalb</translation>
-    </message>
-    <message>
-        <source>%1 mm above</source>
-        <translation>%1 mm oberhalb</translation>
-    </message>
-    <message>
         <source>The finger is %1. </source>
         <translation>Der Finger ist %1. </translation>
     </message>
@@ -4995,38 +5042,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The replay has ended. %1</source>
         <translation>Die Wiedergabe ist zu Ende. %1</translation>
-    </message>
-    <message>
-        <source>Position: nothing measured yet.</source>
-        <translation>Position: noch nichts gemessen.</translation>
-    </message>
-    <message>
-        <source>Force |F|: nothing measured yet.</source>
-        <translation>Kraft |F|: noch nichts gemessen.</translation>
-    </message>
-    <message>
-        <source>Energy: nothing measured yet.</source>
-        <translation>Energie: noch nichts gemessen.</translation>
-    </message>
-    <message>
-        <source>Lateness: nothing measured yet.</source>
-        <translation>Verspätung: noch nichts gemessen.</translation>
-    </message>
-    <message>
-        <source>Position now x %1, y %2 mm; x from %3 to %4, y from %5 to %6.</source>
-        <translation>Position jetzt x %1, y %2 mm; x von %3 bis %4, y von %5 bis %6.</translation>
-    </message>
-    <message>
-        <source>Force |F| now %1 newtons, at most %2.</source>
-        <translation>Kraft |F| jetzt %1 Newton, höchstens %2.</translation>
-    </message>
-    <message>
-        <source>Energy given to the hand now %1 millijoules, from %2 to %3.</source>
-        <translation>An die Hand abgegebene Energie jetzt %1 Millijoule, von %2 bis %3.</translation>
-    </message>
-    <message>
-        <source>Ticks late by now %1 milliseconds, at most %2.</source>
-        <translation>Takte jetzt um %1 Millisekunden verspätet, höchstens um %2.</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made: %2</source>
@@ -5047,18 +5062,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Reading %1.</source>
         <translation>%1 wird gelesen.</translation>
-    </message>
-    <message>
-        <source>Computed again, the forces differ by at most %1 newtons.</source>
-        <translation>Neu berechnet, weichen die Kräfte um höchstens %1 Newton ab.</translation>
-    </message>
-    <message>
-        <source>Its parameters are not beside it, so it was not computed again.</source>
-        <translation>Die Parameter liegen nicht daneben, deshalb wurde sie nicht neu berechnet.</translation>
-    </message>
-    <message>
-        <source>Its end was cut short and is left out.</source>
-        <translation>Das Ende war abgeschnitten und wird weggelassen.</translation>
     </message>
     <message>
         <source>%1 holds nothing.</source>

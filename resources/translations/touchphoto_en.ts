@@ -33,6 +33,16 @@
     </message>
 </context>
 <context>
+    <name>LabWords</name>
+    <message numerus="yes">
+        <source>%n tick(s)</source>
+        <translation>
+            <numerusform>%n tick</numerusform>
+            <numerusform>%n ticks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>PhotoListPane</name>
     <message numerus="yes">
         <source>Looking at faces, %n photograph(s) left…</source>
@@ -255,13 +265,6 @@
         <translation>
             <numerusform>%1: %n line can be felt.</numerusform>
             <numerusform>%1: %n lines can be felt.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n tick(s)</source>
-        <translation>
-            <numerusform>%n tick</numerusform>
-            <numerusform>%n ticks</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -751,6 +751,107 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>LabWords</name>
+    <message>
+        <source>Position: nothing measured yet.</source>
+        <translation>위치: 아직 측정값이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Force |F|: nothing measured yet.</source>
+        <translation>힘 |F|: 아직 측정값이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Energy: nothing measured yet.</source>
+        <translation>에너지: 아직 측정값이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Lateness: nothing measured yet.</source>
+        <translation>늦어짐: 아직 측정값이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1 newtons per millimetre</source>
+        <translation>밀리미터당 %1뉴턴</translation>
+    </message>
+    <message>
+        <source>%1 newtons</source>
+        <translation>%1뉴턴</translation>
+    </message>
+    <message>
+        <source>%1 newton seconds per metre</source>
+        <translation>미터당 %1뉴턴초</translation>
+    </message>
+    <message>
+        <source>%1 grams</source>
+        <translation>%1그램</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tick(s)</source>
+        <translation>
+            <numerusform>%n틱</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 percent</source>
+        <translation>%1퍼센트</translation>
+    </message>
+    <message>
+        <source>%1 of critical damping</source>
+        <translation>임계 감쇠의 %1배</translation>
+    </message>
+    <message>
+        <source>%1 millimetres</source>
+        <translation>%1밀리미터</translation>
+    </message>
+    <message>
+        <source>%1, %2 of the middle</source>
+        <translation>중심에서 %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 mm left</source>
+        <translation>왼쪽으로 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm right</source>
+        <translation>오른쪽으로 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm below</source>
+        <translation>아래로 %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm above</source>
+        <translation>위로 %1 mm</translation>
+    </message>
+    <message>
+        <source>Position now x %1, y %2 mm; x from %3 to %4, y from %5 to %6.</source>
+        <translation>현재 위치 x %1, y %2 mm. x의 범위 %3부터 %4, y의 범위 %5부터 %6.</translation>
+    </message>
+    <message>
+        <source>Force |F| now %1 newtons, at most %2.</source>
+        <translation>현재 힘 |F| %1뉴턴, 최대 %2.</translation>
+    </message>
+    <message>
+        <source>Energy given to the hand now %1 millijoules, from %2 to %3.</source>
+        <translation>손에 전달된 에너지, 현재 %1밀리줄, 범위 %2부터 %3.</translation>
+    </message>
+    <message>
+        <source>Ticks late by now %1 milliseconds, at most %2.</source>
+        <translation>틱의 늦어짐, 현재 %1밀리초, 최대 %2.</translation>
+    </message>
+    <message>
+        <source>Computed again, the forces differ by at most %1 newtons.</source>
+        <translation>다시 계산한 힘과의 차이는 최대 %1뉴턴입니다.</translation>
+    </message>
+    <message>
+        <source>Its parameters are not beside it, so it was not computed again.</source>
+        <translation>옆에 매개변수가 없어 다시 계산하지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Its end was cut short and is left out.</source>
+        <translation>끝부분이 잘려 있어 제외했습니다.</translation>
+    </message>
+</context>
+<context>
     <name>LabelPart</name>
     <message>
         <source>Kind</source>
@@ -4858,40 +4959,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: 꺼짐.</translation>
     </message>
     <message>
-        <source>%1 newtons per millimetre</source>
-        <translation>밀리미터당 %1뉴턴</translation>
-    </message>
-    <message>
-        <source>%1 newtons</source>
-        <translation>%1뉴턴</translation>
-    </message>
-    <message>
-        <source>%1 newton seconds per metre</source>
-        <translation>미터당 %1뉴턴초</translation>
-    </message>
-    <message>
-        <source>%1 grams</source>
-        <translation>%1그램</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n tick(s)</source>
-        <translation>
-            <numerusform>%n틱</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 percent</source>
-        <translation>%1퍼센트</translation>
-    </message>
-    <message>
-        <source>%1 of critical damping</source>
-        <translation>임계 감쇠의 %1배</translation>
-    </message>
-    <message>
-        <source>%1 millimetres</source>
-        <translation>%1밀리미터</translation>
-    </message>
-    <message>
         <source>the reset</source>
         <translation>처음 상태로 돌리기</translation>
     </message>
@@ -4928,26 +4995,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>장치가 200밀리초 동안 응답을 멈춥니다.</translation>
     </message>
     <message>
-        <source>%1, %2 of the middle</source>
-        <translation>중심에서 %1, %2</translation>
-    </message>
-    <message>
-        <source>%1 mm left</source>
-        <translation>왼쪽으로 %1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm right</source>
-        <translation>오른쪽으로 %1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm below</source>
-        <translation>아래로 %1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm above</source>
-        <translation>위로 %1 mm</translation>
-    </message>
-    <message>
         <source>The finger is %1. </source>
         <translation>손가락 위치: %1. </translation>
     </message>
@@ -4962,38 +5009,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The replay has ended. %1</source>
         <translation>다시 재생이 끝났습니다. %1</translation>
-    </message>
-    <message>
-        <source>Position: nothing measured yet.</source>
-        <translation>위치: 아직 측정값이 없습니다.</translation>
-    </message>
-    <message>
-        <source>Force |F|: nothing measured yet.</source>
-        <translation>힘 |F|: 아직 측정값이 없습니다.</translation>
-    </message>
-    <message>
-        <source>Energy: nothing measured yet.</source>
-        <translation>에너지: 아직 측정값이 없습니다.</translation>
-    </message>
-    <message>
-        <source>Lateness: nothing measured yet.</source>
-        <translation>늦어짐: 아직 측정값이 없습니다.</translation>
-    </message>
-    <message>
-        <source>Position now x %1, y %2 mm; x from %3 to %4, y from %5 to %6.</source>
-        <translation>현재 위치 x %1, y %2 mm. x의 범위 %3부터 %4, y의 범위 %5부터 %6.</translation>
-    </message>
-    <message>
-        <source>Force |F| now %1 newtons, at most %2.</source>
-        <translation>현재 힘 |F| %1뉴턴, 최대 %2.</translation>
-    </message>
-    <message>
-        <source>Energy given to the hand now %1 millijoules, from %2 to %3.</source>
-        <translation>손에 전달된 에너지, 현재 %1밀리줄, 범위 %2부터 %3.</translation>
-    </message>
-    <message>
-        <source>Ticks late by now %1 milliseconds, at most %2.</source>
-        <translation>틱의 늦어짐, 현재 %1밀리초, 최대 %2.</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made: %2</source>
@@ -5014,18 +5029,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Reading %1.</source>
         <translation>읽는 중: %1.</translation>
-    </message>
-    <message>
-        <source>Computed again, the forces differ by at most %1 newtons.</source>
-        <translation>다시 계산한 힘과의 차이는 최대 %1뉴턴입니다.</translation>
-    </message>
-    <message>
-        <source>Its parameters are not beside it, so it was not computed again.</source>
-        <translation>옆에 매개변수가 없어 다시 계산하지 않았습니다.</translation>
-    </message>
-    <message>
-        <source>Its end was cut short and is left out.</source>
-        <translation>끝부분이 잘려 있어 제외했습니다.</translation>
     </message>
     <message>
         <source>%1 holds nothing.</source>

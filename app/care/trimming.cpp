@@ -4,11 +4,8 @@
 #include "app/album/keeper/photo_files.hpp"
 #include "app/care/care_words.hpp"
 
-#include <QMetaObject>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace tp {
 
@@ -20,16 +17,9 @@ constexpr std::size_t drawn_parts = 400;
 
 Trimming::Trimming(CaredPhoto& photo, RecordingList& list, Listening& listening, CareTeller& teller)
     : photo_(photo), list_(list), listening_(listening), teller_(teller) {
-    pool_.setMaxThreadCount(1);
     connect(&list_, &RecordingList::chosenChanged, this, &Trimming::begin_anew);
     connect(&listening_, &Listening::changed, this, &Trimming::playingChanged);
     connect(&listening_, &Listening::moved, this, &Trimming::positionChanged);
-}
-
-Trimming::~Trimming() {
-    stop_.request_stop();
-    pool_.clear();
-    pool_.waitForDone();
 }
 
 fs::path Trimming::file() const {
@@ -43,8 +33,7 @@ void Trimming::begin_anew() {
     duration_s_ = end_s_ = tag == nullptr ? 0.0 : tag->duration_s;
     begin_s_ = 0.0;
     peaks_.clear();
-    stop_.request_stop();
-    ++newest_;
+    drawing_.cancel();
     if (tag != nullptr)
         draw(file());
     emit changed();
@@ -52,18 +41,14 @@ void Trimming::begin_anew() {
 }
 
 void Trimming::draw(const fs::path& sound) {
-    stop_ = std::stop_source();
-    pool_.start([this, sound, run = newest_, stop = stop_.get_token()] {
-        const auto result = std::make_shared<Result<SoundPeaks>>(sound_peaks(sound, drawn_parts, stop));
-        QMetaObject::invokeMethod(
-            this,
-            [this, result, run] {
-                if (run != newest_ || !*result)
-                    return; // a sound that cannot be read is told when it is played
-                peaks_ = QList<float>((*result)->peaks.begin(), (*result)->peaks.end());
-                emit drawn();
-            },
-            Qt::QueuedConnection);
+    drawing_.ask([this, sound](const std::stop_token& stop) -> NewestWork::Answer {
+        const Result<SoundPeaks> result = sound_peaks(sound, drawn_parts, stop);
+        if (!result)
+            return {}; // a sound that cannot be read is told when it is played
+        return [this, peaks = QList<float>(result->peaks.begin(), result->peaks.end())] {
+            peaks_ = peaks;
+            emit drawn();
+        };
     });
 }
 

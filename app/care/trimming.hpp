@@ -6,12 +6,10 @@
 #include "app/care/listening.hpp"
 #include "app/care/recording_list.hpp"
 #include "app/care/sound_peaks.hpp"
+#include "app/work/newest_work.hpp"
 
 #include <QList>
-#include <QThreadPool>
 #include <QtQml/qqmlregistration.h>
-
-#include <stop_token>
 
 namespace tp {
 
@@ -37,7 +35,6 @@ public:
 
     /// All must outlive it.
     Trimming(CaredPhoto& photo, RecordingList& list, Listening& listening, CareTeller& teller);
-    ~Trimming() override;
 
     QList<float> peaks() const { return peaks_; }
     double duration() const { return duration_s_; }
@@ -79,9 +76,7 @@ private:
     CareTeller& teller_;
     QList<float> peaks_;
     double duration_s_ = 0.0, begin_s_ = 0.0, end_s_ = 0.0;
-    quint64 newest_ = 0; ///< drawing that was asked for
-    std::stop_source stop_;
-    QThreadPool pool_; ///< last: it ends before what its work is for
+    NewestWork drawing_; ///< last: it ends before what its work is for
 };
 
 } // namespace tp

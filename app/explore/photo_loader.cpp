@@ -49,46 +49,21 @@ LoadedPhoto read_and_find(const QString& file, std::unique_ptr<FaceExtractor>& e
 
 } // namespace
 
-PhotoLoader::PhotoLoader() : worker_(new QObject) {
-    thread_.setObjectName("photo");
-    worker_->moveToThread(&thread_);
-    connect(&thread_, &QThread::finished, worker_, &QObject::deleteLater);
-    thread_.start();
-}
+PhotoLoader::PhotoLoader() = default;
 
-PhotoLoader::~PhotoLoader() {
-    cancel();
-    thread_.quit();
-    thread_.wait();
-}
+PhotoLoader::~PhotoLoader() = default;
 
 void PhotoLoader::load(const QString& file) {
-    cancel();
-    stop_ = std::stop_source();
-    QMetaObject::invokeMethod(worker_, [this, request = newest_.load(), file, stop = stop_.get_token()] {
-        work(request, file, stop);
-    });
-}
-
-void PhotoLoader::cancel() {
-    ++newest_;
-    stop_.request_stop();
-}
-
-void PhotoLoader::work(quint64 request, const QString& file, const std::stop_token& stop) {
-    if (request != newest_)
-        return;
-    auto photo = std::make_shared<LoadedPhoto>();
-    try {
-        *photo = read_and_find(file, extractor_, stop);
-    } catch (const std::exception&) { // out of memory, mostly
-        photo->extraction = {};
-        photo->extraction.problem =
-            "This picture could not be worked on. It may be too large for this computer.";
-    }
-    QMetaObject::invokeMethod(this, [this, request, photo] {
-        if (request == newest_)
-            emit loaded(photo);
+    work_.ask([this, file](const std::stop_token& stop) -> NewestWork::Answer {
+        auto photo = std::make_shared<LoadedPhoto>();
+        try {
+            *photo = read_and_find(file, extractor_, stop);
+        } catch (const std::exception&) { // out of memory, mostly
+            photo->extraction = {};
+            photo->extraction.problem =
+                "This picture could not be worked on. It may be too large for this computer.";
+        }
+        return [this, photo] { emit loaded(photo); };
     });
 }
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/work/newest_work.hpp"
 #include "faces/face.hpp"
 
 #include <QImage>
 #include <QObject>
 #include <QString>
-#include <QThread>
 
-#include <atomic>
 #include <memory>
-#include <stop_token>
 #include <vector>
 
 namespace tp {
@@ -36,19 +34,14 @@ public:
     /// `loaded` follows, unless a newer load() comes first: then only that one is answered.
     void load(const QString& file);
     /// The photograph that was asked for is not wanted any more: nothing is answered.
-    void cancel();
+    void cancel() { work_.cancel(); }
 
 signals:
     void loaded(std::shared_ptr<const tp::LoadedPhoto> photo);
 
 private:
-    void work(quint64 request, const QString& file, const std::stop_token& stop);
-
-    QThread thread_;
-    QObject* worker_; ///< the place on thread_ where work is done; thread_ deletes it
-    std::atomic<quint64> newest_{0};
-    std::stop_source stop_;                    ///< of the newest request
-    std::unique_ptr<FaceExtractor> extractor_; ///< only thread_
+    std::unique_ptr<FaceExtractor> extractor_; ///< only the work's thread
+    NewestWork work_;                          ///< last: it ends first
 };
 
 } // namespace tp

@@ -141,7 +141,7 @@ void LabSession::use_photo(const QString& file) {
         return say(tr("There is no photograph yet. Open one, or drop one on the page."));
     say(tr("Looking for faces in %1.").arg(QFileInfo(file).fileName()));
     photo_work_.ask([this, file, path = file.toStdString(), surface = settings_.surface,
-                     extractor = extractor_](const std::stop_token& stop) -> LatestWork::Done {
+                     extractor = extractor_](const std::stop_token& stop) -> NewestWork::Answer {
         auto photo = std::make_shared<LabPhoto>(read_photo(path, surface, *extractor, stop));
         return [this, photo, file] {
             if (!photo->problem.empty())
@@ -300,7 +300,7 @@ QStringList LabSession::devices() const {
 void LabSession::findDevices() {
     if (state_ == Opening || !settings_.find_devices)
         return;
-    device_work_.ask([this, find = settings_.find_devices](const std::stop_token&) -> LatestWork::Done {
+    device_work_.ask([this, find = settings_.find_devices](const std::stop_token&) -> NewestWork::Answer {
         return [this, found = find()] {
             const std::string used = found_[static_cast<std::size_t>(device_)].name;
             found_ = {{simulated_device_name, {}, {}, {}}};
@@ -354,7 +354,7 @@ void LabSession::open(const std::filesystem::path& recording) {
     }
     become(Opening, tr("Opening %1.").arg(devices()[device_]));
     device_work_.ask([this, wish, surface = settings_.surface, parameters = parameters_,
-                      &clock = clock_](const std::stop_token&) -> LatestWork::Done {
+                      &clock = clock_](const std::stop_token&) -> NewestWork::Answer {
         auto chain = std::make_shared<Result<std::shared_ptr<DeviceChain>>>(
             DeviceChain::open(wish, surface, parameters, clock));
         return [this, chain] {
@@ -563,7 +563,7 @@ void LabSession::replay(int index) {
     stop();
     say(tr("Reading %1.").arg(names[index]));
     replay_work_.ask([this, file = files_.recording(names[index])](const std::stop_token& stop_asked)
-                         -> LatestWork::Done {
+                         -> NewestWork::Answer {
         auto read = std::make_shared<Result<LabReplay>>(read_replay(file, stop_asked));
         return [this, read, name = QString::fromStdString(file.filename().string())] {
             if (!read->ok())

@@ -8,9 +8,9 @@
 #include "app/lab/lab_servo.hpp"
 #include "app/lab/lab_setup.hpp"
 #include "app/lab/lab_trace.hpp"
-#include "app/lab/latest_work.hpp"
 #include "app/narration/narrator.hpp"
 #include "app/preferences/preferences.hpp"
+#include "app/work/newest_work.hpp"
 #include "device/registry.hpp"
 
 #include <QImage>
@@ -243,7 +243,7 @@ private:
     LabField field_;
     QTimer timer_;
     std::shared_ptr<std::unique_ptr<FaceExtractor>> extractor_; ///< what is in it belongs to photo_work_'s thread
-    LatestWork photo_work_, device_work_, replay_work_; ///< last: they end first
+    NewestWork photo_work_, device_work_, replay_work_; ///< last: they end first
 };
 
 } // namespace tp

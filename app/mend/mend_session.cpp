@@ -53,7 +53,7 @@ void MendSession::open_file(const QString& file) {
     state_ = State::Looking;
     emit photoChanged();
     tell(tr("Looking for faces…"), Priority::message);
-    loader_.start([this, file](const std::stop_token& stop) -> std::function<void()> {
+    loader_.ask([this, file](const std::stop_token& stop) -> NewestWork::Answer {
         auto photo = std::make_shared<MendPhoto>(read_for_mending(file, extractor_, stop));
         return [this, photo] { show(std::move(*photo)); };
     });
@@ -654,7 +654,7 @@ void MendSession::preview() {
     preview_due_ = preview_.busy(); // then the contours as they are by its end are next
     if (preview_due_)
         return;
-    preview_.start([this, work = photo_.work](const std::stop_token&) -> std::function<void()> {
+    preview_.ask([this, work = photo_.work](const std::stop_token&) -> NewestWork::Answer {
         return [this, felt = felt_change(found_faces(work), faces_of(work))] {
             felt_ = felt;
             emit fieldChanged();

@@ -7,8 +7,8 @@
 #include "app/mend/mend_photo.hpp"
 #include "app/mend/mend_view.hpp"
 #include "app/mend/mend_words.hpp"
-#include "app/mend/newest_task.hpp"
 #include "app/narration/narrator.hpp"
+#include "app/work/newest_work.hpp"
 #include "faces/face_extractor.hpp"
 
 #include <QImage>
@@ -236,8 +236,8 @@ private:
     bool preview_due_ = false;
 
     std::unique_ptr<FaceExtractor> extractor_; ///< only the loader's thread
-    NewestTask preview_{"felt change"};
-    NewestTask loader_{"mend photo"}; ///< last: its thread ends first
+    NewestWork preview_;
+    NewestWork loader_; ///< last: its thread ends first
 };
 
 } // namespace tp

@@ -15,7 +15,6 @@
 #include <QColor>
 #include <QImage>
 #include <QLocale>
-#include <QMetaObject>
 #include <QPainter>
 #include <QStandardPaths>
 #include <QSvgRenderer>
@@ -59,11 +58,7 @@ std::filesystem::path PrintSession::usual_folder() {
 PrintSession::PrintSession(Narrator& narrator, EarconPlayer& earcons, Preferences& preferences,
                            std::filesystem::path folder, Read read)
     : narrator_(narrator), earcons_(earcons), preferences_(preferences), folder_(std::move(folder)),
-      read_(std::move(read)) {
-    pool_.setMaxThreadCount(1);
-}
-
-PrintSession::~PrintSession() { pool_.waitForDone(); }
+      read_(std::move(read)) {}
 
 // --- the photograph ---
 
@@ -75,21 +70,16 @@ void PrintSession::open_photo(const std::filesystem::path& photo) {
     sheet_.reset();
     notes_.clear();
     preview_.clear();
-    const quint64 number = ++newest_;
-    pool_.start([this, photo, number] {
-        Subject subject = read_(photo);
-        QMetaObject::invokeMethod(this, [this, number, subject = std::move(subject)]() mutable {
-            if (number == newest_)
-                take(std::move(subject));
-        });
+    reading_.ask([this, photo](const std::stop_token&) -> NewestWork::Answer {
+        return [this, subject = read_(photo)] { take(subject); };
     });
     emit photoChanged();
     emit sheetChanged();
     emit optionsChanged();
 }
 
-void PrintSession::take(Subject subject) {
-    subject_ = std::move(subject);
+void PrintSession::take(const Subject& subject) {
+    subject_ = subject;
     looking_ = false;
     emit photoChanged();
     make();

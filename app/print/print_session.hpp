@@ -4,6 +4,7 @@
 #include "app/narration/narrator.hpp"
 #include "app/preferences/preferences.hpp"
 #include "app/tactile/tactile_sheet.hpp"
+#include "app/work/newest_work.hpp"
 #include "audio/sound/earcon_player.hpp"
 #include "core/base/result.hpp"
 #include "faces/face.hpp"
@@ -11,7 +12,6 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <QThreadPool>
 #include <QtQml/qqmlregistration.h>
 
 #include <filesystem>
@@ -58,7 +58,6 @@ public:
     /// `folder` is where sheets are stored; `read` is called on another thread. All must outlive the session.
     PrintSession(Narrator& narrator, EarconPlayer& earcons, Preferences& preferences, std::filesystem::path folder,
                  Read read = read_subject);
-    ~PrintSession() override;
     /// TouchPhoto in the user's documents.
     static std::filesystem::path usual_folder();
 
@@ -92,7 +91,7 @@ signals:
     void optionsChanged();
 
 private:
-    void take(Subject subject);
+    void take(const Subject& subject);
     void make();
     void draw();
 
@@ -103,14 +102,13 @@ private:
     Read read_;
     std::filesystem::path photo_;
     bool looking_ = false;
-    quint64 newest_ = 0; ///< of what is being read
     Subject subject_;
     int paper_ = 0, face_ = 0;
     bool landscape_ = false, titled_ = false;
     std::optional<TactileSheet> sheet_;
     QStringList notes_;
     QString preview_;
-    QThreadPool pool_; ///< last: it ends before what its work is for
+    NewestWork reading_; ///< last: it ends before what its work is for
 };
 
 } // namespace tp

@@ -26,7 +26,6 @@ NOT_SAID = {  # file: what of its texts is no sentence, or none that is heard on
     "app/album/keeper/keeper_recordings.cpp": {"%1 of %2"},
     "app/care/face_finder.cpp": {"care faces"},
     "app/mend/mend_session.cpp": {"nudge %1 %2 %3"},
-    "app/mend/mend_session.hpp": {"felt change", "mend photo"},
     "app/mend/mend_work.cpp": {"face %1 %2"},
     "app/scene/corrections.cpp": {" removed", "face %1 %2", "face "},
     "app/scene/scene_builder.cpp": {"face %1 %2"},

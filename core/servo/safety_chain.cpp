@@ -8,6 +8,16 @@
 
 namespace tp {
 
+namespace {
+
+/// From one force towards another by at most so many newtons.
+Vec2 moved(Vec2 from, Vec2 to, double newtons) {
+    const double whole = length(to - from);
+    return whole > newtons ? from + (newtons / whole) * (to - from) : to;
+}
+
+} // namespace
+
 SafetyChain::SafetyChain(const SafetyLimits& limits, const Capabilities& device, double period)
     : limits_(limits), workspace_(device.workspace), device_max_(device.max_force), period_(period) {
     set_max_force(limits.max_force);
@@ -106,13 +116,12 @@ SafeForce SafetyChain::pass(const SafetyInput& input) noexcept {
     if (magnitude > max_force_)
         force *= max_force_ / magnitude;
 
-    // The rate limit keeps the pull smooth; on a fault the force must be gone in time, so that only the way
-    // up and changes of direction are limited there.
-    const Vec2 change = force - last_force_;
+    // The rate limit keeps the pull smooth. On a fault the force must be gone in time, so that the last one
+    // may lose any share of itself there, and only the way up and changes of direction are limited.
     const double allowed = limits_.max_force_rate * std::min(elapsed, period_ * limits_.late_periods);
-    const bool may_drop = (fault_ != Fault::none || !engaged_) && length(force) <= length(last_force_);
-    if (!may_drop && length(change) > allowed)
-        force = last_force_ + (allowed / length(change)) * change;
+    const bool may_drop = fault_ != Fault::none || !engaged_;
+    const Vec2 dropped = moved(nearest_on_segment(Vec2(0.0), last_force_, force), force, allowed);
+    force = may_drop && length(dropped) <= length(last_force_) ? dropped : moved(last_force_, force, allowed);
     if (gain_ == 0.0)
         force = Vec2(0.0);
     last_force_ = force;

@@ -19,6 +19,9 @@ constexpr double start_anew_after = 30.0; ///< s; less than half of 65.5 s
 constexpr double enable_every = 0.25;     ///< s, while the motors are off
 constexpr double stuck_after = 0.020;     ///< s without a message that the device took
 
+/// Messages after which a force that did not change is told again: one that got lost does not stay for long.
+constexpr unsigned tell_again_after = 16;
+
 constexpr std::array both_axes{hid::Along::x, hid::Along::y};
 
 constexpr unsigned count_mask = 0xFF;
@@ -55,22 +58,23 @@ bool PidStick::Line::send(std::uint64_t word) noexcept {
 
 bool PidStick::Line::write(const StickMessage& message) noexcept {
     bool whole = true;
-    bool changed = false;
-    for (std::size_t i = 0; i < 2 && whole; ++i)
-        if (std::exchange(share[i], message.share[i]) != message.share[i]) {
+    // Each message tells at least one force, as a sign of life: where none has changed, the one told longer
+    // ago.
+    const std::size_t older = untold[1] > untold[0] ? 1 : 0;
+    const bool none_changed = share == message.share;
+    for (std::size_t i = 0; i < 2 && whole; ++i) {
+        const bool changed = std::exchange(share[i], message.share[i]) != message.share[i];
+        if (++untold[i]; changed || (none_changed && i == older) || untold[i] >= tell_again_after) {
             whole = transport->write(hid::force_report(layout, block[i], share[i]));
-            changed = true;
+            untold[i] = 0;
         }
+    }
     const bool enabled_anew = std::exchange(enables, message.enables) != message.enables;
     if (enabled_anew && layout.control.enable.there())
         whole = whole && transport->write(hid::control_report(layout, layout.control.enable));
     for (std::size_t i = 0; i < 2 && whole; ++i)
         if (std::exchange(starts[i], message.starts[i]) != message.starts[i] || enabled_anew)
             whole = transport->write(hid::start_report(layout, block[i]));
-    if (!changed && whole) { // a sign of life, and one short report is all that it costs
-        const std::size_t i = ++turn % 2;
-        whole = transport->write(hid::force_report(layout, block[i], share[i]));
-    }
     return whole;
 }
 

@@ -91,7 +91,7 @@ private:
         std::array<int, 2> share{};
         std::array<unsigned, 2> starts{};
         unsigned enables = 0;
-        unsigned turn = 0;
+        std::array<unsigned, 2> untold{}; ///< messages since each effect was told its force
 
         bool send(std::uint64_t message) noexcept override;
         bool write(const StickMessage& message) noexcept;

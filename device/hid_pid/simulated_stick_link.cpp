@@ -21,14 +21,26 @@ bool SimulatedStickLink::happens(double share) {
     return share > 0.0 && std::uniform_real_distribution<double>(0.0, 1.0)(random_) < share;
 }
 
+bool SimulatedStickLink::is_force(std::span<const std::uint8_t> report) const {
+    return report.size() > 1 && report[0] == stick_.wire().constant_force;
+}
+
+unsigned SimulatedStickLink::silent_ms() const {
+    return std::max(silent_ms_, *std::max_element(lacks_ms_.begin(), lacks_ms_.end()));
+}
+
 void SimulatedStickLink::advance() {
     constexpr std::size_t most_waiting = 64; // as the system keeps of reports that nobody reads
     ++now_;
     ++silent_ms_;
+    for (unsigned& lacks : lacks_ms_)
+        lacks += lacks > 0 ? 1 : 0;
     while (!to_stick_.empty() && to_stick_.front().due <= now_) {
         stick_.receive(to_stick_.front().bytes);
-        if (to_stick_.front().bytes[0] == stick_.wire().constant_force)
+        if (const auto& bytes = to_stick_.front().bytes; is_force(bytes)) {
             silent_ms_ = 0;
+            lacks_ms_[bytes[1]] = 0;
+        }
         to_stick_.pop_front();
     }
     stick_.step();
@@ -79,6 +91,8 @@ bool SimulatedStickLink::write(const hid::Report& report) noexcept {
         to_stick_.push_back(
             {now_ + 1 + delay_ms_,
              {report.bytes.begin(), report.bytes.begin() + static_cast<std::ptrdiff_t>(report.size)}});
+    else if (is_force(report.all()) && lacks_ms_[report.bytes[1]] == 0)
+        lacks_ms_[report.bytes[1]] = 1;
     return true;
 }
 

@@ -5,6 +5,7 @@
 #include "device/hid_pid/model_stick.hpp"
 #include "device/hid_pid/pid_transport.hpp"
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -37,8 +38,9 @@ public:
 
     /// A millisecond of the stick.
     void advance();
-    /// Milliseconds since the stick was last reached, by either of its effects' forces.
-    unsigned silent_ms() const { return silent_ms_; }
+    /// Milliseconds since the stick was last reached by a force, or for which one of its effects has lacked
+    /// one that did not reach it.
+    unsigned silent_ms() const;
 
     std::vector<std::uint8_t> descriptor() override;
     /// A wait passes in simulated time too.
@@ -62,12 +64,14 @@ private:
         std::vector<std::uint8_t> bytes;
     };
     bool happens(double share);
+    bool is_force(std::span<const std::uint8_t> report) const;
 
     ModelStick& stick_;
     unsigned delay_ms_;
     std::mt19937 random_;
-    std::uint64_t now_ = 0; ///< ms
-    unsigned silent_ms_ = 0;
+    std::uint64_t now_ = 0;                ///< ms
+    unsigned silent_ms_ = 0;               ///< since any effect's force arrived
+    std::array<unsigned, 256> lacks_ms_{}; ///< of each effect, one that was lost; 0: none
     std::deque<UnderWay> to_stick_;
     std::deque<UnderWay> from_stick_;
 };

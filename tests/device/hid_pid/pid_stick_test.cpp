@@ -81,6 +81,26 @@ private slots:
         }
     }
 
+    void a_force_that_was_lost_does_not_stay_while_the_other_axis_goes_on() {
+        StickToOpen stick(open_controller(), {8.0, {-1, -1}, true});
+        QVERIFY(stick.device.open().ok());
+        const auto pull = [&](Vec2 newtons) {
+            stick.device.read(0.001);
+            QVERIFY(stick.device.write(safe(newtons, 100.0)));
+            stick.device.deliver();
+            stick.link.advance();
+        };
+        pull({2.0, 0.5});
+        stick.link.troubles.deaf = true;
+        pull({0.0, 0.6});
+        stick.link.troubles.deaf = false;
+        QVERIFY(stick.model.force().x > 1.9);
+        int ticks = 0;
+        while (std::abs(stick.model.force().x) > 0.01 && ticks < 100)
+            pull({0.0, ++ticks % 2 == 0 ? 0.6 : 0.7});
+        QVERIFY2(ticks <= 16, qPrintable(QString::number(ticks)));
+    }
+
     void one_that_was_not_measured_pulls_less_than_it_is_asked_to() {
         StickToOpen stick;
         QVERIFY(stick.device.open().ok());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/polyline.hpp"
 #include "core/servo/servo_loop.hpp"
 
 #include <QString>
@@ -23,7 +24,7 @@ public:
           sent_(loop.snapshot().force()), felt_(felt_now_()), gain_(loop.snapshot().gain) {}
 
     QString complaint;
-    bool let_go = false; ///< the person switched the force off
+    bool wanted = true; ///< the person has the force switched on
     /// Whether one force at the handle may follow another after so many seconds, N; for a device that does not limit
     /// that itself. Empty: 0.1 N in each millisecond, and the slack.
     std::function<bool(Vec2 before, Vec2 now, double dt)> may_follow;
@@ -34,11 +35,11 @@ public:
         const Vec2 sent = view.force();
         const Vec2 felt = felt_now_();
         say(length(sent) > most_ + 1e-9, "the servo sends more than the device's limit", length(sent));
-        const bool down = length(sent) <= length(sent_) + 1e-12;
-        // Off may be at once, as when a person lets the force in anew before it was gone.
+        // It may lose any share of itself at once, as when a person lets the force in anew before it was gone.
         const bool may_drop = view.fault != Fault::none || !view.engaged || view.gain == 0.0;
-        say(!(down && may_drop) && length(sent - sent_) > 40.0 * std::min(dt, 0.003) + 1e-9,
-            "the servo's force changes too fast", length(sent - sent_) / dt);
+        const Vec2 from = may_drop ? nearest_on_segment(Vec2(0.0), sent_, sent) : sent_;
+        say(length(sent - from) > 40.0 * std::min(dt, 0.003) + 1e-9, "the servo's force changes too fast",
+            length(sent - sent_) / dt);
         say(length(felt) > most_ + slack_, "the handle feels more than the device's limit", length(felt));
         // One frame may carry the whole of a late tick; the device's own limit holds for each of its
         // milliseconds.
@@ -46,11 +47,14 @@ public:
         const bool follows = may_follow ? may_follow(felt_, felt, dt) : length(felt - felt_) <= 0.1 * steps + slack_;
         say(length(felt) > 2.0 * slack_ && !follows, "the handle's force changes too fast", length(felt - felt_) / dt);
         const bool rising = view.gain > gain_ || view.gain >= 1.0;
-        say(view.ticks > 1 && !rising && !let_go && std::strlen(sentence(view.fault)) == 0,
+        // The tick that lets it in again begins the ramp at nothing.
+        const bool to_be_there = wanted && was_wanted_;
+        say(view.ticks > 1 && !rising && to_be_there && std::strlen(sentence(view.fault)) == 0,
             "the force goes and nobody says why", view.gain);
         sent_ = sent;
         felt_ = felt;
         gain_ = view.gain;
+        was_wanted_ = wanted;
     }
 
 private:
@@ -69,6 +73,7 @@ private:
     Vec2 sent_;
     Vec2 felt_;
     double gain_;
+    bool was_wanted_ = true;
 };
 
 } // namespace tp::testing

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "../closed_loop/fault_schedules.hpp"
 #include "../closed_loop/force_judge.hpp"
 #include "falcon_bench.hpp"
 
@@ -15,18 +16,6 @@ using namespace tp::testing;
 using falcon::Pane;
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int schedules = 200; // each is ten times as slow there
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr int schedules = 200;
-#else
-constexpr int schedules = 2000;
-#endif
-#else
-constexpr int schedules = 2000;
-#endif
 
 constexpr double slack = 0.06; ///< N: a motor unit at each arm, and what the grip moves until a force comes
 
@@ -48,88 +37,81 @@ struct HeldAboveALine : FalconBench {
     }
 };
 
-/// One thing that goes wrong for a while.
-struct Trouble {
-    enum Kind {
-        drop,
-        garble,
-        cut,
-        stalled,
-        mute,
-        deaf,
-        unplugged,
-        writer,
-        restart,
-        unhomed,
-        leap,
-        push,
-        person,
-        late,
-        kinds,
-        guard_steps_in,
-        guard_ends
-    };
-    int kind = 0;
-    int from = 0; ///< tick
-    int until = 0;
-    double size = 0.0;
-
-    /// After it the Falcon may go in one step from an old command to the newest.
-    bool loses_commands() const {
-        return kind == drop || kind == deaf || kind == unplugged || kind == writer || kind == late;
-    }
+enum Kind {
+    drop,
+    garble,
+    cut,
+    stalled,
+    mute,
+    deaf,
+    unplugged,
+    writer,
+    restart,
+    unhomed,
+    leap,
+    push,
+    person,
+    late,
+    kinds,
+    guard_steps_in,
+    guard_ends
 };
+
+/// After it the Falcon may go in one step from an old command to the newest.
+bool loses_commands_by(int kind) {
+    return kind == drop || kind == deaf || kind == unplugged || kind == writer || kind == late;
+}
 
 void set(FalconBench& bench, const Trouble& trouble, bool on) {
     FalconTroubles& link = bench.link.troubles;
     switch (trouble.kind) {
-    case Trouble::drop:
+    case drop:
         link.drop = on ? trouble.size : 0.0;
         break;
-    case Trouble::garble:
+    case garble:
         link.garble = on ? trouble.size : 0.0;
         break;
-    case Trouble::cut:
+    case cut:
         link.cut = on ? trouble.size : 0.0;
         break;
-    case Trouble::stalled:
+    case stalled:
         link.stalled = on;
         break;
-    case Trouble::mute:
+    case mute:
         link.mute = on;
         break;
-    case Trouble::deaf:
+    case deaf:
         link.deaf = on;
         break;
-    case Trouble::unplugged:
+    case unplugged:
         link.unplugged = true; // and stays so
         break;
-    case Trouble::writer:
+    case writer:
         bench.writer_stalled = on;
         break;
-    case Trouble::restart:
+    case restart:
         if (on)
             bench.model.restart();
         break;
-    case Trouble::unhomed:
+    case unhomed:
         bench.model.run_firmware(!on);
         break;
-    case Trouble::leap:
+    case leap:
         if (on)
             bench.model.place_grip(
                 falcon_place({60.0 * trouble.size - 30.0, std::fmod(700.0 * trouble.size, 60.0) - 30.0},
                              20.0 * trouble.size - 10.0));
         break;
-    case Trouble::push:
+    case push:
         bench.model.move_hand(falcon_place(bench.grip_mm(), on ? -30.0 * trouble.size : 0.0));
         break;
-    case Trouble::guard_steps_in:
+    case guard_steps_in:
         bench.link.diary.word = on ? ForceGuard::Word::stepped_in : ForceGuard::Word::here;
         break;
-    case Trouble::guard_ends:
+    case guard_ends:
         bench.link.diary.word = ForceGuard::Word::gone; // and stays so
         break;
-    case Trouble::person:
+    case person:
         if (on)
             bench.loop->disengage();
         else
@@ -379,7 +361,7 @@ private slots:
     /// Whatever goes wrong, and however much of it at once: no force beyond the limits, no hang, and for
     /// every force that goes a sentence.
     void random_troubles_never_hurt() {
-        for (int number = 0; number < schedules; ++number) {
+        for (int number = first_schedule(); number < first_schedule() + schedules(); ++number) {
             std::mt19937 random(static_cast<unsigned>(number));
             std::uniform_real_distribution<double> share(0.0, 1.0);
             FalconPlant plant = number % 3 == 0 ? FalconPlant() : firm_hand();
@@ -393,35 +375,26 @@ private slots:
             constexpr int ticks = 600;
             std::vector<Trouble> troubles(1 + random() % 4);
             bool loses_commands = plant.watchdog_ms > 0;
-            const auto some = [&](int kind) {
-                Trouble trouble;
-                trouble.kind = kind;
-                trouble.from = static_cast<int>(random() % ticks);
-                trouble.until = trouble.from + 1 + static_cast<int>(random() % 200);
-                trouble.size = share(random);
-                return trouble;
-            };
             for (Trouble& trouble : troubles) {
-                trouble = some(static_cast<int>(random() % Trouble::kinds));
-                loses_commands = loses_commands || trouble.loses_commands() || trouble.kind == Trouble::leap;
+                trouble = any_trouble(random, static_cast<int>(random() % kinds), ticks);
+                loses_commands = loses_commands || loses_commands_by(trouble.kind) || trouble.kind == leap;
             }
             if (number % 4 == 0)
-                troubles.push_back(some(number % 16 == 0 ? Trouble::guard_ends : Trouble::guard_steps_in));
+                troubles.push_back(
+                    any_trouble(random, number % 16 == 0 ? guard_ends : guard_steps_in, ticks));
             // What a lost command leaves is judged by its size below.
             ForceJudge judge(
                 *bench.loop, bench.can, [&] { return loses_commands ? Vec2(0.0) : bench.felt(); }, 0.15);
             for (int tick = 0; tick < ticks && judge.complaint.isEmpty(); ++tick) {
                 double dt = 0.001;
                 for (const Trouble& trouble : troubles) {
-                    // The tick that lets the force in again begins the ramp at nothing.
-                    if (trouble.kind == Trouble::person &&
-                        (tick == trouble.from || tick == trouble.until + 1))
-                        judge.let_go = tick == trouble.from;
+                    if (trouble.kind == person && (tick == trouble.from || tick == trouble.until))
+                        judge.wanted = tick == trouble.until;
                     if (tick == trouble.from)
                         set(bench, trouble, true);
                     if (tick == trouble.until)
                         set(bench, trouble, false);
-                    if (tick == trouble.from && trouble.kind == Trouble::late)
+                    if (tick == trouble.from && trouble.kind == late)
                         dt = 0.001 * (2.0 + std::floor(80.0 * trouble.size));
                 }
                 bench.tick(dt);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "../closed_loop/fault_schedules.hpp"
 #include "../closed_loop/force_judge.hpp"
 #include "pad_bench.hpp"
 
@@ -11,16 +12,14 @@
 #include <vector>
 
 using namespace tp;
+using tp::testing::any_trouble;
+using tp::testing::first_schedule;
 using tp::testing::ForceJudge;
 using tp::testing::PadBench;
+using tp::testing::schedules;
+using tp::testing::Trouble;
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int schedules = 200; // each is ten times as slow there
-#else
-constexpr int schedules = 2000;
-#endif
 
 Contour line_at(Vec2 centre, double y) {
     return contour_through("line", {{centre.x - 40.0, centre.y + y}, {centre.x + 40.0, centre.y + y}}, false);
@@ -30,16 +29,10 @@ Contour line_at(Vec2 centre, double y) {
 class Judge : public ForceJudge {
 public:
     Judge(PadBench& bench, double slack)
-        : ForceJudge(*bench.loop, bench.can, [&bench] { return bench.model.force(); }, slack) {}
+        : ForceJudge(
+              *bench.loop, bench.can, [&bench] { return bench.model.force(); }, slack) {}
 };
 
-/// One thing that goes wrong for a while.
-struct Trouble {
-    int kind = 0;
-    int from = 0; ///< tick
-    int until = 0;
-    double size = 0.0;
-};
 constexpr int kinds = 14;
 
 void set(PadBench& bench, const Trouble& trouble, bool on) {
@@ -236,7 +229,7 @@ private slots:
     void random_troubles_never_hurt_data() { both_pads(); }
     void random_troubles_never_hurt() {
         QFETCH(bool, pantograph);
-        for (int number = 0; number < schedules / 2; ++number) {
+        for (int number = first_schedule(); number < first_schedule() + schedules() / 2; ++number) {
             std::mt19937 random(static_cast<unsigned>(number) + (pantograph ? 100000u : 0u));
             std::uniform_real_distribution<double> share(0.0, 1.0);
             PadPlant plant;
@@ -253,10 +246,7 @@ private slots:
             std::vector<Trouble> troubles(1 + random() % 4);
             bool slips = false;
             for (Trouble& trouble : troubles) {
-                trouble.kind = static_cast<int>(random() % kinds);
-                trouble.from = static_cast<int>(random() % ticks);
-                trouble.until = trouble.from + 1 + static_cast<int>(random() % 200);
-                trouble.size = share(random);
+                trouble = any_trouble(random, static_cast<int>(random() % kinds), ticks);
                 slips = slips || trouble.kind == 9;
             }
             // A slip below what the residual shows puts the pad's idea of its cables' directions off by some
@@ -266,9 +256,8 @@ private slots:
             for (int tick = 0; tick < ticks && judge.complaint.isEmpty(); ++tick) {
                 double dt = 0.001;
                 for (const Trouble& trouble : troubles) {
-                    // The tick that lets the force in again begins the ramp at nothing.
-                    if (trouble.kind == 12 && (tick == trouble.from || tick == trouble.until + 1))
-                        judge.let_go = tick == trouble.from;
+                    if (trouble.kind == 12 && (tick == trouble.from || tick == trouble.until))
+                        judge.wanted = tick == trouble.until;
                     if (tick == trouble.from)
                         set(bench, trouble, true);
                     if (tick == trouble.until)

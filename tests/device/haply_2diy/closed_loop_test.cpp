@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "../closed_loop/fault_schedules.hpp"
 #include "../closed_loop/force_judge.hpp"
 #include "board_bench.hpp"
 
@@ -11,22 +12,14 @@
 #include <vector>
 
 using namespace tp;
+using tp::testing::any_trouble;
 using tp::testing::BoardBench;
+using tp::testing::first_schedule;
 using tp::testing::ForceJudge;
+using tp::testing::schedules;
+using tp::testing::Trouble;
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int schedules = 200; // each is ten times as slow there
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr int schedules = 200;
-#else
-constexpr int schedules = 2000;
-#endif
-#else
-constexpr int schedules = 2000;
-#endif
 
 Contour line_at(Vec2 centre, double y) {
     return contour_through("line", {{centre.x - 40.0, centre.y + y}, {centre.x + 40.0, centre.y + y}}, false);
@@ -58,13 +51,6 @@ struct HeldAboveALine : BoardBench {
     }
 };
 
-/// One thing that goes wrong for a while.
-struct Trouble {
-    int kind = 0;
-    int from = 0; ///< tick
-    int until = 0;
-    double size = 0.0;
-};
 constexpr int kinds = 13;
 
 /// Whether commands are lost or late on the way to the board, which has no watchdog.
@@ -279,7 +265,7 @@ private slots:
     void random_troubles_never_hurt() {
         QFETCH(bool, third);
         const Vec2 centre = middle_of(of(third));
-        for (int number = 0; number < schedules / 2; ++number) {
+        for (int number = first_schedule(); number < first_schedule() + schedules() / 2; ++number) {
             std::mt19937 random(static_cast<unsigned>(number) + (third ? 100000u : 0u));
             std::uniform_real_distribution<double> share(0.0, 1.0);
             HaplyPlant plant;
@@ -295,10 +281,7 @@ private slots:
             std::vector<Trouble> troubles(1 + random() % 4);
             bool out_of_hand = false;
             for (Trouble& trouble : troubles) {
-                trouble.kind = static_cast<int>(random() % kinds);
-                trouble.from = static_cast<int>(random() % ticks);
-                trouble.until = trouble.from + 1 + static_cast<int>(random() % 200);
-                trouble.size = share(random);
+                trouble = any_trouble(random, static_cast<int>(random() % kinds), ticks);
                 out_of_hand = out_of_hand || beyond_reach(trouble.kind);
             }
             // The board itself does not limit a rate: a command after a gap carries the whole of it. Where no
@@ -308,9 +291,8 @@ private slots:
             for (int tick = 0; tick < ticks && judge.complaint.isEmpty(); ++tick) {
                 double dt = 0.001;
                 for (const Trouble& trouble : troubles) {
-                    // The tick that lets the force in again begins the ramp at nothing.
-                    if (trouble.kind == 11 && (tick == trouble.from || tick == trouble.until + 1))
-                        judge.let_go = tick == trouble.from;
+                    if (trouble.kind == 11 && (tick == trouble.from || tick == trouble.until))
+                        judge.wanted = tick == trouble.until;
                     if (tick == trouble.from)
                         set(bench, trouble, true);
                     if (tick == trouble.until)
@@ -328,7 +310,7 @@ private slots:
             bench.line.troubles = {};
             bench.line.troubles.unplugged = !reachable;
             bench.writer_stalled = false;
-            judge.let_go = true;
+            judge.wanted = false;
             bench.loop->disengage();
             for (int tick = 0; tick < 200 && judge.complaint.isEmpty(); ++tick) {
                 bench.tick();

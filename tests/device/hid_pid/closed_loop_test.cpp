@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "../closed_loop/fault_schedules.hpp"
 #include "../closed_loop/force_judge.hpp"
 #include "stick_bench.hpp"
 
@@ -11,16 +12,14 @@
 #include <vector>
 
 using namespace tp;
+using tp::testing::any_trouble;
+using tp::testing::first_schedule;
 using tp::testing::ForceJudge;
+using tp::testing::schedules;
 using tp::testing::StickBench;
+using tp::testing::Trouble;
 
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer)
-constexpr int schedules = 200; // each is ten times as slow there
-#else
-constexpr int schedules = 2000;
-#endif
 
 HandlePlant firm_hand() {
     HandlePlant hand;
@@ -61,20 +60,13 @@ struct HeldAboveALine : StickBench {
     }
 };
 
-/// One thing that goes wrong for a while.
-struct StickTrouble {
-    int kind = 0;
-    int from = 0; ///< tick
-    int until = 0;
-    double size = 0.0;
-};
 constexpr int trouble_kinds = 13; ///< of the stick and its cable
 constexpr int guard_steps_in = 13;
 constexpr int guard_ends = 14;
 constexpr int let_go = 10;
 constexpr int late_tick = 11;
 
-void set_trouble(StickBench& bench, const StickTrouble& trouble, bool on) {
+void set_trouble(StickBench& bench, const Trouble& trouble, bool on) {
     StickLinkTroubles& link = bench.link.troubles;
     switch (trouble.kind) {
     case 0:
@@ -349,7 +341,7 @@ private slots:
     void random_troubles_never_hurt_data() { all_sticks(); }
     void random_troubles_never_hurt() {
         QFETCH(int, stick);
-        for (int number = 0; number < (schedules + 2) / 3; ++number) {
+        for (int number = first_schedule(); number < first_schedule() + (schedules() + 2) / 3; ++number) {
             std::mt19937 random(static_cast<unsigned>(number) + 100000u * static_cast<unsigned>(stick));
             std::uniform_real_distribution<double> share(0.0, 1.0);
             HandlePlant plant;
@@ -362,26 +354,18 @@ private slots:
             bench.render({line_at(3.0), line_at(-3.0)});
 
             constexpr int ticks = 1000;
-            std::vector<StickTrouble> troubles(1 + random() % 4);
-            const auto some = [&](int kind) {
-                StickTrouble trouble;
-                trouble.kind = kind;
-                trouble.from = static_cast<int>(random() % ticks);
-                trouble.until = trouble.from + 1 + static_cast<int>(random() % 200);
-                trouble.size = share(random);
-                return trouble;
-            };
-            for (StickTrouble& trouble : troubles)
-                trouble = some(static_cast<int>(random() % trouble_kinds));
+            std::vector<Trouble> troubles(1 + random() % 4);
+            for (Trouble& trouble : troubles)
+                trouble = any_trouble(random, static_cast<int>(random() % trouble_kinds), ticks);
             if (number % 4 == 0)
-                troubles.push_back(some(number % 16 == 0 ? guard_ends : guard_steps_in));
+                troubles.push_back(
+                    any_trouble(random, number % 16 == 0 ? guard_ends : guard_steps_in, ticks));
             StickJudge judge(bench);
             for (int tick = 0; tick < ticks && judge.complaint.isEmpty(); ++tick) {
                 double dt = 0.001;
-                for (const StickTrouble& trouble : troubles) {
-                    // The tick that lets the force in again begins the ramp at nothing.
-                    if (trouble.kind == let_go && (tick == trouble.from || tick == trouble.until + 1))
-                        judge.let_go = tick == trouble.from;
+                for (const Trouble& trouble : troubles) {
+                    if (trouble.kind == let_go && (tick == trouble.from || tick == trouble.until))
+                        judge.wanted = tick == trouble.until;
                     if (tick == trouble.from)
                         set_trouble(bench, trouble, true);
                     if (tick == trouble.until)

@@ -94,7 +94,8 @@ void set(FalconBench& bench, const Trouble& trouble, bool on) {
             bench.model.restart();
         break;
     case unhomed:
-        bench.model.run_firmware(!on);
+        if (bench.model.firmware_runs()) // nobody loads it in mid-touch into one that had no power
+            bench.model.run_firmware(!on);
         break;
     case leap:
         if (on)
@@ -402,7 +403,9 @@ private slots:
                 const glm::dvec3 felt = bench.model.force();
                 // A command that stays while the grip is carried elsewhere pushes there by other levers.
                 const double bound = loses_commands ? 1.5 : 1.05;
-                if (judge.complaint.isEmpty() &&
+                // Where its cable is out its last torques stay, which are any force at the ends of its reach.
+                const bool within_reach = !bench.link.troubles.unplugged || plant.watchdog_ms > 0;
+                if (judge.complaint.isEmpty() && within_reach &&
                     (std::hypot(felt.x, felt.y) > bound * Falcon::max_force + 0.15 ||
                      std::abs(felt.z) > bound * Pane::most + 0.15))
                     judge.complaint = QString("felt %1 %2 %3 at %4 s")

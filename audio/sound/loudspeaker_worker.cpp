@@ -4,6 +4,7 @@
 #include "audio/sound/sound_format.hpp"
 
 #include <QAudioDevice>
+#include <QCoreApplication>
 #include <QMediaDevices>
 
 #include <algorithm>
@@ -39,7 +40,10 @@ LoudspeakerWorker::LoudspeakerWorker() : look_(this) {
     connect(&look_, &QTimer::timeout, this, &LoudspeakerWorker::look);
 }
 
-LoudspeakerWorker::~LoudspeakerWorker() { stop(); }
+LoudspeakerWorker::~LoudspeakerWorker() {
+    stop();
+    QCoreApplication::removePostedEvents(this); // nobody is left to hear what they ask for
+}
 
 void LoudspeakerWorker::start(quint64 run, std::shared_ptr<SoundSource> source) {
     stop();
@@ -56,20 +60,23 @@ void LoudspeakerWorker::start(quint64 run, std::shared_ptr<SoundSource> source) 
         return;
     }
     const bool prompt = source->answers_a_finger();
-    device_ = std::make_unique<SourceDevice>(std::move(source), format);
     sink_ = std::make_unique<QAudioSink>(loudspeaker, format);
+    device_ = new SourceDevice(std::move(source), format);
+    device_->setParent(sink_.get());
     if (prompt && keeps_up_)
         sink_->setBufferSize(format.bytesForDuration(1000LL * short_buffer_ms));
-    sink_->start(device_.get());
+    sink_->start(device_);
     if (sink_->state() == QAudio::StoppedState)
         lose();
 }
 
 void LoudspeakerWorker::stop() {
-    if (sink_ != nullptr)
+    if (sink_ != nullptr) {
         sink_->reset(); // stop() would let what is in the buffer be heard
-    sink_.reset();
-    device_.reset();
+        // Not deleted in here: Qt 6.4's destructor handles the thread's events, the next start() among them.
+        sink_.release()->deleteLater();
+        device_ = nullptr;
+    }
     if (!lost_)
         look_.stop();
 }

@@ -36,8 +36,8 @@ private:
     void lose();
 
     quint64 run_ = 0;
-    std::unique_ptr<SourceDevice> device_;
     std::unique_ptr<QAudioSink> sink_; ///< null: nothing plays
+    SourceDevice* device_ = nullptr;   ///< the sink's child, for the sink may read it as long as it lives
     QByteArray id_;                    ///< of the loudspeaker that plays, or was lost
     std::int64_t heard_ = 0;           ///< frames
     QTimer look_;

@@ -177,6 +177,11 @@ class Sound(unittest.TestCase):
         self.assertGreater(before, 0.3)
         self.assertGreater(before + after, 5.5)
 
+    def test_a_sound_plays_that_is_begun_in_the_moment_in_which_another_ends(self):
+        probe = Probe("hurry", "10")
+        self.assertEqual(probe.until("rounds"), "10")
+        probe.end()
+
     def test_without_any_server_it_says_so(self):
         self.server.end()
         probe = Probe("play", "1", self.tone(1.0))

@@ -2,9 +2,12 @@
 // The real recorder and player for the script beside it.
 //   sound_probe record FOLDER       until a line comes in; then the file's name, its seconds and its gain
 //   sound_probe play SPEED FILE…    until the list has ended
+//   sound_probe hurry ROUNDS        sounds that are begun in the moment in which another one ends
 // Each change of state and each sentence is one line.
 #include "audio/sound/player.hpp"
 #include "audio/sound/recorder.hpp"
+#include "audio/sound/sound_format.hpp"
+#include "audio/sound/sound_source.hpp"
 #include "audio/sound/system_loudspeaker.hpp"
 #include "audio/sound/threaded_filler.hpp"
 
@@ -12,9 +15,17 @@
 #include <QMetaEnum>
 #include <QSocketNotifier>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
+#include <memory>
+#include <semaphore>
+#include <span>
 #include <string>
+#include <thread>
 #include <unistd.h>
 
 using namespace tp;
@@ -76,16 +87,77 @@ int play(double speed, char** files) {
     return QCoreApplication::exec();
 }
 
+/// Silence. One that ends holds its output there, in `heard` of its last frame, until `go_on`.
+class Silence final : public SoundSource {
+public:
+    explicit Silence(std::size_t samples = std::numeric_limits<std::size_t>::max()) : left_(samples) {}
+
+    std::size_t pull(std::span<float> samples) override {
+        const std::size_t got = std::min(left_, samples.size());
+        std::fill_n(samples.begin(), got, 0.0F);
+        left_ -= got;
+        pulled_ += got;
+        return got;
+    }
+    void heard(std::int64_t frames) override {
+        if (left_ > 0 || frames < static_cast<std::int64_t>(pulled_ / played_channels))
+            return;
+        at_its_end.release();
+        go_on.acquire();
+    }
+    std::size_t pulled() const { return pulled_; }
+
+    std::counting_semaphore<> at_its_end{0}, go_on{0};
+
+private:
+    std::size_t left_; ///< only the output's thread
+    std::atomic<std::size_t> pulled_ = 0;
+};
+
+bool plays_on(const Silence& sound) {
+    constexpr int looks = 6000; // a minute, on a busy machine
+    constexpr std::size_t some = sound_rate / 5 * played_channels;
+    const std::size_t before = sound.pulled();
+    for (int i = 0; i < looks && sound.pulled() < before + some; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return sound.pulled() >= before + some;
+}
+
+int hurry(int rounds) {
+    SystemLoudspeaker loudspeaker;
+    quint64 run = 0;
+    for (int round = 1; round <= rounds; ++round) {
+        const auto ending = std::make_shared<Silence>(sound_rate / 10 * played_channels);
+        const auto next = std::make_shared<Silence>();
+        loudspeaker.start(++run, ending);
+        ending->at_its_end.acquire();
+        loudspeaker.start(++run, next);
+        ending->go_on.release(2); // it may be told its last frame twice
+        if (!plays_on(*next))
+            return print(QString("round %1: the next sound does not play on").arg(round)), 1;
+    }
+    print(QString("rounds %1").arg(rounds));
+    return 0;
+}
+
+int result_of(const std::string& verb, char** words) {
+    if (verb == "record")
+        return record(words[0]);
+    if (verb == "play")
+        return play(std::stod(words[0]), words + 1);
+    return hurry(std::stoi(words[0]));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     QCoreApplication application(argc, argv);
     const std::string verb = argc > 2 ? argv[1] : "";
-    if (verb != "record" && (verb != "play" || argc < 4)) {
-        std::fputs("sound_probe record FOLDER | play SPEED FILE…\n", stderr);
+    if (verb != "record" && verb != "hurry" && (verb != "play" || argc < 4)) {
+        std::fputs("sound_probe record FOLDER | play SPEED FILE… | hurry ROUNDS\n", stderr);
         return 2;
     }
-    const int status = verb == "record" ? record(argv[2]) : play(std::stod(argv[2]), argv + 3);
+    const int status = result_of(verb, argv + 2);
     // Qt 6.4 takes down its connection to PulseAudio, after main(), without the lock that libpulse wants,
     // which aborts where a message arrives meanwhile.
     std::_Exit(status);

@@ -41,8 +41,9 @@ LoudspeakerWorker::LoudspeakerWorker() : look_(this) {
 }
 
 LoudspeakerWorker::~LoudspeakerWorker() {
-    stop();
-    QCoreApplication::removePostedEvents(this); // nobody is left to hear what they ask for
+    if (sink_ != nullptr)
+        sink_->reset();
+    QCoreApplication::removePostedEvents(this); // the sink's destructor would carry them out
 }
 
 void LoudspeakerWorker::start(quint64 run, std::shared_ptr<SoundSource> source) {

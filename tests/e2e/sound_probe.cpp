@@ -114,28 +114,45 @@ private:
     std::atomic<std::size_t> pulled_ = 0;
 };
 
-bool plays_on(const Silence& sound) {
-    constexpr int looks = 6000; // a minute, on a busy machine
-    constexpr std::size_t some = sound_rate / 5 * played_channels;
-    const std::size_t before = sound.pulled();
-    for (int i = 0; i < looks && sound.pulled() < before + some; ++i)
+constexpr std::chrono::seconds patience(60); // on a busy machine
+
+template <typename Condition>
+bool comes_true(Condition condition) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (!condition() && std::chrono::steady_clock::now() < end)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    return sound.pulled() >= before + some;
+    return condition();
+}
+
+bool plays_on(const Silence& sound) {
+    constexpr std::size_t some = sound_rate / 5 * played_channels;
+    return comes_true([&, before = sound.pulled()] { return sound.pulled() >= before + some; });
 }
 
 int hurry(int rounds) {
-    SystemLoudspeaker loudspeaker;
-    quint64 run = 0;
-    for (int round = 1; round <= rounds; ++round) {
-        const auto ending = std::make_shared<Silence>(sound_rate / 10 * played_channels);
-        const auto next = std::make_shared<Silence>();
-        loudspeaker.start(++run, ending);
-        ending->at_its_end.acquire();
-        loudspeaker.start(++run, next);
-        ending->go_on.release(2); // it may be told its last frame twice
-        if (!plays_on(*next))
-            return print(QString("round %1: the next sound does not play on").arg(round)), 1;
+    std::shared_ptr<Silence> ending, next;
+    const auto is_let_go = [](const std::shared_ptr<Silence>& sound) {
+        return comes_true([&] { return sound.use_count() == 1; });
+    };
+    {
+        SystemLoudspeaker loudspeaker;
+        quint64 run = 0;
+        for (int round = 1; round <= rounds; ++round) {
+            ending = std::make_shared<Silence>(sound_rate / 10 * played_channels);
+            next = std::make_shared<Silence>();
+            loudspeaker.start(++run, ending);
+            if (!ending->at_its_end.try_acquire_for(patience))
+                return print(QString("round %1: a sound does not end").arg(round)), 1;
+            loudspeaker.start(++run, next);
+            ending->go_on.release(2); // it may be told its last frame twice
+            if (!plays_on(*next))
+                return print(QString("round %1: the next sound does not play on").arg(round)), 1;
+            if (!is_let_go(ending))
+                return print(QString("round %1: a sound that ended is kept").arg(round)), 1;
+        }
     }
+    if (!is_let_go(next))
+        return print("a sound outlives its loudspeaker"), 1;
     print(QString("rounds %1").arg(rounds));
     return 0;
 }

@@ -103,10 +103,36 @@ Iris iris_at(const Points& points, std::size_t which) {
     return {centre, length(points[net_points::rims.begin + which] - centre)};
 }
 
+Landmarks features_of(const Points& points) {
+    using namespace net_points;
+    Landmarks found;
+    found.right_eye = part(points, right_eye);
+    found.left_eye = part(points, left_eye);
+    found.outer_lip = part(points, outer_lip);
+    found.inner_lip = part(points, inner_lip);
+    found.outline = part(points, outline);
+    found.right_brow = part(points, right_brow);
+    found.left_brow = part(points, left_brow);
+    found.nose = part(points, nose);
+    found.right_iris = iris_at(points, 0);
+    found.left_iris = iris_at(points, 1);
+    return found;
+}
+
+Landmarks unverified(const Points& points) {
+    Landmarks found = features_of(points);
+    found.confidence = 1.0;
+    return found;
+}
+
+void replace(Points& points, PointRange range, const Points& by) {
+    std::copy(by.begin(), by.end(), points.begin() + static_cast<std::ptrdiff_t>(range.begin));
+}
+
 } // namespace
 
-ContourNets::ContourNets()
-    : face_(embedded_net(EmbeddedModel::contours)), eye_(embedded_net(EmbeddedModel::eye)),
+ContourNets::ContourNets(Refinement most)
+    : most_(most), face_(embedded_net(EmbeddedModel::contours)), eye_(embedded_net(EmbeddedModel::eye)),
       mouth_(embedded_net(EmbeddedModel::mouth)), outline_(embedded_net(EmbeddedModel::outline)) {}
 
 Points ContourNets::answer(cv::dnn::Net& net, const cv::Mat& pixels) {
@@ -163,11 +189,15 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
     const auto coarse = look(face_, picture, face_frame(face), face_px);
     if (!coarse || coarse->size() != all.size())
         return std::nullopt;
+    if (most_ == Refinement::first_look)
+        return unverified(*coarse);
     const CropFrame face_window = face_frame(*coarse, windowed, face_by_points);
     const auto seen = look_both_ways(face_, picture, face_window, face_px, 0);
     if (!seen)
         return std::nullopt;
     const Points& fine = seen->points;
+    if (most_ == Refinement::second_look)
+        return unverified(fine);
     const double between_passes = disagreement(part(*coarse, windowed), part(fine, windowed));
     if (is_unsteady(between_passes))
         return std::nullopt;
@@ -180,33 +210,26 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
     if (!right_eye_close || !left_eye_close || !lips_close || !outline_close)
         return std::nullopt;
 
-    Landmarks found;
-    found.right_eye = *right_eye_close;
-    found.left_eye = *left_eye_close;
-    const PointRange outer{0, outer_lip.size()}, inner{outer_lip.size(), lips.size()};
-    found.outer_lip = part(lips_close->points, outer);
-    found.inner_lip = part(lips_close->points, inner);
-    found.outline = outline_close->points;
-    found.right_brow = part(fine, right_brow);
-    found.left_brow = part(fine, left_brow);
-    found.nose = part(fine, nose);
-    found.right_iris = iris_at(fine, 0);
-    found.left_iris = iris_at(fine, 1);
-    Points closer = *right_eye_close;
-    closer.insert(closer.end(), left_eye_close->begin(), left_eye_close->end());
-    closer.insert(closer.end(), lips_close->points.begin(), lips_close->points.end());
+    Points closest = fine;
+    replace(closest, right_eye, *right_eye_close);
+    replace(closest, left_eye, *left_eye_close);
+    replace(closest, lips, lips_close->points);
+    replace(closest, outline, outline_close->points);
+    Landmarks found = features_of(closest);
     const PointRange features[] = {right_eye, left_eye, outer_lip, inner_lip, outline}; // as FeatureIndex
     for (std::size_t f = 0; f < feature_count; ++f) {
         found.between_passes_px[f] = moved_px(*coarse, fine, features[f]);
         if (f != at_outline)
-            found.between_nets_px[f] = moved_px(fine, closer, features[f]);
+            found.between_nets_px[f] = moved_px(fine, closest, features[f]);
     }
     found.between_mirrors_px = {mean_of(seen->apart, right_eye), mean_of(seen->apart, left_eye),
-                                mean_of(lips_close->apart, outer), mean_of(lips_close->apart, inner),
+                                mean_of(lips_close->apart, {0, outer_lip.size()}),
+                                mean_of(lips_close->apart, {outer_lip.size(), lips.size()}),
                                 mean_of(outline_close->apart, {0, outline.size()})};
     found.between_nets_px[at_outline] = off_line_px(found.outline, part(fine, outline));
-    found.confidence = confidence_of(found, {between_passes, disagreement(part(fine, {0, lips.end}), closer),
-                                             mean_of(seen->apart, all) / face_window.side});
+    found.confidence = confidence_of(
+        found, {between_passes, disagreement(part(fine, {0, lips.end}), part(closest, {0, lips.end})),
+                mean_of(seen->apart, all) / face_window.side});
     return found;
 }
 

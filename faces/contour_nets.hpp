@@ -3,6 +3,7 @@
 
 #include "faces/crop.hpp"
 #include "faces/landmarks.hpp"
+#include "faces/refinement.hpp"
 
 #include <opencv2/dnn/dnn.hpp>
 
@@ -14,7 +15,8 @@ namespace tp {
 /// picture has mirrored contours; the eyes are each other's mirror images anyway.
 class ContourNets : public LandmarkModel {
 public:
-    ContourNets();
+    /// Without the close looks there is nothing to verify a face by: whatever was detected is taken for one.
+    explicit ContourNets(Refinement most = Refinement::close_looks);
     std::optional<Landmarks> locate(const cv::Mat& picture, const Detection& face) override;
 
 private:
@@ -32,6 +34,7 @@ private:
     std::optional<BothWays> look_both_ways(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame,
                                            int size, std::size_t first);
 
+    Refinement most_;
     cv::dnn::Net face_, eye_, mouth_, outline_;
 };
 

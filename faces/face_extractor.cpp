@@ -63,10 +63,10 @@ Result<std::unique_ptr<Detector>> make_detector(const std::string& choice) {
     return model ? load_detector(*model) : Error{model.error()};
 }
 
-Result<std::unique_ptr<LandmarkModel>> make_model(const std::string& choice) {
-    if (choice == "embedded")
-        return std::unique_ptr<LandmarkModel>(std::make_unique<ContourNets>());
-    const auto model = find_model(choice, PluggableModel::Role::landmarks);
+Result<std::unique_ptr<LandmarkModel>> make_model(const ExtractorChoice& choice) {
+    if (choice.model == "embedded")
+        return std::unique_ptr<LandmarkModel>(std::make_unique<ContourNets>(choice.refinement));
+    const auto model = find_model(choice.model, PluggableModel::Role::landmarks);
     return model ? load_landmarks(*model) : Error{model.error()};
 }
 
@@ -313,13 +313,13 @@ Result<FaceExtractor> FaceExtractor::create(const ExtractorChoice& choice) {
         auto detector = make_detector(choice.detector);
         if (!detector)
             return Error{detector.error()};
-        auto model = make_model(choice.model);
+        auto model = make_model(choice);
         if (!model)
             return Error{model.error()};
         auto parts = std::make_unique<Parts>();
         parts->detector = std::move(*detector);
         parts->model = std::move(*model);
-        parts->edges = choice.edges;
+        parts->edges = choice.refinement == Refinement::onto_edges;
         return FaceExtractor(std::move(parts));
     } catch (const std::exception& reason) {
         return Error{std::string("The nets that find faces cannot be used: ") + reason.what()};

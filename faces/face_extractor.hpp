@@ -3,6 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "faces/face.hpp"
+#include "faces/refinement.hpp"
 
 #include <opencv2/core/mat.hpp>
 
@@ -20,8 +21,7 @@ struct PluggableModel;
 struct ExtractorChoice {
     std::string detector = "embedded";
     std::string model = "embedded";
-    bool edges =
-        true; ///< lids and lips are moved onto their edges in the picture; false: as the net put them
+    Refinement refinement = Refinement::onto_edges;
 };
 
 /// From a photograph to the contours of its faces, all on this machine. Same bytes in, same contours out.

@@ -128,14 +128,17 @@ double FaceBenchRow::mean_error_percent() const {
 }
 
 std::vector<FaceContender> face_contenders(const std::function<void(const std::string&)>& left_out) {
-    std::vector<FaceContender> all{{"embedded", {}}, {"embedded_without_edges", {}}};
-    all.back().choice.edges = false;
+    using enum Refinement;
+    std::vector<FaceContender> all{{"embedded", {}},
+                                   {"embedded_without_edges", {"embedded", "embedded", close_looks}},
+                                   {"embedded_two_looks", {"embedded", "embedded", second_look}},
+                                   {"embedded_one_look", {"embedded", "embedded", first_look}}};
     const FaceContender optional[] = {{"yunet_and_embedded", {"yunet", "embedded"}},
                                       {"mesh", {"embedded", "mesh"}},
-                                      {"mesh_without_edges", {"embedded", "mesh", false}},
+                                      {"mesh_without_edges", {"embedded", "mesh", close_looks}},
                                       {"haar_and_embedded", {"haar", "embedded"}},
                                       {"haar_and_lbf", {"haar", "lbf"}},
-                                      {"haar_and_lbf_without_edges", {"haar", "lbf", false}}};
+                                      {"haar_and_lbf_without_edges", {"haar", "lbf", close_looks}}};
     std::set<std::string> said;
     for (const FaceContender& contender : optional)
         if (const auto extractor = FaceExtractor::create(contender.choice))

@@ -19,9 +19,9 @@ struct FaceContender {
     std::string name;
     ExtractorChoice choice;
 };
-/// The embedded nets with and without the edges, and of the other models those that the user has: YuNet, the
-/// face mesh, a Haar cascade, and that with OpenCV's LBF facemark. `left_out` hears a sentence for each model
-/// that is missing or cannot be used.
+/// The embedded nets, after each of their refinements, and of the other models those that the user has:
+/// YuNet, the face mesh, a Haar cascade, and that with OpenCV's LBF facemark. `left_out` hears a sentence for
+/// each model that is missing or cannot be used.
 std::vector<FaceContender> face_contenders(const std::function<void(const std::string&)>& left_out);
 
 /// What one contender took and how far it was off, at one size of the pictures.

@@ -37,7 +37,8 @@ Result<std::filesystem::path> plot_faces(const std::filesystem::path& folder,
                                          const std::vector<FaceBenchRow>& rows) {
     const QColor colours[] = {QColor(20, 120, 200), QColor(120, 120, 130), QColor(30, 150, 70),
                               QColor(214, 60, 40),  QColor(230, 150, 20),  QColor(130, 70, 170),
-                              QColor(0, 150, 160),  QColor(150, 100, 50)};
+                              QColor(0, 150, 160),  QColor(150, 100, 50),  QColor(90, 90, 20),
+                              QColor(200, 80, 140)};
     PlotPanel panel;
     panel.title = QStringLiteral("Faces: lower left is better");
     panel.x = {QStringLiteral("time per photograph without decoding, ms"), 3.0, 300.0, true};

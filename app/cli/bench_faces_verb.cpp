@@ -120,7 +120,7 @@ int bench_faces_verb(const QStringList& words) {
     VerbLine line(
         "bench faces",
         "Weighs speed against accuracy of face contours: milliseconds a photograph and error against\n"
-        "contours placed by hand, for the embedded nets with and without edges and for the models\n"
+        "contours placed by hand, for the embedded nets after each of their refinements and for the models\n"
         "that are installed (YuNet, a face mesh, a Haar cascade alone and with an LBF facemark), over\n"
         "sizes of the pictures. Writes faces.csv, faces.png and faces.svg.");
     line.option("photos", "Where the photographs lie.", "DIR")

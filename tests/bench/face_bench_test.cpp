@@ -66,6 +66,27 @@ private slots:
         QCOMPARE(csv.readAll().count('\n'), qsizetype(5));
     }
 
+    void each_refinement_costs_time_and_gains_accuracy() {
+        const std::vector<PlacedPortrait> people = some_people(12);
+        if (people.empty())
+            QSKIP("needs ../shared/faces/photos/london_truth.json");
+        std::vector<FaceContender> own = face_contenders(nobody);
+        std::erase_if(own, [](const FaceContender& c) { return !c.name.starts_with("embedded"); });
+        const auto rows = run_face_bench(people, own, {0}, nobody);
+        QVERIFY2(rows.ok(), rows.error().c_str());
+        const char* const names[] = {"embedded", "embedded_without_edges", "embedded_two_looks",
+                                     "embedded_one_look"};
+        QCOMPARE(rows->size(), std::size(names));
+        for (std::size_t r = 0; r < rows->size(); ++r) {
+            const FaceBenchRow& row = (*rows)[r];
+            QCOMPARE(row.contender, std::string(names[r]));
+            QCOMPARE(row.photos, 12);
+            QCOMPARE(row.failures, 0);
+            if (r > 0)
+                QVERIFY2(row.mean_error_percent() > (*rows)[r - 1].mean_error_percent(), names[r]);
+        }
+    }
+
     /// A drawn portrait; its truth is what the embedded nets find in it.
     void a_haar_cascade_and_an_lbf_facemark_have_rows_where_they_are_installed() {
         const std::filesystem::path photo = tp::test::in_source("resources/samples/anna_smiling.jpg");

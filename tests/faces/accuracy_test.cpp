@@ -31,12 +31,12 @@ class AccuracyTest : public QObject {
     Q_OBJECT
 
     std::vector<PlacedPortrait> people_;
-    std::map<std::string, std::vector<PortraitErrors>> measured_; ///< by detector, model and edges
+    std::map<std::string, std::vector<PortraitErrors>> measured_; ///< by detector, model and refinement
 
     /// Of those people; each choice is extracted once.
     const std::vector<PortraitErrors>& measured(const ExtractorChoice& choice) {
-        const std::string key =
-            choice.detector + '\n' + choice.model + (choice.edges ? "" : "\nwithout edges");
+        const std::string key = choice.detector + '\n' + choice.model + '\n' +
+                                std::to_string(static_cast<int>(choice.refinement));
         const auto found = measured_.find(key);
         return found != measured_.end()
                    ? found->second
@@ -106,8 +106,8 @@ private slots:
     void edges_make_every_feature_better() {
         NEEDS_PORTRAITS();
         QFETCH(QString, model);
-        const auto& without = measured({"embedded", model.toStdString(), false});
-        const auto& with = measured({"embedded", model.toStdString(), true});
+        const auto& without = measured({"embedded", model.toStdString(), Refinement::close_looks});
+        const auto& with = measured({"embedded", model.toStdString()});
         const GoldenRow plain = golden_row(without), moved = golden_row(with);
         for (std::size_t f = 0; f < feature_count; ++f) {
             double most_worse = 0.0;

@@ -104,7 +104,8 @@ private slots:
         QFETCH(double, scale);
         QFETCH(double, blur);
         QFETCH(double, noise);
-        FaceExtractor without = std::move(FaceExtractor::create({"embedded", "embedded", false})).value();
+        FaceExtractor without =
+            std::move(FaceExtractor::create({"embedded", "embedded", Refinement::close_looks})).value();
         FaceExtractor with = std::move(FaceExtractor::create()).value();
         const char* names[] = {feature::right_eye, feature::left_eye, feature::outer_lip, feature::inner_lip};
         std::map<std::string, double> before, after;

@@ -20,8 +20,8 @@ constexpr int face_px = 128, eye_px = 64, mouth_px = 96, outline_px = 96;
 constexpr double face_by_box = 1.25;    ///< window per longer side of the detected box
 constexpr double face_by_points = 1.45; ///< window per extent of the points, second pass
 constexpr double eye_by_width = 2.0, mouth_by_extent = 1.6, outline_by_extent = 1.35;
-/// A face this large, px, has eyes of 80 px, of which a net sees 32: more of it would only take time.
-constexpr double large_enough_px = 400.0;
+/// A face this large, px, has eyes of 60 px, of which a net sees 32: more of it would only take time.
+constexpr double large_enough_px = 300.0;
 
 using Points = std::vector<Vec2>;
 

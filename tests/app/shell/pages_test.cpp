@@ -207,7 +207,8 @@ private slots:
             QVERIFY2(!whole.voice.said().isEmpty(), qPrintable(page));
             whole.voice.clear();
             QTest::keyClick(whole.window.get(), Qt::Key_F1);
-            QVERIFY2(whole.voice.said().size() == 1 && whole.voice.said()[0].size() > 200, qPrintable(page));
+            const QStringList said = whole.voice.said();
+            QVERIFY2(said.size() == 1 && said[0].size() > 200, qPrintable(page + ": " + said.join(" | ")));
         }
     }
 

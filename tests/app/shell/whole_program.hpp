@@ -72,8 +72,11 @@ public:
         window->requestActivate();
         return QTest::qWaitForWindowExposed(window.get());
     }
-    /// Its album is read and all of the page is made.
-    bool complete() const { return !program->album().scanning() && PageWindow::complete(*window->contentItem()); }
+    /// Its album is read, no photograph is searched for faces any more, and all of the page is made.
+    bool complete() const {
+        return !program->album().scanning() && program->explore().state() != tp::ExploreSession::State::Looking &&
+               PageWindow::complete(*window->contentItem());
+    }
     std::filesystem::path file(const char* name) const { return folder.filePath(name).toStdString(); }
     tp::Shell& shell() { return program->shell(); }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/latest_writer.hpp"
 
+#include "core/servo/exit_guard.hpp"
+
 #include <atomic>
 #include <chrono>
 #include <utility>
@@ -9,37 +11,41 @@ namespace tp {
 
 struct LatestWriter::Mailbox {
     std::shared_ptr<Sink> sink;
+    std::uint64_t no_force = 0;
     std::atomic<std::uint64_t> message{0};
     std::atomic<std::uint32_t> turn{0}; ///< counts what was put into the mailbox
     std::atomic<bool> quit{false};
     std::atomic<bool> ended{false};
     std::atomic<bool> lost{false};
-    std::uint32_t sent = 0; ///< turn that was sent last; only the writer
+    std::atomic<std::uint32_t> sent{0}; ///< turn that was sent last; only the writer changes it
 
     void send(std::uint32_t turn_now) noexcept {
-        sent = turn_now;
-        if (!sink->send(message.load(std::memory_order_acquire)))
+        const std::uint64_t newest = message.load(std::memory_order_acquire);
+        if (!sink->send(ExitGuard::leaving() ? no_force : newest))
             lost.store(true, std::memory_order_release);
+        sent.store(turn_now, std::memory_order_release);
     }
     void write_until_quit() noexcept {
         while (!lost.load(std::memory_order_acquire)) {
-            turn.wait(sent, std::memory_order_acquire);
+            turn.wait(sent.load(std::memory_order_relaxed), std::memory_order_acquire);
             send(turn.load(std::memory_order_acquire));
-            if (quit.load(std::memory_order_acquire) && turn.load(std::memory_order_acquire) == sent)
+            if (quit.load(std::memory_order_acquire) &&
+                turn.load(std::memory_order_acquire) == sent.load(std::memory_order_relaxed))
                 break;
         }
         ended.store(true, std::memory_order_release);
     }
 };
 
-LatestWriter::LatestWriter(std::shared_ptr<Sink> sink, Thread thread)
+LatestWriter::LatestWriter(std::shared_ptr<Sink> sink, std::uint64_t no_force, Thread thread)
     : mailbox_(std::make_shared<Mailbox>()) {
     mailbox_->sink = std::move(sink);
+    mailbox_->no_force = no_force;
     if (thread == Thread::own)
         thread_ = std::thread([mailbox = mailbox_] { mailbox->write_until_quit(); });
 }
 
-LatestWriter::~LatestWriter() { end(mailbox_->message.load(std::memory_order_acquire)); }
+LatestWriter::~LatestWriter() { end(); }
 
 void LatestWriter::post(std::uint64_t message) noexcept {
     mailbox_->message.store(message, std::memory_order_release);
@@ -47,20 +53,36 @@ void LatestWriter::post(std::uint64_t message) noexcept {
     mailbox_->turn.notify_one();
 }
 
+void LatestWriter::halt() noexcept {
+    post(mailbox_->no_force);
+    if (ExitGuard::leaving() && thread_.joinable())
+        wait_until_sent();
+}
+
+void LatestWriter::wait_until_sent() const noexcept {
+    const std::uint32_t turn = mailbox_->turn.load(std::memory_order_acquire);
+    const auto sent = [&] { // also where something newer was; turns wrap round
+        const std::uint32_t ahead = mailbox_->sent.load(std::memory_order_acquire) - turn;
+        return ahead < 1u << 31;
+    };
+    for (int i = 0; i < 50 && !sent() && !lost(); ++i)
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
+}
+
 void LatestWriter::deliver() noexcept {
     if (ended_ || lost())
         return;
     const std::uint32_t turn = mailbox_->turn.load(std::memory_order_acquire);
-    if (turn != mailbox_->sent)
+    if (turn != mailbox_->sent.load(std::memory_order_relaxed))
         mailbox_->send(turn);
 }
 
-bool LatestWriter::end(std::uint64_t last) noexcept {
+bool LatestWriter::end() noexcept {
     if (ended_)
         return !hangs_;
-    post(last); // before quit: a writer that sees quit has sent this, or still will
+    post(mailbox_->no_force); // before quit: a writer that sees quit has sent this, or still will
     mailbox_->quit.store(true, std::memory_order_release);
-    post(last); // wakes a writer that has sent the first and not seen quit
+    post(mailbox_->no_force); // wakes a writer that has sent the first and not seen quit
     if (!thread_.joinable())
         deliver();
     ended_ = true;

@@ -27,19 +27,24 @@ public:
         caller, ///< deliver() is the writer's step; for simulated time
     };
 
-    LatestWriter(std::shared_ptr<Sink> sink, Thread thread);
-    /// As end() of the message that was posted last, if it has not ended yet.
+    /// `no_force`: the message that takes every force away.
+    LatestWriter(std::shared_ptr<Sink> sink, std::uint64_t no_force, Thread thread);
+    /// As end(), if it has not ended yet.
     ~LatestWriter();
     LatestWriter(const LatestWriter&) = delete;
     LatestWriter& operator=(const LatestWriter&) = delete;
 
     /// Any thread, also from a signal handler: no lock, no allocation.
     void post(std::uint64_t message) noexcept;
+    /// Posts no force. Where a signal is about to end the process (ExitGuard) it waits until that was sent,
+    /// for 5 ms at most, and nothing else is sent from then on: a force that the writer was about to send
+    /// while the process died would stay. Any thread, also from a signal handler.
+    void halt() noexcept;
     /// Sends what the mailbox holds, if anything is new in it; for Thread::caller.
     void deliver() noexcept;
-    /// Sends `last` and ends the writer. Waits a second at most: false where the writer hangs in the system,
-    /// where it is left to end by itself and still uses the sink. May be called twice.
-    bool end(std::uint64_t last) noexcept;
+    /// Sends no force and ends the writer. Waits a second at most: false where the writer hangs in the
+    /// system, where it is left to end by itself and still uses the sink. May be called twice.
+    bool end() noexcept;
 
     /// A write has failed, or lose() was called: the writer ends. Any thread.
     bool lost() const noexcept;
@@ -48,6 +53,7 @@ public:
 
 private:
     struct Mailbox;
+    void wait_until_sent() const noexcept;
     std::shared_ptr<Mailbox> mailbox_;
     std::thread thread_;
     bool ended_ = false;

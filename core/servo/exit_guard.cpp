@@ -17,8 +17,10 @@ namespace {
 // Constant-initialised and never destroyed: a signal may come before main and after the statics are gone.
 std::array<std::atomic<ForceDevice*>, 16> guarded{};
 static_assert(std::atomic<ForceDevice*>::is_always_lock_free);
+std::atomic<bool> is_leaving{false};
 
 void halt_all() noexcept {
+    is_leaving.store(true, std::memory_order_release);
     for (const std::atomic<ForceDevice*>& slot : guarded)
         if (ForceDevice* const device = slot.load(std::memory_order_acquire))
             device->halt();
@@ -59,7 +61,9 @@ ExitGuard::ExitGuard(ForceDevice& device) noexcept {
     std::call_once(once, [] {
         catch_signals();
         std::atexit(halt_all);
+#if !defined(__MINGW32__) && !defined(__APPLE__) // whose libraries have no such thing
         std::at_quick_exit(halt_all);
+#endif
     });
     for (std::size_t i = 0; i < guarded.size(); ++i) {
         ForceDevice* free = nullptr;
@@ -69,6 +73,8 @@ ExitGuard::ExitGuard(ForceDevice& device) noexcept {
         }
     }
 }
+
+bool ExitGuard::leaving() noexcept { return is_leaving.load(std::memory_order_acquire); }
 
 ExitGuard::~ExitGuard() {
     if (guarding())

@@ -17,6 +17,10 @@ public:
     ExitGuard(const ExitGuard&) = delete;
     ExitGuard& operator=(const ExitGuard&) = delete;
 
+    /// A signal that ends the process has come, or exit() was called: from then on nothing but no force may
+    /// be written, or a force that another thread writes while the process dies would stay.
+    static bool leaving() noexcept;
+
     /// False where as many devices as there is room for (16) are guarded already.
     bool guarding() const noexcept { return slot_ >= 0; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/watchdog.hpp"
 
+#include "core/servo/exit_guard.hpp"
+
 #include <algorithm>
 
 namespace tp {
@@ -30,8 +32,10 @@ bool Watchdog::write(const SafeForce& force, double now) noexcept {
 }
 
 bool Watchdog::deliver(const SafeForce& force) noexcept {
+    if (ExitGuard::leaving()) // which has halted the device
+        return true;
     const bool delivered = device_.write(force);
-    if (halted()) // meanwhile: what was written later must not stay
+    if (halted() || ExitGuard::leaving()) // meanwhile: what was written later must not stay
         device_.halt();
     return delivered;
 }

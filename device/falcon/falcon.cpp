@@ -157,7 +157,7 @@ Result<Capabilities> Falcon::open() {
         line_->link.reset();
         return Error{problem};
     }
-    writer_ = std::make_unique<LatestWriter>(line_, thread_);
+    writer_ = std::make_unique<LatestWriter>(line_, message_of(Command{}), thread_);
     Capabilities made;
     made.name = "Novint Falcon";
     made.serial_number = serial_number_;
@@ -308,7 +308,7 @@ bool Falcon::write(const SafeForce& force) noexcept {
 
 void Falcon::halt() noexcept {
     if (writer_)
-        writer_->post(message_of(Command{}));
+        writer_->halt();
 }
 
 void Falcon::deliver() noexcept {
@@ -320,7 +320,7 @@ void Falcon::stop() noexcept {
     if (!open_)
         return;
     open_ = false;
-    if (!writer_->end(message_of(Command{})))
+    if (!writer_->end())
         return;
     if (!lost() && !line_->pull->unguarded())
         line_->pull->dismiss();

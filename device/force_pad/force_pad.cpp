@@ -110,7 +110,7 @@ Result<Capabilities> ForcePad::open() {
     if (!open_)
         line_->transport.reset();
     else
-        writer_ = std::make_unique<LatestWriter>(line_, thread_);
+        writer_ = std::make_unique<LatestWriter>(line_, motors_stopped, thread_);
     return made;
 }
 
@@ -175,7 +175,7 @@ bool ForcePad::write(const SafeForce& force) noexcept {
 
 void ForcePad::halt() noexcept {
     if (writer_)
-        writer_->post(motors_stopped);
+        writer_->halt();
 }
 
 void ForcePad::deliver() noexcept {
@@ -187,8 +187,8 @@ void ForcePad::stop() noexcept {
     if (!open_)
         return;
     open_ = false;
-    if (writer_->end(motors_stopped)) // one that hangs keeps the transport; the pad's watchdog has taken the
-                                      // force away
+    if (writer_->end()) // one that hangs keeps the transport; the pad's watchdog has taken the
+                        // force away
         line_->transport.reset();
 }
 

@@ -157,7 +157,7 @@ Result<Capabilities> Haply2diy::open() {
     can.resolution = arms_.resolution();
     can.delay = 0.002;
     can.calibrated = false; // reckoned from the motors' nominal torque
-    writer_ = std::make_unique<LatestWriter>(wire_, thread_);
+    writer_ = std::make_unique<LatestWriter>(wire_, no_torque, thread_);
     open_ = true;
     return can;
 }
@@ -300,7 +300,7 @@ bool Haply2diy::write(const SafeForce& force) noexcept {
 
 void Haply2diy::halt() noexcept {
     if (writer_)
-        writer_->post(no_torque);
+        writer_->halt();
 }
 
 void Haply2diy::deliver() noexcept {
@@ -313,7 +313,7 @@ void Haply2diy::stop() noexcept {
         return;
     open_ = false;
     const bool gone = lost();
-    if (!writer_->end(no_torque))
+    if (!writer_->end())
         return; // it holds the wire itself, and the guard hears nothing any more
     if (!gone && !out_of_step_.load() && !unguarded_->load())
         wire_->board.guard->dismiss();

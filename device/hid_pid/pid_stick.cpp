@@ -25,6 +25,7 @@ constexpr unsigned tell_again_after = 16;
 constexpr std::array both_axes{hid::Along::x, hid::Along::y};
 
 constexpr unsigned count_mask = 0xFF;
+constexpr std::uint64_t no_shares = 0; ///< StickMessage{}.word()
 
 std::string stick_is_gone() { return sentence(OpenProblem::gone, this_system(), "force stick"); }
 
@@ -232,7 +233,7 @@ Result<Capabilities> PidStick::open() {
     can.rate = 1000.0;
     can.delay = 0.004; // two reports of a full-speed interface each way
     can.calibrated = scale_.measured;
-    writer_ = std::make_unique<LatestWriter>(line_, thread_);
+    writer_ = std::make_unique<LatestWriter>(line_, no_shares, thread_);
     halting_.store(line_->transport.get());
     open_ = true;
     return can;
@@ -327,7 +328,7 @@ void PidStick::halt() noexcept {
     PidTransport* const transport = halting_.load();
     if (transport == nullptr)
         return;
-    writer_->post(0);
+    writer_->halt();
     for (const hid::Report& none : no_force_)
         transport->write_from_signal(none);
 }
@@ -341,7 +342,7 @@ void PidStick::stop() noexcept {
     if (!open_)
         return;
     open_ = false;
-    const bool ended = writer_->end(0);
+    const bool ended = writer_->end();
     halting_.store(nullptr);
     PidTransport& transport = *line_->transport;
     if (!ended) {

@@ -50,7 +50,7 @@ class LatestWriterTest : public QObject {
 private slots:
     void only_the_newest_is_sent_and_only_once() {
         const auto wire = std::make_shared<Wire>();
-        LatestWriter writer(wire, LatestWriter::Thread::caller);
+        LatestWriter writer(wire, 0, LatestWriter::Thread::caller);
         writer.deliver();
         QVERIFY(wire->sent().empty());
         writer.post(1);
@@ -66,22 +66,22 @@ private slots:
     void it_ends_with_the_last_message_and_sends_no_more() {
         for (const auto thread : {LatestWriter::Thread::caller, LatestWriter::Thread::own}) {
             const auto wire = std::make_shared<Wire>();
-            LatestWriter writer(wire, thread);
+            LatestWriter writer(wire, 9, thread);
             writer.post(7);
-            QVERIFY(writer.end(9));
+            QVERIFY(writer.end());
             QVERIFY(!wire->sent().empty());
             QCOMPARE(wire->sent().back(), std::uint64_t{9});
             const std::size_t before = wire->sent().size();
             writer.post(8);
             writer.deliver();
-            QVERIFY(writer.end(8));
+            QVERIFY(writer.end());
             QCOMPARE(wire->sent().size(), before);
         }
     }
 
     void a_write_that_fails_or_a_back_end_that_knows_loses_the_device() {
         const auto wire = std::make_shared<Wire>();
-        LatestWriter writer(wire, LatestWriter::Thread::caller);
+        LatestWriter writer(wire, 0, LatestWriter::Thread::caller);
         wire->broken = true;
         writer.post(1);
         QVERIFY(!writer.lost());
@@ -92,21 +92,21 @@ private slots:
         QCOMPARE(wire->sent().size(), std::size_t{1});
 
         const auto other = std::make_shared<Wire>();
-        LatestWriter told(other, LatestWriter::Thread::own);
+        LatestWriter told(other, 0, LatestWriter::Thread::own);
         told.lose();
         QVERIFY(told.lost());
-        QVERIFY(told.end(0));
+        QVERIFY(told.end());
     }
 
     void one_that_hangs_is_left_behind_with_its_wire() {
         const auto wire = std::make_shared<Wire>();
         {
-            LatestWriter writer(wire, LatestWriter::Thread::own);
+            LatestWriter writer(wire, 0, LatestWriter::Thread::own);
             wire->hangs = true;
             writer.post(5);
             wire->hanging.acquire();
-            QVERIFY(!writer.end(0));
-            QVERIFY(!writer.end(0));
+            QVERIFY(!writer.end());
+            QVERIFY(!writer.end());
             QVERIFY(wire.use_count() > 1);
         }
         wire->hangs = false;

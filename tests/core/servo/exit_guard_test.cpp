@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <csignal>
+#include <cstdlib>
 #include <functional>
 #include <stdexcept>
 #include <sys/mman.h>
@@ -71,7 +72,11 @@ int end_in_mid_touch(
             loop.tick();
         }
         death();
-        _exit(0); // it lived on
+        for (int i = 0; i < 5; ++i) { // it lived on
+            clock.sleep_until(clock.now() + 0.001);
+            loop.tick();
+        }
+        _exit(0);
     }
     int status = 0;
     waitpid(child, &status, 0);
@@ -129,12 +134,33 @@ private slots:
         QCOMPARE(WEXITSTATUS(status), 3);
     }
 
+    void a_quick_exit_halts_the_device() {
+        const int status = end_in_mid_touch(*traces_, [] { std::quick_exit(3); });
+        QVERIFY(traces_->halts.load() >= 1);
+        QCOMPARE(WEXITSTATUS(status), 3);
+    }
+
     void an_ignored_signal_stays_ignored() {
         const int status = end_in_mid_touch(
             *traces_, [] { raise(SIGHUP); }, [] { std::signal(SIGHUP, SIG_IGN); });
         QVERIFY(WIFEXITED(status));
         QCOMPARE(WEXITSTATUS(status), 0);
         QCOMPARE(traces_->halts.load(), 0);
+    }
+
+    /// The servo's thread goes on while the signal takes its way: a force written then would outlive the
+    /// process.
+    void nothing_is_written_after_the_halt() {
+        const int status = end_in_mid_touch(
+            *traces_,
+            [this] {
+                raise(SIGTERM);
+                traces_->force.store(0.0);
+            },
+            [] { std::signal(SIGTERM, [](int) {}); });
+        QVERIFY(WIFEXITED(status));
+        QCOMPARE(traces_->halts.load(), 1);
+        QCOMPARE(traces_->force.load(), 0.0);
     }
 
     void a_device_that_was_let_go_is_left_alone() {

@@ -51,6 +51,19 @@ private slots:
         QCOMPARE(hold.switches(), std::uint64_t(0));
     }
 
+    /// A hand of 500 mm/s that is read every 20 ms; its line is cut finely.
+    void a_quick_finger_is_followed_along_its_line() {
+        const FlatScene scene{{"line"}, {resampled(Polyline{{{0, 0}, {40, 0}}, false}, 401)}};
+        const TentProfile tent;
+        const ExactLaw law(scene, tent);
+        BranchHold hold(scene, tent, 0.4);
+        for (const double x : {1.0, 11.0, 21.0, 11.0, 1.0}) {
+            const Guidance felt = hold.hold({x, 1.0}, law.at({x, 1.0}));
+            QVERIFY(length(felt.force - law.at({x, 1.0}).force) < 1e-9);
+        }
+        QCOMPARE(hold.switches(), std::uint64_t(0));
+    }
+
     void the_lids_of_one_eye_are_two_branches() {
         const FlatScene eye{{"eye"}, {ellipse({0, 0}, 14, 5, 200)}};
         const ExactLaw law(eye, {});

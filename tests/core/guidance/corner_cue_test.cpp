@@ -49,6 +49,18 @@ private slots:
         QCOMPARE(corners_of({{"bent"}, {{{{0, 0}, {10, 0}, {10, 10}}, false}}}).size(), std::size_t(1));
     }
 
+    void a_bend_is_a_corner_half_a_window_from_an_end_and_on_lines_longer_than_four() {
+        const auto corners_of_bend = [](double before, double after) {
+            return corners_of({{"bent"}, {{{{0, 0}, {before, 0}, {before, after}}, false}}}).size();
+        };
+        QCOMPARE(corners_of_bend(10.0, 0.5), std::size_t(1)); // the window is 1 mm
+        QCOMPARE(corners_of_bend(10.0, 0.49), std::size_t(0));
+        QCOMPARE(corners_of_bend(0.5, 10.0), std::size_t(1));
+        QCOMPARE(corners_of_bend(0.49, 10.0), std::size_t(0));
+        QCOMPARE(corners_of_bend(2.0, 2.0), std::size_t(0));
+        QCOMPARE(corners_of_bend(2.0, 2.001), std::size_t(1));
+    }
+
     void degenerate_lines_have_no_corners() {
         const double nan = std::nan("");
         for (const Polyline& line :

@@ -67,6 +67,51 @@ private slots:
         QVERIFY(!tour.finished());
     }
 
+    void the_leading_place_goes_at_its_speed_and_pulls_like_a_spring() {
+        const Polyline line{{{0, 0}, {100, 0}}, false};
+        GuidedTour tour(line, {-6, 0}); // 30 mm/s, 0.2 N/mm, at most 0.8 N, waits where 8 mm ahead
+        QCOMPARE(tour.progress(), 0.0);
+        QVERIFY(length(tour.step({-6, 0}, 0.1) - Vec2(0.6, 0)) < 1e-9);
+        QVERIFY(length(tour.leader() - Vec2(-3, 0)) < 1e-9); // first to where the line begins
+        QCOMPARE(tour.progress(), 0.0);
+        QVERIFY(length(tour.step({-6, 0}, 0.2) - Vec2(0.8, 0)) < 1e-9);
+        QVERIFY(length(tour.leader() - Vec2(3, 0)) < 1e-9); // and on, without a stop
+        QCOMPARE(tour.progress(), 0.03);
+        tour.step({-6, 0}, 0.1); // 9 mm ahead: it waits
+        QVERIFY(length(tour.leader() - Vec2(3, 0)) < 1e-9);
+        tour.step({-4.9, 0}, 0.1);
+        QVERIFY(length(tour.leader() - Vec2(6, 0)) < 1e-9);
+        QVERIFY(tour.step(tour.leader(), 0.0) == Vec2(0.0)); // where the finger is, nothing pulls
+        QVERIFY(!tour.finished());
+    }
+
+    void it_ends_when_the_finger_has_come_to_the_end_too() {
+        const Polyline line{{{0, 0}, {3, 0}}, false};
+        GuidedTour tour(line, {0, 0});
+        for (int i = 0; i < 110; ++i)
+            tour.step({0, 0}, 0.001);
+        QCOMPARE(tour.progress(), 1.0);
+        QVERIFY(!tour.finished()); // the finger is still 3 mm behind
+        QVERIFY(tour.step({0.5, 0}, 0.1).x > 0.0);
+        QVERIFY(!tour.finished());
+        QVERIFY(tour.step({1.5, 0}, 0.1) == Vec2(0.0));
+        QVERIFY(tour.finished());
+    }
+
+    void a_closed_feature_is_begun_where_it_is_nearest_and_walked_the_way_it_was_drawn() {
+        const Polyline square{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}, true};
+        GuidedTour tour(square, {10, -1});
+        tour.step({10, -1}, 1.0 / 30.0);
+        QVERIFY(length(tour.leader() - Vec2(10, 0)) < 1e-9);
+        tour.step({10, -1}, 0.1);
+        QVERIFY(length(tour.leader() - Vec2(13, 0)) < 1e-9);
+        const Polyline open{square.points, false};
+        GuidedTour back(open, {-1, 20}); // its end is nearer
+        back.step({0, 20}, 1.0 / 30.0);
+        back.step({0, 20}, 0.1);
+        QVERIFY(length(back.leader() - Vec2(3, 20)) < 1e-9);
+    }
+
     void degenerate_features_end_at_once_and_never_give_a_wild_force() {
         const Polyline dot{{{3, 3}}, true};
         GuidedTour tour(dot, {3, 3});

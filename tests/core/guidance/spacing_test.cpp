@@ -109,6 +109,13 @@ private slots:
             QVERIFY(std::abs(p.y - 0.02 * p.x * p.x) < 0.35); // half the eye's thickness, at its ends
     }
 
+    void a_sliver_of_three_points_becomes_one_line() {
+        Contour sliver{"eye", {}, true};
+        const Vec2 corners[] = {{-10, 0}, {10, 0}, {0, 0.4}};
+        sliver = contour_through("eye", {std::begin(corners), std::end(corners)}, true);
+        QVERIFY(thinned(sliver).has_value());
+    }
+
     void open_and_degenerate_contours_are_left_alone() {
         QVERIFY(!thinned(contour_through("outline", {{0, 0}, {10, 0}, {20, 0.1}}, false)).has_value());
         QVERIFY(!thinned(contour_through("dot", {{1, 1}}, true)).has_value());

@@ -48,6 +48,23 @@ private slots:
         QVERIFY(std::abs(leak_with_delay(2) / leak_with_delay(0) - 5.0) < 1e-6);
     }
 
+    /// A device that is slower yet is reckoned as one of sixteen ticks.
+    void the_longest_delay_leaks_as_it_should() {
+        for (const std::size_t delay : {std::size_t(16), std::size_t(17), std::size_t(100)}) {
+            EnergyObserver observer(delay);
+            double before = 0.0;
+            const double step = 0.01;
+            for (int i = 0; i < 200; ++i) {
+                const double x = 1.0 + step * i;
+                observer.observe({x, 0.0}, {0.0, 0.0}, potential(x), 0.001);
+                observer.wrote({-stiffness * x, 0.0});
+                if (i == 50)
+                    before = observer.leak();
+            }
+            QVERIFY(std::abs(observer.leak() - before - 149 * 16.5 * stiffness * step * step) < 1e-9);
+        }
+    }
+
     void pays_back_by_damping_and_no_more_than_leaked() {
         EnergyObserver observer;
         observer.observe({0.0, 0.0}, {100.0, 0.0}, 0.0, 0.001);
@@ -58,6 +75,29 @@ private slots:
         QVERIFY(force.x < 0.0);
         QVERIFY(-force.x * 0.1 <= 0.05 + 1e-12);         // not more than the leak in one tick at 100 mm/s
         QVERIFY(-force.x <= 8.0 * 100.0 * 1e-3 + 1e-12); // and never more than 8 N·s/m
+    }
+
+    /// More damping than that is felt as a handle that sticks and shakes.
+    void a_large_leak_is_damped_by_no_more_than_8_newton_seconds_a_metre() {
+        for (const double speed : {1.0, 20.0, 300.0}) { // mm/s
+            EnergyObserver observer;
+            observer.observe({0.0, 0.0}, {0.0, speed}, 0.0, 0.001);
+            observer.wrote({0.0, 0.8});
+            const Vec2 force = observer.observe({0.0, 1000.0}, {0.0, speed}, 0.0, 0.001); // 800 mJ given
+            QVERIFY(length(force - Vec2(0.0, -8.0 * 1e-3 * speed)) < 1e-12);
+        }
+    }
+
+    void a_hand_that_hardly_moves_is_left_alone() {
+        for (const double speed : {0.0, 0.25, 0.5, 0.5001}) { // mm/s
+            EnergyObserver observer;
+            observer.observe({0.0, 0.0}, {speed, 0.0}, 0.0, 0.001);
+            observer.wrote({1.0, 0.0});
+            const Vec2 force = observer.observe({1.0, 0.0}, {speed, 0.0}, 0.0, 0.001); // 1 mJ given
+            const bool is_damped = force.x < 0.0;
+            QVERIFY(is_damped == (speed > 0.5));
+            QVERIFY(observer.observe({1.0, 0.0}, {speed, 0.0}, 0.0, 0.0) == Vec2(0.0)); // no time has passed
+        }
     }
 
     void keeps_no_credit_where_the_renderer_takes_energy() {
@@ -72,18 +112,21 @@ private slots:
     }
 
     void forgets_on_reset_and_on_what_is_not_a_number() {
-        for (const bool by_nan : {false, true}) {
+        const double nan = std::nan("");
+        for (const int by : {0, 1, 2, 3}) {
             EnergyObserver observer;
             observer.observe({0.0, 0.0}, {50.0, 0.0}, 0.0, 0.001);
             observer.wrote({0.5, 0.0});
             observer.observe({0.1, 0.0}, {50.0, 0.0}, 0.0, 0.001);
             QVERIFY(observer.leak() > 0.0);
-            if (by_nan)
-                QVERIFY(observer.observe({std::nan(""), 0.0}, {50.0, 0.0}, 0.0, 0.001) == Vec2(0.0));
-            else
+            if (by == 0)
                 observer.reset();
+            else
+                QVERIFY(observer.observe({by == 1 ? nan : 0.2, 0.0}, {50.0, by == 2 ? nan : 0.0},
+                                         by == 3 ? nan : 0.0, 0.001) == Vec2(0.0));
             QCOMPARE(observer.leak(), 0.0);
-            QVERIFY(observer.observe({9.0, 0.0}, {50.0, 0.0}, 0.0, 0.001) == Vec2(0.0));
+            QVERIFY(observer.observe({9.0, 0.0}, {50.0, 0.0}, 5.0, 0.001) == Vec2(0.0)); // another scene's
+            QVERIFY(observer.observe({9.5, 0.0}, {50.0, 0.0}, 5.0, 0.001) == Vec2(0.0)); // no force since
         }
     }
 };

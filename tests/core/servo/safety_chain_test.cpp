@@ -11,6 +11,8 @@
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace tp;
 using tp::testing::DeviceDouble;
@@ -61,11 +63,14 @@ private slots:
             bench.input.now += 0.001;
             const SafeForce safe = bench.chain.pass(bench.input);
             QCOMPARE(safe.share(), bench.chain.gain());
+            QCOMPARE(safe.scaled(0.5).share(), 0.5 * safe.share());
             QVERIFY(safe.share() - last < 0.0021);
             last = safe.share();
         }
         QCOMPARE(last, 1.0);
         QCOMPARE(bench.chain.pass(bench.input).scaled(0.25).share(), 0.25);
+        QCOMPARE(bench.chain.pass(bench.input).scaled(1.0).share(), 1.0);
+        QCOMPARE(bench.chain.pass(bench.input).scaled(7.0).share(), 1.0); // never larger
         QCOMPARE(bench.chain.pass(bench.input).scaled(std::numeric_limits<double>::quiet_NaN()).share(), 0.0);
         bench.chain.disengage();
         for (int i = 0; i < 21; ++i) {
@@ -85,6 +90,51 @@ private slots:
         }
         QVERIFY(std::abs(bench.run(0.1).x - 1.0) < 1e-9);
         QCOMPARE(bench.chain.fault(), Fault::none);
+    }
+
+    void engaging_in_the_middle_of_a_touch_begins_from_no_force() {
+        Bench bench;
+        bench.run(1.0);
+        bench.chain.engage(bench.input.now);
+        QVERIFY(bench.tick(0.0) == Vec2(0.0));
+        QVERIFY(bench.tick().x < 0.0021);
+    }
+
+    /// Nobody is told of a stall only because the device had been at rest.
+    void engaging_after_any_time_begins_anew() {
+        Bench bench;
+        bench.chain.engage(100.0);
+        bench.input.now = 100.0;
+        bench.tick();
+        QCOMPARE(bench.chain.fault(), Fault::none);
+        QVERIFY(bench.run(1.0).x > 0.99);
+    }
+
+    void nothing_is_wrong_before_the_first_reading_is_due() {
+        SafetyChain chain({}, DeviceDouble::capabilities(), 0.001);
+        SafetyInput input;
+        input.now = 100.0;
+        chain.pass(input);
+        QCOMPARE(chain.fault(), Fault::none);
+        input.now += 0.001;
+        chain.pass(input);
+        QCOMPARE(chain.fault(), Fault::none);
+    }
+
+    void a_device_that_tells_nothing_of_itself_gets_no_force() {
+        const Capabilities can;
+        QVERIFY(can.max_force == 0.0 && can.continuous_force == 0.0 && can.resolution == 0.0 &&
+                can.delay == 0.0);
+        QVERIFY(!can.calibrated);
+        SafetyChain chain({}, can, 0.001);
+        chain.engage(0.0);
+        SafetyInput input;
+        input.force = {1.0, 0.0};
+        for (int i = 0; i < 1000; ++i) {
+            input.now += 0.001;
+            input.fresh = true;
+            QVERIFY(chain.pass(input).newtons() == Vec2(0.0));
+        }
     }
 
     void gives_nothing_before_it_is_engaged() {
@@ -108,6 +158,15 @@ private slots:
         QVERIFY(std::abs(length(bench.run(1.0)) - 3.0) < 1e-9);
         bench.chain.set_max_force(std::nan(""));
         QVERIFY(bench.run(0.2) == Vec2(0.0));
+    }
+
+    /// Nobody feels more than the limit, also where the law wants only a little more.
+    void a_pull_just_above_the_limit_is_felt_as_the_limit() {
+        for (const double wanted : {1.4999, 1.5001, 1.51, 1.6, 1.649, 3.0}) {
+            Bench bench;
+            bench.input.force = {0.0, wanted};
+            QVERIFY(std::abs(bench.run(1.0).y - std::min(wanted, 1.5)) < 1e-9);
+        }
     }
 
     void never_changes_the_force_faster_than_the_rate_limit() {
@@ -176,6 +235,7 @@ private slots:
                 const Vec2 force = bench.tick(dt);
                 QVERIFY(is_finite(force));
                 QVERIFY(length(force) <= 1.5 + 1e-12);
+                QVERIFY(bench.chain.gain() > 0.0 || force == Vec2(0.0));
                 const double allowed = 40.0 * std::min(dt, 0.003) + 1e-12;
                 const bool calm =
                     bench.chain.fault() == Fault::none && bench.chain.engaged() && bench.chain.gain() > 0.0;
@@ -200,7 +260,13 @@ private slots:
             bench.input.force = {1.0, 0.0};
             bench.input.position = bad;
             QVERIFY(bench.tick() == Vec2(0.0));
+            QCOMPARE(bench.chain.fault(), Fault::not_a_number);
             bench.input.position = {0.0, 0.0};
+            bench.run(1.0);
+            bench.input.velocity = bad;
+            QVERIFY(bench.until_zero() <= 0.020 + 1e-9);
+            QCOMPARE(bench.chain.fault(), Fault::not_a_number);
+            bench.input.velocity = {0.0, 0.0};
             QVERIFY(bench.run(1.0).x > 0.99); // heals
         }
     }
@@ -226,6 +292,94 @@ private slots:
         QCOMPARE(bench.chain.fault(), Fault::late_ticks);
         QVERIFY(bench.tick().x < 0.6);
         QVERIFY(bench.run(1.0).x > 0.99);
+    }
+
+    /// At a limit nothing is wrong yet; beyond it something is. In parts of a power of two, which add up
+    /// exactly.
+    void each_limit_is_the_last_value_that_is_let_through() {
+        SafetyLimits limits;
+        limits.max_speed = 1024.0;
+        limits.stale_after = 0.03125;
+        limits.stall = 0.0625;
+        limits.workspace_margin = 4.0;
+        const double period = 1.0 / 1024.0;
+        const auto fault_of = [&](double elapsed, const SafetyInput& changed, double stale = 0.0) {
+            SafetyChain chain(limits, DeviceDouble::capabilities(), period);
+            SafetyInput input;
+            input.fresh = true;
+            chain.engage(0.0);
+            for (double t = period; t <= stale; t += period) {
+                SafetyInput silent;
+                silent.now = t;
+                chain.pass(silent);
+                input.now = t;
+                input.fresh = false;
+            }
+            SafetyInput last = changed;
+            last.now = input.now + elapsed;
+            last.fresh = input.fresh;
+            chain.pass(last);
+            return chain.fault();
+        };
+        const double next = 1e-9;
+        SafetyInput calm;
+        QCOMPARE(fault_of(4.0 * period, calm), Fault::none);
+        QCOMPARE(fault_of(4.0 * period + next, calm), Fault::late_ticks);
+        QCOMPARE(fault_of(limits.stall, calm), Fault::late_ticks);
+        QCOMPARE(fault_of(limits.stall + next, calm), Fault::stalled);
+        QCOMPARE(fault_of(period, calm, limits.stale_after - period), Fault::none);
+        QCOMPARE(fault_of(period + next, calm, limits.stale_after - period), Fault::stale_input);
+        SafetyInput fast;
+        fast.velocity = {0.0, 1024.0};
+        QCOMPARE(fault_of(period, fast), Fault::none);
+        fast.velocity = {0.0, 1024.001};
+        QCOMPARE(fault_of(period, fast), Fault::over_speed);
+        for (const auto& [x, y] : {std::pair{104.0, 10.0}, {-104.0, 10.0}, {10.0, 79.0}, {10.0, -79.0}}) {
+            SafetyInput far;
+            far.position = {x, y};
+            QCOMPARE(fault_of(period, far), Fault::none);
+            far.position *= 1.001;
+            QCOMPARE(fault_of(period, far), Fault::outside_workspace);
+        }
+    }
+
+    /// A tick between 4 and 50 ms late is forgiven; a longer one costs the device.
+    void only_a_loop_that_stood_still_for_50_ms_must_be_engaged_again() {
+        for (const double late : {0.0045, 0.030, 0.049, 0.051}) {
+            Bench bench;
+            bench.run(1.0);
+            bench.tick(late);
+            QCOMPARE(bench.chain.fault(), late < 0.050 ? Fault::late_ticks : Fault::stalled);
+        }
+    }
+
+    /// A device whose reach is no rectangle: the finger may be wherever it reaches, and nowhere else.
+    void a_workspace_of_any_shape_is_known_inside_and_out() {
+        Capabilities can = DeviceDouble::capabilities();
+        can.workspace = {{0, 0},   {90, 0},  {90, 60}, {60, 60},
+                         {60, 30}, {30, 30}, {30, 90}, {0, 90}}; // like a U
+        SafetyLimits limits;
+        limits.workspace_margin = 1.0;
+        const auto believed = [&](Vec2 position) {
+            SafetyChain chain(limits, can, 0.001);
+            SafetyInput input;
+            input.fresh = true;
+            input.position = position;
+            chain.engage(0.0);
+            chain.pass(input);
+            return chain.fault() == Fault::none;
+        };
+        for (const Vec2 inside : {Vec2(10, 10), Vec2(15, 85), Vec2(45, 15), Vec2(80, 50), Vec2(80, 10),
+                                  Vec2(-0.9, 45), Vec2(10, 30), Vec2(10, 60), Vec2(80, 30), Vec2(70, 30)})
+            QVERIFY(believed(inside));
+        for (const Vec2 outside :
+             {Vec2(45, 45), Vec2(45, 80), Vec2(75, 75), Vec2(-2, 45), Vec2(100, 10), Vec2(45, -10),
+              Vec2(15, 95), Vec2(-5, 30), Vec2(-5, 60), Vec2(45, 60), Vec2(-5, 0), Vec2(95, 30)})
+            QVERIFY(!believed(outside));
+        can.workspace.resize(2); // a device that tells no area is believed everywhere
+        QVERIFY(believed({1e4, 1e4}));
+        can.workspace = {{0, 0}, {90, 0}, {0, 90}};
+        QVERIFY(believed({20, 20}) && !believed({80, 80}));
     }
 
     void a_tick_100_ms_late_disables_the_device_until_it_is_engaged_again() {
@@ -279,6 +433,24 @@ private slots:
         QVERIFY(bench.run(0.1).x < 0.25);
         QCOMPARE(bench.chain.fault(), Fault::none);
         QVERIFY(bench.run(0.5).x > 0.99);
+    }
+
+    /// The hand holds what the watchdog has left: going on from more would be a jerk.
+    void what_the_watchdog_took_away_comes_back_by_the_ramp() {
+        Bench bench;
+        bench.run(1.0);
+        bench.chain.lowered_to(0.25);
+        double last = 0.25;
+        for (int i = 0; i < 370; ++i) {
+            const double force = bench.tick().x;
+            QVERIFY(force >= last && force - last < 0.0021);
+            last = force;
+        }
+        QVERIFY(std::abs(bench.run(0.1).x - 1.0) < 1e-9);
+
+        bench.chain.lowered_to(0.25);
+        bench.input.force = {-1.0, 0.0}; // meanwhile the finger has crossed the line
+        QVERIFY(std::abs(bench.tick().x - (0.25 - 0.040)) < 1e-9);
     }
 
     void letting_go_takes_the_force_away_within_20_ms() {

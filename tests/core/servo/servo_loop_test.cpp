@@ -4,6 +4,15 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <thread>
+#include <vector>
+
 using namespace tp;
 using tp::testing::DeviceDouble;
 
@@ -17,6 +26,38 @@ std::unique_ptr<const HapticScene> line_scene(double y, bool tour = false) {
         haptic->tour = haptic->flat.lines.front();
     return haptic;
 }
+
+/// Time that moves on only where the loop's own thread works or sleeps.
+class LoopClock final : public Clock {
+public:
+    double now() noexcept override { return now_.load(); }
+    void sleep_until(double time) noexcept override {
+        const bool loop = std::this_thread::get_id() == loop_.load();
+        if (loop)
+            now_.store(std::max(time, now_.load()));
+        sched_param priority{};
+        sched_getparam(0, &priority);
+        (loop ? loop_priority_ : watch_priority_).store(priority.sched_priority);
+        if (loop)
+            slack_.store(prctl(PR_GET_TIMERSLACK));
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+    }
+    /// The calling thread is the loop's; its tick takes so many seconds.
+    void work(double seconds) {
+        loop_.store(std::this_thread::get_id());
+        now_.store(now_.load() + seconds);
+    }
+    int loop_priority() const { return loop_priority_; }
+    int slack() const { return slack_; }                   ///< ns by which the system may wake the loop later
+    int watch_priority() const { return watch_priority_; } ///< -1 before it has slept
+
+private:
+    std::atomic<double> now_{0.0};
+    std::atomic<std::thread::id> loop_{};
+    std::atomic<int> loop_priority_{-1};
+    std::atomic<int> watch_priority_{-1};
+    std::atomic<int> slack_{-1};
+};
 
 struct Bench {
     DeviceDouble device;
@@ -47,10 +88,23 @@ private slots:
         QVERIFY(length(bench.device.last_force() - Vec2(0.0, -0.4)) < 1e-6);
         QVERIFY(length(view.force() - Vec2(0.0, -0.4)) < 1e-6);
         QVERIFY(std::abs(view.distance - 2.0) < 1e-9);
+        QVERIFY(std::abs(view.nearest_x - 10.0) < 1e-9 && std::abs(view.nearest_y) < 1e-9);
         QCOMPARE(view.contour, 0);
         QCOMPARE(view.scene, std::uint64_t(1));
         QVERIFY(view.engaged);
         QCOMPARE(view.fault, Fault::none);
+    }
+
+    void nothing_pulls_aside_while_the_first_scene_fades_in() {
+        Bench bench;
+        bench.device.place = [](double) { return Vec2(10.0, 2.0); };
+        bench.loop.render(line_scene(0.0));
+        bench.loop.engage();
+        for (int i = 0; i < 200; ++i) {
+            bench.run(0.001);
+            QCOMPARE(bench.device.last_force().x, 0.0);
+            QVERIFY(bench.device.last_force().y <= 0.0);
+        }
     }
 
     void nothing_to_render_and_not_engaged_mean_no_force() {
@@ -82,6 +136,10 @@ private slots:
             bench.run(0.001);
             QVERIFY(length(bench.device.last_force() - last) < 0.02);
             last = bench.device.last_force();
+            if (i == 40) // ms, of the fade's 80
+                QVERIFY(std::abs(last.y - 0.1) < 0.03);
+            if (i == 81)
+                QVERIFY(std::abs(last.y - 0.6) < 1e-6);
         }
         QVERIFY(length(last - Vec2(0.0, 0.6)) < 1e-6);
         QCOMPARE(bench.loop.snapshot().scene, std::uint64_t(2));
@@ -113,10 +171,29 @@ private slots:
         QCOMPARE(bench.loop.snapshot().contour, 0);
     }
 
-    void damps_across_the_line_and_not_along_it() {
-        const auto force_at_speed = [](Vec2 velocity) {
+    /// Without hysteresis the force goes by the place alone, also where two lines are equally near.
+    void without_hysteresis_it_does_not_matter_where_the_finger_came_from() {
+        const Scene two{200.0,
+                        150.0,
+                        {contour_through("upper", {{-80.0, 3.0}, {80.0, 3.0}}, false),
+                         contour_through("lower", {{-80.0, -3.0}, {80.0, -3.0}}, false)}};
+        const auto felt_between_coming_from = [&](double from) {
             Bench bench;
-            bench.device.place = [=](double now) { return Vec2(0.0, 1.0) + (now - 1.0) * velocity; };
+            double y = from;
+            bench.device.place = [&](double) { return Vec2(0.0, y); };
+            bench.loop.render(std::move(make_haptic_scene(two)).value());
+            bench.run(0.010);
+            y = 0.0;
+            bench.run(0.010);
+            return bench.loop.snapshot().contour;
+        };
+        QCOMPARE(felt_between_coming_from(1.0), felt_between_coming_from(-1.0));
+    }
+
+    void damps_across_the_line_and_not_along_it() {
+        const auto force_at_speed = [](Vec2 velocity, double distance = 1.0) {
+            Bench bench;
+            bench.device.place = [=](double now) { return Vec2(0.0, distance) + (now - 1.0) * velocity; };
             bench.loop.render(line_scene(0.0));
             bench.loop.engage();
             // far from the place until the last moment, so that the ramp is over
@@ -129,6 +206,92 @@ private slots:
         QVERIFY(length(force_at_speed({50.0, 0.0}) - still) < 1e-3);
         const double damped = force_at_speed({0.0, 50.0}).y - still.y;
         QVERIFY(std::abs(damped + 0.1677) < 0.01); // √(0.1 kg · 200 N/m) · (1 − 1/4) · 50 mm/s
+        const double farther = force_at_speed({0.0, 50.0}, 2.0).y - force_at_speed({0.0, 0.0}, 2.0).y;
+        QVERIFY(std::abs(farther + 0.1118) < 0.01); // (1 − 2/4)
+        const double beyond = force_at_speed({0.0, 50.0}, 5.0).y - force_at_speed({0.0, 0.0}, 5.0).y;
+        QVERIFY(std::abs(beyond) < 1e-3); // no damping where the pull falls off
+    }
+
+    /// The observer knows what the whole field should do, not what a ramp, a fade or a tour does.
+    void what_sampling_leaks_is_paid_back_only_while_the_whole_field_is_felt() {
+        struct Felt {
+            double ramp = 0.0, whole = 0.0, fade = 0.0, tour = 0.0;
+        };
+        const auto felt = [](bool observer) {
+            ServoSettings settings;
+            settings.line_damping_ratio = 0.0;
+            settings.energy_observer = observer;
+            Capabilities can = DeviceDouble::capabilities();
+            can.delay = 0.002;
+            DeviceDouble device;
+            VirtualClock clock;
+            ServoLoop loop(device, can, clock, settings);
+            device.place = [](double now) { return Vec2(0.0, 1.0 + std::sin(60.0 * now)); };
+            const auto work = [&](double seconds) { // the sum of all forces tells one run from another
+                double sum = 0.0;
+                for (const double end = clock.now() + seconds; clock.now() < end - 1e-9;) {
+                    clock.sleep_until(clock.now() + 0.001);
+                    loop.tick();
+                    sum += std::abs(device.last_force().y);
+                }
+                return sum;
+            };
+            Felt sums;
+            loop.render(line_scene(0.0));
+            work(0.2);
+            loop.engage();
+            sums.ramp = work(0.495);
+            work(0.1);
+            sums.whole = work(0.5);
+            loop.render(nullptr); // which fades out
+            work(0.2);
+            loop.render(line_scene(0.5));
+            sums.fade = work(0.075);
+            loop.render(line_scene(0.0, true));
+            work(0.2);
+            sums.tour = work(0.5);
+            return sums;
+        };
+        const Felt with = felt(ServoSettings{}.energy_observer);
+        const Felt without = felt(false);
+        QVERIFY(std::abs(with.whole - without.whole) > 0.1);
+        QCOMPARE(with.ramp, without.ramp);
+        QVERIFY(std::abs(with.fade - without.fade) < 1e-9);
+        QVERIFY(std::abs(with.tour - without.tour) < 1e-9);
+    }
+
+    void the_watchdog_goes_before_the_loop_that_it_watches() {
+        DeviceDouble device;
+        LoopClock clock;
+        device.place = [&](double) {
+            clock.work(0.0001);
+            return Vec2(0.0);
+        };
+        ServoLoop loop(device, DeviceDouble::capabilities(), clock, ServoSettings{});
+        QVERIFY(!loop.real_time() && !loop.memory_locked() &&
+                !loop.running()); // not before there is a thread
+        loop.start();
+        QVERIFY(loop.running());
+        QTRY_VERIFY_WITH_TIMEOUT(loop.snapshot().ticks > 0 && clock.watch_priority() >= 0, 20000);
+        loop.stop();
+        QVERIFY(clock.slack() <= 1);
+        QCOMPARE(loop.real_time(), clock.loop_priority() > 0);
+        if (!loop.real_time())
+            QSKIP("The system gives no real-time priority here.");
+        QCOMPARE(clock.loop_priority(), 20);
+        QCOMPARE(clock.watch_priority(), 21);
+    }
+
+    /// A page that asks before the device has told anything.
+    void a_silent_device_is_shown_as_at_rest() {
+        Bench bench;
+        bench.device.silent = true;
+        bench.run(0.010);
+        const ServoSnapshot view = bench.loop.snapshot();
+        QVERIFY(view.finger() == Vec2(0.0) && view.force() == Vec2(0.0));
+        QVERIFY(view.buttons == 0 && view.scene == 0 && view.contour == -1 && view.tour_progress == 0.0);
+        QVERIFY(!view.engaged && !view.touring && !view.tour_finished);
+        QCOMPARE(view.ticks, std::uint64_t(10));
     }
 
     void the_force_goes_back_through_the_transpose_of_the_calibration() {
@@ -169,6 +332,57 @@ private slots:
         QVERIFY(bench.loop.snapshot().tour_finished);
         QVERIFY(length(finger - Vec2(80.0, 0.0)) < 3.0);
         QVERIFY(!bench.loop.snapshot().touring);
+    }
+
+    /// Whoever presses Escape in the middle of a tour finds it where it stopped.
+    void a_tour_waits_while_the_force_is_off() {
+        Bench bench;
+        Vec2 finger(-80.0, 0.0);
+        bench.device.place = [&](double) {
+            finger += 0.001 * 200.0 * bench.device.last_force();
+            return finger;
+        };
+        bench.loop.render(line_scene(0.0, true));
+        bench.run(1.0);
+        QCOMPARE(bench.loop.snapshot().tour_progress, 0.0);
+        bench.loop.engage();
+        bench.run(2.0);
+        bench.loop.disengage();
+        bench.run(0.050);
+        const double reached = bench.loop.snapshot().tour_progress;
+        QVERIFY(reached > 0.2 && reached < 0.5);
+        QVERIFY(bench.loop.snapshot().touring && !bench.loop.snapshot().tour_finished);
+        for (int i = 0; i < 100; ++i) {
+            finger.x += 0.5; // the hand goes on by itself
+            bench.run(0.010);
+        }
+        QCOMPARE(bench.loop.snapshot().tour_progress, reached);
+        bench.loop.engage();
+        bench.run(1.0);
+        QVERIFY(bench.loop.snapshot().tour_progress > reached);
+    }
+
+    /// What a researcher reads as "no tick in so many periods", and nobody feels as a burst of ticks.
+    void periods_that_a_busy_machine_missed_are_counted_and_not_made_up_for() {
+        DeviceDouble device;
+        LoopClock clock;
+        std::vector<double> begun;
+        device.place = [&](double now) {
+            const std::size_t tick = begun.size();
+            begun.push_back(now);
+            clock.work(tick == 5 ? 0.0034 : tick == 9 ? 0.0012 : 0.0001);
+            return Vec2(0.0);
+        };
+        ServoLoop loop(device, DeviceDouble::capabilities(), clock, ServoSettings{});
+        loop.start();
+        QTRY_VERIFY_WITH_TIMEOUT(loop.snapshot().ticks > 20, 20000);
+        loop.stop();
+        QCOMPARE(loop.missed_periods(), std::uint64_t(4)); // three in the sixth tick, one in the tenth
+        const int period_of[] = {0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 14, 15};
+        for (std::size_t i = 0; i < std::size(period_of); ++i)
+            QVERIFY(std::abs(begun[i] - 0.001 * period_of[i]) < 1e-9);
+        QVERIFY(loop.lateness().max() < 1e-6); // each begins when its own period does
+        QVERIFY(std::abs(loop.compute().max() - 0.0034) < 1e-9);
     }
 
     void unplugged_refusing_and_jumping_devices_end_in_zero_force() {

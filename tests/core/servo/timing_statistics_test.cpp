@@ -34,6 +34,18 @@ private slots:
         QCOMPARE(statistics.count(), std::uint64_t(20000));
     }
 
+    void a_share_of_two_is_one_of_them() {
+        TimingStatistics statistics;
+        statistics.record(0.0);
+        statistics.record(1.0);
+        QVERIFY(statistics.quantile(0.1) <= 16e-9);
+        QVERIFY(statistics.quantile(0.5) <= 16e-9);
+        QCOMPARE(statistics.quantile(0.51), 1.0);
+        TimingStatistics one;
+        one.record(1.0);
+        QCOMPARE(one.quantile(0.0), 1.0);
+    }
+
     void nothing_recorded_and_hostile_values() {
         TimingStatistics statistics;
         QCOMPARE(statistics.quantile(0.5), 0.0);
@@ -44,6 +56,10 @@ private slots:
         statistics.record(std::numeric_limits<double>::infinity());
         statistics.record(1e9);
         QCOMPARE(statistics.count(), std::uint64_t(5));
+        QVERIFY(statistics.quantile(0.6) <= 16e-9);
+        QVERIFY(statistics.quantile(0.8) > 16.0 &&
+                statistics.quantile(0.8) < 17.2); // as long as is told apart
+        QVERIFY(std::isinf(statistics.max()));
     }
 };
 

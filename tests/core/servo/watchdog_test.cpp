@@ -155,6 +155,12 @@ private slots:
         QVERIFY(left > 0.1 && left < 0.3);
         bench.run(0.001);
         QVERIFY(bench.force() <= left);
+
+        Bench other;
+        other.hang(0.009); // a quarter of it
+        QVERIFY(std::abs(other.force() - 0.3) < 1e-3);
+        other.run(0.001); // 10 ms since its last tick: half of the chain's own ramp
+        QVERIFY(std::abs(other.force() - 0.1) < 1e-3);
     }
 
     void a_loop_that_stands_still_for_50_ms_costs_it_the_device_until_engaged_again() {
@@ -169,6 +175,76 @@ private slots:
         bench.loop.engage();
         bench.run(1.0);
         QVERIFY(std::abs(bench.force() - 0.4) < 1e-6);
+    }
+
+    /// Before the first force there is nothing to take away.
+    void nothing_happens_before_the_first_write() {
+        CrowdedDevice device;
+        Watchdog watchdog(device, {});
+        watchdog.check(5.0);
+        QCOMPARE(device.written, 0);
+        QCOMPARE(device.halts, 0);
+        QVERIFY(!watchdog.halted());
+        const Watchdog::Reading nothing_read;
+        QVERIFY(!nothing_read.state && !nothing_read.lost && !nothing_read.motors_off);
+    }
+
+    /// In parts of a power of two, which add up exactly.
+    void each_of_its_times_is_the_last_moment_before_it_acts() {
+        const auto share_after = [](double seconds, bool& halted) {
+            CrowdedDevice device;
+            Watchdog watchdog(device, {1.0 / 256.0, 1.0 / 16.0, 1.0 / 64.0});
+            watchdog.write(SafeForce{}, 1.0);
+            watchdog.check(1.0 + seconds);
+            halted = device.halts > 0;
+            const double share = watchdog.take_share_left();
+            if (watchdog.take_share_left() != 1.0) // told once
+                return -1.0;
+            return share;
+        };
+        bool halted = false;
+        QCOMPARE(share_after(1.0 / 256.0, halted), 1.0);
+        QCOMPARE(share_after(1.0 / 256.0 + 1.0 / 256.0, halted), 0.75);
+        QCOMPARE(share_after(1.0 / 256.0 + 3.0 / 256.0, halted), 0.25);
+        QCOMPARE(share_after(1.0 / 16.0, halted), 0.0);
+        QVERIFY(!halted);
+        QCOMPARE(share_after(1.0 / 16.0 + 1e-9, halted), 0.0);
+        QVERIFY(halted);
+    }
+
+    void by_itself_it_acts_after_4_ms_and_has_taken_all_within_20() {
+        for (const auto& [seconds, share] : {std::pair{0.0039, 1.0},
+                                             {0.009, 0.75},
+                                             {0.014, 0.5},
+                                             {0.0235, 0.025},
+                                             {0.0241, 0.0},
+                                             {0.049, 0.0}}) {
+            CrowdedDevice device;
+            Watchdog watchdog(device, {});
+            watchdog.write(SafeForce{}, 0.0);
+            watchdog.check(seconds);
+            QVERIFY(std::abs(watchdog.take_share_left() - share) < 1e-9);
+            QCOMPARE(device.halts, 0);
+        }
+    }
+
+    /// The chain hears of the halt; a device that refused would be taken for unplugged.
+    void once_it_has_halted_nothing_is_written_until_rearmed() {
+        CrowdedDevice device;
+        Watchdog watchdog(device, {});
+        watchdog.write(SafeForce{}, 0.0);
+        watchdog.check(0.051);
+        QVERIFY(watchdog.halted());
+        QVERIFY(watchdog.write(SafeForce{}, 0.052));
+        watchdog.check(0.2);
+        QCOMPARE(device.written, 1);
+        QCOMPARE(device.halts, 1);
+        watchdog.rearm(0.3);
+        QCOMPARE(watchdog.take_share_left(), 1.0);
+        watchdog.check(0.3039); // its time begins anew
+        QVERIFY(watchdog.write(SafeForce{}, 0.304));
+        QCOMPARE(device.written, 2);
+        QCOMPARE(device.halts, 1);
     }
 
     void a_read_or_write_that_hangs_is_halted_by_the_other_thread_data() {
@@ -195,20 +271,20 @@ private slots:
 
     void a_watchdog_that_hangs_in_its_own_write_is_halted_by_the_loop() {
         HangingDevice device;
-        Watchdog watchdog(device, {});
+        Watchdog watchdog(device, {1.0 / 256.0, 1.0 / 16.0, 1.0 / 64.0});
         QVERIFY(watchdog.write(SafeForce{}, 0.0));
         device.hang = true;
-        std::thread watch([&] { watchdog.check(0.010); });
+        std::thread watch([&] { watchdog.check(1.0 / 64.0); });
         const auto over = qScopeGuard([&] {
             device.hang = false;
             watch.join();
         });
         QTRY_VERIFY_WITH_TIMEOUT(device.inside.load(), 20000);
-        for (const double now : {0.011, 0.030, 0.059}) {
+        for (const double now : {0.016, 0.030, 1.0 / 64.0 + 1.0 / 16.0}) {
             QVERIFY(watchdog.write(SafeForce{}, now));
             QVERIFY(!device.halted && !watchdog.halted());
         }
-        QVERIFY(watchdog.write(SafeForce{}, 0.061));
+        QVERIFY(watchdog.write(SafeForce{}, 0.079));
         QVERIFY(device.halted && watchdog.halted());
         QCOMPARE(watchdog.take_share_left(), 0.0);
     }

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What packaging/mutate is told."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import pathlib
+
+from places import OPERATORS
+from report import LEAST_JUDGED
+
+
+def read_options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="packaging/mutate", formatter_class=argparse.RawDescriptionHelpFormatter,
+        description="Puts small faults into rooms of the house, one at a time, and tells which of them their tests do not notice.",
+        epilog=f"""operators: {', '.join(OPERATORS)}
+
+A run goes on where the last one stopped: what became of each mutant stands in build/mutants/ROOM.jsonl. A fault that no
+test can notice is listed with its reason in tests/equivalent_mutants.txt. tests/README.md has the scores.""")
+    parser.add_argument("rooms", nargs="*", metavar="ROOM",
+                        help="a folder, such as core/servo; without one all of packaging/mutation/rooms.txt")
+    parser.add_argument("--sample", type=int, metavar="N", help="only N of the mutants, chosen at random")
+    parser.add_argument("--seed", default="1", help="of that choice (%(default)s)")
+    parser.add_argument("--changed-since", metavar="COMMIT", help="only in lines that changed since then")
+    parser.add_argument("--file", metavar="NAME", action="append", help="only in files of this name; may be repeated")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="at a time (%(default)s)")
+    parser.add_argument("--seconds", type=float, metavar="S", help="begin with no mutant later than that")
+    parser.add_argument("--at-least", type=float, metavar="PERCENT",
+                        help=f"end in 1 where fewer are noticed, of at least {LEAST_JUDGED}")
+    parser.add_argument("--list", action="store_true", help="show the mutants and try none")
+    parser.add_argument("--root", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2],
+                        help="the house, built in build/release (%(default)s)")
+    options = parser.parse_args()
+    options.root = options.root.resolve()
+    options.rooms = [room.strip("/") for room in options.rooms] or _all_rooms(options.root)
+    return options
+
+
+def _all_rooms(root: pathlib.Path) -> list[str]:
+    lines = (root / "packaging/mutation/rooms.txt").read_text(encoding="utf-8").splitlines()
+    return [line.split()[0] for line in lines if line.strip() and not line.startswith("#")]

@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The whole of it in a house of one room: a test that asserts nothing notices nothing, and no mutant is tried twice."""
+
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+MUTATE = pathlib.Path(sys.argv.pop()) / "mutate.py"
+
+HOUSE = """cmake_minimum_required(VERSION 3.25)
+project(Tiny LANGUAGES CXX)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+include_directories(${PROJECT_SOURCE_DIR})
+enable_testing()
+add_library(tiny STATIC room/limit.cpp room/sum.cpp)
+set_target_properties(tiny PROPERTIES UNITY_BUILD ON)
+add_subdirectory(tests/room)
+"""
+TESTS = """add_executable(test_limit limit_test.cpp)
+target_link_libraries(test_limit tiny)
+add_test(NAME room.limit COMMAND ${PROJECT_SOURCE_DIR}/run_test $<TARGET_FILE:test_limit>)
+"""
+LIMIT = """#include "room/limit.hpp"
+#include "room/sum.hpp"
+double limited(double force) { return force > limit ? limit : sum(force, 0.0); }
+"""
+SHARP = """#include "room/limit.hpp"
+int main() {
+    return limited(2.0) == 1.5 && limited(1.5) == 1.5 && limited(1.0) == 1.0 && limited(-9.0) == -9.0 ? 0 : 1;
+}
+"""
+BLUNT = """#include "room/limit.hpp"
+int main() { limited(2.0); }
+"""
+SLOW = """#include <unistd.h>
+int main() { usleep(300000); }
+"""
+
+
+class Run(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name).resolve()
+        self.write("CMakeLists.txt", HOUSE)
+        self.write("tests/room/CMakeLists.txt", TESTS)
+        self.write("tests/equivalent_mutants.txt", "")
+        self.write("run_test", "#!/bin/sh\nexec \"$@\"\n").chmod(0o755)
+        self.write("room/limit.cpp", LIMIT)
+        self.write("room/limit.hpp", "#pragma once\ninline constexpr double limit = 1.5;\ndouble limited(double force);\n")
+        self.write("room/sum.cpp", '#include "room/sum.hpp"\ndouble sum(double a, double b) { return a + b; }\n')
+        self.write("room/sum.hpp", "#pragma once\ndouble sum(double a, double b);\n")
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def build(self, test):
+        self.write("tests/room/limit_test.cpp", test)
+        build = self.root / "build/release"
+        for command in (["cmake", "-G", "Ninja", "-S", self.root, "-B", build], ["cmake", "--build", build]):
+            subprocess.run(command, check=True, capture_output=True)
+
+    def mutate(self, *options, status=0):
+        done = subprocess.run([sys.executable, MUTATE, "--root", self.root, "room", *options], capture_output=True, text=True)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        return done.stdout
+
+    def record(self):
+        return (self.root / "build/mutants/room.jsonl").read_text(encoding="utf-8").splitlines()
+
+    def counts(self, said):
+        noticed, of = re.search(r"room: (\d+) of (\d+) mutants noticed", said).groups()
+        return int(noticed), int(of)
+
+    def test_a_sharp_test_notices_all_but_what_nobody_can(self):
+        self.build(SHARP)
+        said = self.mutate()
+        noticed, of = self.counts(said)
+        self.assertGreaterEqual(of, 8)
+        self.assertEqual(noticed, of - 2, said)  # at the limit both sides are the same; and 0 is added
+        for line in ("+ double limited(double force) { return force >= limit ? limit : sum(force, 0.0); }",
+                     "+ double sum(double a, double b) { return a - b; }"):
+            self.assertIn(line, said)
+
+    def test_a_header_is_mutated_where_it_is_included(self):
+        self.build(SHARP)
+        self.assertEqual(self.counts(self.mutate("--file", "limit.hpp")), (2, 2))
+        self.build(BLUNT)
+        self.assertEqual(len(self.record()), 2)
+
+    def test_what_a_blunt_test_does_not_notice_is_shown_and_tried_again_by_a_sharp_one(self):
+        self.build(BLUNT)
+        noticed, of = self.counts(self.mutate("--jobs", "2"))
+        self.assertEqual(noticed, 0)
+        self.assertEqual(self.counts(self.mutate("--at-least", "75")), (0, of))  # too few to say anything
+        self.assertEqual(len(self.record()), len(set(self.record())))
+        tried = len(self.record())
+        self.mutate()
+        self.assertEqual(len(self.record()), tried)
+        self.build(SHARP)
+        self.assertEqual(self.counts(self.mutate()), (of - 2, of))
+
+    def test_an_interrupted_run_ends_at_once_and_the_next_goes_on(self):
+        self.build(SLOW)
+        command = [sys.executable, MUTATE, "--root", self.root, "room", "--jobs", "2"]
+        running = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        record = self.root / "build/mutants/room.jsonl"
+        while not record.exists() and running.poll() is None:
+            time.sleep(0.05)
+        running.send_signal(signal.SIGINT)
+        said, _ = running.communicate(timeout=60)
+        self.assertEqual(running.returncode, 130)
+        self.assertIn("not tried", said)
+        self.assertIn("goes on from here", said)
+        tried = self.record()
+        self.mutate("--jobs", "2")
+        self.assertEqual(self.record()[:len(tried)], tried)
+        self.assertNotIn("not tried", self.mutate())
+
+    def test_a_sample_is_the_same_for_the_same_seed(self):
+        self.build(BLUNT)
+        chosen = self.mutate("--list", "--sample", "4", "--seed", "a")
+        self.assertEqual(chosen, self.mutate("--list", "--sample", "4", "--seed", "a"))
+        self.assertEqual(chosen.count("room/"), 4)
+        self.assertNotEqual(chosen, self.mutate("--list", "--sample", "4", "--seed", "b"))
+
+    def test_a_listed_equivalent_does_not_count_and_a_stale_one_is_told(self):
+        self.build(BLUNT)
+        _, of = self.counts(self.mutate())
+        self.write("tests/equivalent_mutants.txt", "room/sum.cpp\n- double sum(double a, double b) { return a + b; }\n"
+                   "+ double sum(double a, double b) { return a - b; }\nNothing but 0 is added.\n\n"
+                   "room/sum.cpp\n- gone\n+ away\nIt was there once.\n")
+        said = self.mutate()
+        self.assertEqual(self.counts(said), (0, of - 1))
+        self.assertIn("1 listed as equivalent", said)
+        self.assertIn("no such mutant any more", said)
+
+    def test_tests_that_fail_by_themselves_are_told(self):
+        self.build("int main() { return 1; }\n")
+        done = subprocess.run([sys.executable, MUTATE, "--root", self.root, "room"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("room.limit fails without any mutant", done.stderr)
+
+    def test_only_what_changed_is_tried(self):
+        def git(*words):
+            subprocess.run(["git", "-C", self.root, "-c", "user.name=a", "-c", "user.email=a@b", *words], check=True,
+                           capture_output=True)
+        self.build(BLUNT)
+        git("init", "-q")
+        git("add", "room")
+        git("commit", "-qm", "one")
+        self.assertIn("Nothing changed", self.mutate("--changed-since", "HEAD"))
+        self.write("room/sum.cpp", '#include "room/sum.hpp"\ndouble sum(double a, double b) { return b + a; }\n')
+        said = self.mutate("--changed-since", "HEAD", "--list")
+        self.assertIn("room/sum.cpp", said)
+        self.assertNotIn("room/limit.cpp", said)
+
+
+if __name__ == "__main__":
+    unittest.main()

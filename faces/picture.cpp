@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/picture.hpp"
 
+#include "faces/heif_picture.hpp"
 #include "faces/jpeg_picture.hpp"
 #include "faces/other_formats.hpp"
 #include "faces/picture_metadata.hpp"
 #include "faces/png_picture.hpp"
 #include "faces/quiet_opencv.hpp"
+#include "faces/raw_file.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -32,7 +34,11 @@ const char* name_of(PictureKind kind) {
         return "BMP";
     case PictureKind::jpeg2000:
         return "JPEG 2000";
-    case PictureKind::heif:
+    case PictureKind::heic:
+        return "HEIC";
+    case PictureKind::avif:
+        return "AVIF";
+    case PictureKind::raw:
     case PictureKind::unknown:
         break;
     }
@@ -86,8 +92,8 @@ cv::Mat resized(const cv::Mat& picture, cv::Size size) {
     return small;
 }
 
-/// The most that a JPEG may be shrunk by its decoder and still fill `box`.
-int jpeg_shrink(cv::Size size, cv::Size box) {
+/// The most that a picture may be shrunk while it is decoded and still fill `box`.
+int shrink_to_fill(cv::Size size, cv::Size box) {
     const double share = share_to_fit(size, box);
     for (const int shrink : {8, 4, 2})
         if (share * shrink <= 1.0)
@@ -98,7 +104,35 @@ int jpeg_shrink(cv::Size size, cv::Size box) {
 /// For a picture that is wanted as it is.
 cv::Size no_box() { return {std::numeric_limits<int>::max(), std::numeric_limits<int>::max()}; }
 
-/// As it is stored; a JPEG, which is quicker so, already as small as it fits into `box`.
+constexpr int most_threads = 4; ///< that decode the tiles of one picture
+
+bool is_heif(PictureKind kind) { return kind == PictureKind::heic || kind == PictureKind::avif; }
+
+/// One that has been found to be of a size that can be read.
+Result<HeifPicture> open_heif(const Bytes& bytes, PictureKind kind, double largest_px) {
+    Result<HeifPicture> picture = HeifPicture::open(bytes, name_of(kind));
+    if (!picture)
+        return picture;
+    const cv::Size stored = picture->stored_size();
+    if (auto objection = objection_to_size(stored.width, stored.height, kind, largest_px); !objection.empty())
+        return Error{objection};
+    return picture;
+}
+
+/// Upright, as small as it fits into `box`. By several threads, for a person may wait for it; a batch has its
+/// own threads (shrunk_heif).
+Result<cv::Mat> decode_heif(const Bytes& bytes, PictureKind kind, double largest_px, cv::Size box) {
+    Result<HeifPicture> picture = open_heif(bytes, kind, largest_px);
+    if (!picture)
+        return Error{picture.error()};
+    picture->decode_tiles_by(most_threads);
+    const cv::Size small = fitted(picture->size(), box);
+    const Result<HeifPixels> pixels = picture->decode(small);
+    return pixels ? Result<cv::Mat>(resized(pixels->bgr(shrink_to_fill(pixels->size(), small)), small))
+                  : Error{pixels.error()};
+}
+
+/// As it is stored; a JPEG or HEIC, which is quicker so, already as small as it fits into `box`.
 Result<cv::Mat> decode(const Bytes& bytes, PictureKind kind, const PictureMetadata& metadata,
                        double largest_px, cv::Size box) {
     if (kind == PictureKind::jpeg) {
@@ -109,9 +143,11 @@ Result<cv::Mat> decode(const Bytes& bytes, PictureKind kind, const PictureMetada
             !objection.empty())
             return Error{objection};
         const cv::Size whole(header.width, header.height);
-        const Result<cv::Mat> picture = decode_jpeg(bytes, header, jpeg_shrink(whole, box));
+        const Result<cv::Mat> picture = decode_jpeg(bytes, header, shrink_to_fill(whole, box));
         return picture ? Result<cv::Mat>(resized(*picture, fitted(whole, box))) : picture;
     }
+    if (is_heif(kind))
+        return decode_heif(bytes, kind, largest_px, box);
     if (kind == PictureKind::png) {
         const Result<PngSize> size = png_size(bytes);
         if (!size)
@@ -188,19 +224,40 @@ struct StoredPicture {
     int orientation; ///< EXIF's, still to be undone
 };
 
+/// How the bytes of one picture are to be read; `turned_by` where they do not say themselves how they are
+/// turned.
+StoredPicture stored_picture(const Bytes& bytes, PictureKind kind, int turned_by = 1) {
+    if (is_heif(kind)) // whose boxes say both, and libheif turns it by itself
+        return {bytes, kind, {}, 1};
+    const PictureMetadata metadata = metadata_of(bytes);
+    // OpenCV turns a TIFF by itself.
+    return {bytes, kind, metadata, kind == PictureKind::tiff ? 1 : metadata.orientation.value_or(turned_by)};
+}
+
+/// What `look` makes of the largest picture in a raw file of which it can make anything.
+template <typename Value, typename Look>
+Result<Value> looked_at_raw(const Bytes& raw, Look look) {
+    Result<Value> result = Error{"The raw file holds no preview that can be read: save the picture as JPEG."};
+    look_at_previews(raw, [&](const RawPreview& preview) {
+        const PictureKind kind = kind_of(preview.bytes);
+        if (kind != PictureKind::raw && kind != PictureKind::unknown)
+            if (Result<Value> seen = look(stored_picture(preview.bytes, kind, preview.orientation)))
+                result = std::move(seen);
+        return result.ok();
+    });
+    return result;
+}
+
 /// What `look` makes of the bytes; anything thrown becomes a sentence.
 template <typename Value, typename Look>
 Result<Value> looked_at(const Bytes& bytes, Look look) {
     try {
         quiet_opencv();
         const PictureKind kind = kind_of(bytes);
-        if (kind == PictureKind::heif)
-            return Error{"The picture is in the HEIC or AVIF format, which cannot be read: save it as JPEG."};
         if (kind == PictureKind::unknown)
             return Error{"The file is not a picture of a kind that can be read."};
-        const PictureMetadata metadata = metadata_of(bytes);
-        const int orientation = kind == PictureKind::tiff ? 1 : metadata.orientation; // OpenCV turns a TIFF by itself
-        return look(StoredPicture{bytes, kind, metadata, orientation});
+        return kind == PictureKind::raw ? looked_at_raw<Value>(bytes, look)
+                                        : look(stored_picture(bytes, kind));
     } catch (const std::bad_alloc&) {
         return no_memory();
     } catch (const std::exception&) {
@@ -211,6 +268,8 @@ Result<Value> looked_at(const Bytes& bytes, Look look) {
 template <typename Value, typename Look>
 Result<Value> looked_at_file(const std::filesystem::path& file, Look look) {
     try {
+        if (const Bytes start = first_bytes(file); !start.empty() && kind_of(start) == PictureKind::unknown)
+            return looked_at<Value>(start, look);
         const Result<Bytes> bytes = read_bytes(file);
         return bytes ? looked_at<Value>(*bytes, look) : Error{bytes.error()};
     } catch (const std::bad_alloc&) {
@@ -229,33 +288,63 @@ auto to_fit(cv::Size box, double largest_px) {
     };
 }
 
-/// The most by which a stored JPEG may be shrunk so that its longest side keeps `longest_px`.
-int even_shrink(const StoredPicture& stored, int longest_px) {
-    if (stored.kind != PictureKind::jpeg)
-        return 1;
-    const JpegHeader header = jpeg_header(stored.bytes);
+/// The most by which a picture may be shrunk so that its longest side keeps `longest_px`. Where it is turned
+/// afterwards, a part of a pixel that is left out at an edge would be missing at the wrong end.
+int even_shrink(cv::Size size, int longest_px, bool turned_afterwards) {
     for (const int shrink : {8, 4, 2})
-        if (std::max(header.width, header.height) / shrink >= longest_px &&
-            (stored.orientation == 1 || (header.width % shrink == 0 && header.height % shrink == 0)))
+        if (std::max(size.width, size.height) / shrink >= longest_px &&
+            (!turned_afterwards || (size.width % shrink == 0 && size.height % shrink == 0)))
             return shrink;
     return 1;
 }
 
-Result<ShrunkPicture> shrunk_upright(const StoredPicture& stored, int longest_px) {
-    const int shrink = even_shrink(stored, longest_px);
-    if (shrink == 1) {
-        Result<cv::Mat> whole = to_fit(no_box(), largest_picture_px)(stored);
-        return whole ? Result<ShrunkPicture>(ShrunkPicture{*whole, whole->size(), 1}) : Error{whole.error()};
-    }
+Result<ShrunkPicture> not_shrunk(const StoredPicture& stored) {
+    Result<cv::Mat> whole = to_fit(no_box(), largest_picture_px)(stored);
+    return whole ? Result<ShrunkPicture>(ShrunkPicture{*whole, whole->size(), 1, {}}) : Error{whole.error()};
+}
+
+Result<ShrunkPicture> shrunk_jpeg(const StoredPicture& stored, int longest_px) {
     const JpegHeader header = jpeg_header(stored.bytes);
+    const cv::Size whole(header.width, header.height);
+    const int shrink = even_shrink(whole, longest_px, stored.orientation != 1);
+    if (shrink == 1)
+        return not_shrunk(stored);
     if (auto objection = objection_to_size(header.width, header.height, stored.kind, largest_picture_px);
         !objection.empty())
         return Error{objection};
     const Result<cv::Mat> pixels = decode_jpeg(stored.bytes, header, shrink);
     if (!pixels)
         return Error{pixels.error()};
-    return ShrunkPicture{upright(*pixels, stored.orientation),
-                         across({header.width, header.height}, stored.orientation), shrink};
+    return ShrunkPicture{upright(*pixels, stored.orientation), across(whole, stored.orientation), shrink, {}};
+}
+
+Result<cv::Mat> all_of(const HeifPixels& pixels) {
+    try {
+        return pixels.bgr();
+    } catch (const std::exception&) {
+        return no_memory();
+    }
+}
+
+/// All pixels are decoded, and kept as they were decoded; what is spared is what comes after that.
+Result<ShrunkPicture> shrunk_heif(const StoredPicture& stored, int longest_px) {
+    const Result<HeifPicture> picture = open_heif(stored.bytes, stored.kind, largest_picture_px);
+    if (!picture)
+        return Error{picture.error()};
+    const Result<HeifPixels> pixels = picture->decode(picture->size());
+    if (!pixels)
+        return Error{pixels.error()};
+    const int shrink = even_shrink(pixels->size(), longest_px, false);
+    if (shrink == 1)
+        return ShrunkPicture{pixels->bgr(), pixels->size(), 1, {}};
+    return ShrunkPicture{pixels->bgr(shrink), pixels->size(), shrink,
+                         [all = *pixels] { return all_of(all); }};
+}
+
+Result<ShrunkPicture> shrunk_upright(const StoredPicture& stored, int longest_px) {
+    if (is_heif(stored.kind))
+        return shrunk_heif(stored, longest_px);
+    return stored.kind == PictureKind::jpeg ? shrunk_jpeg(stored, longest_px) : not_shrunk(stored);
 }
 
 } // namespace
@@ -271,8 +360,11 @@ Result<cv::Mat> read_picture_to_fit(const std::filesystem::path& file, cv::Size 
 }
 
 Result<ShrunkPicture> read_picture_shrunk(const std::filesystem::path& file, int longest_px) {
-    return looked_at_file<ShrunkPicture>(
+    Result<ShrunkPicture> shrunk = looked_at_file<ShrunkPicture>(
         file, [longest_px](const StoredPicture& stored) { return shrunk_upright(stored, longest_px); });
+    if (shrunk && !shrunk->whole)
+        shrunk->whole = [file] { return read_picture(file); };
+    return shrunk;
 }
 
 } // namespace tp

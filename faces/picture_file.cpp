@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/picture_file.hpp"
 
+#include "faces/raw_file.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
@@ -27,16 +29,37 @@ PictureKind kind_of(const Bytes& bytes) {
         return PictureKind::png;
     if (has(0, "RIFF"sv) && has(8, "WEBP"sv))
         return PictureKind::webp;
+    if (is_raw(bytes))
+        return PictureKind::raw;
     if (has(0, "II*\0"sv) || has(0, "MM\0*"sv))
         return PictureKind::tiff;
     if (has(0, "BM"sv) && has(6, "\0\0\0\0"sv))
         return PictureKind::bmp;
     if (has(4, "jP  \r\n\x87\n"sv))
         return PictureKind::jpeg2000;
-    for (std::string_view brand : {"heic"sv, "heix"sv, "mif1"sv, "msf1"sv, "hevc"sv, "avif"sv})
-        if (has(4, "ftyp"sv) && has(8, brand))
-            return PictureKind::heif;
+    if (has(4, "ftyp"sv)) {
+        for (std::string_view brand : {"avif"sv, "avis"sv})
+            if (has(8, brand))
+                return PictureKind::avif;
+        // ISO/IEC 23008-12, annex B, and MIAF (23000-22): what a file of these brands holds may be AV1 all
+        // the same.
+        for (std::string_view brand :
+             {"heic"sv, "heix"sv, "heim"sv, "heis"sv, "hevc"sv, "hevx"sv, "mif1"sv, "msf1"sv, "miaf"sv})
+            if (has(8, brand))
+                return PictureKind::heic;
+    }
     return PictureKind::unknown;
+}
+
+Bytes first_bytes(const std::filesystem::path& file) {
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(file, failure)) // a pipe would not answer
+        return {};
+    Bytes bytes(64);
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    return bytes;
 }
 
 Result<Bytes> read_bytes(const std::filesystem::path& file) {

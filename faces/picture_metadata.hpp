@@ -3,13 +3,15 @@
 
 #include "faces/picture_file.hpp"
 
+#include <optional>
+
 namespace tp {
 
 /// What a picture's file says about it without any pixel being decoded.
 struct PictureMetadata {
-    int orientation = 1;  ///< EXIF, 1 … 8; 1 where there is none or it makes no sense
-    long long width = 0;  ///< px as stored; 0 where unknown
-    long long height = 0; ///< px
+    std::optional<int> orientation; ///< EXIF, 1 … 8; none where none is stated or it makes no sense
+    long long width = 0;            ///< px as stored; 0 where unknown
+    long long height = 0;           ///< px
 };
 
 /// Never throws: metadata that cannot be read is metadata that is not there.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import QtQuick
 import QtQuick.Dialogs
+import TouchPhoto.Controls
 import Qt.labs.folderlistmodel // not used here, but without it Qt 6.4's own file dialog crashes as it opens
 
 // In a file of its own, so that the page works where one of these modules is not installed.
@@ -8,6 +9,6 @@ FileDialog {
     signal chosen(url file)
 
     title: qsTr("Open photograph")
-    nameFilters: [qsTr("Photographs (%1)").arg("*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2"), qsTr("All files (%1)").arg("*")]
+    nameFilters: [qsTr("Photographs (%1)").arg(PhotoPatterns.all), qsTr("All files (%1)").arg("*")]
     onAccepted: chosen(selectedFile)
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/folders/folder_chooser.hpp"
 
+#include "core/files/photo_endings.hpp"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
+
+#include <algorithm>
 
 namespace tp {
 
@@ -29,8 +33,10 @@ bool FolderChooser::look(const QString& folder) {
     }
     folder_ = dir.absolutePath();
     below_ = dir.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::LocaleAware | QDir::IgnoreCase);
-    static const QStringList photographs{"*.jpg", "*.jpeg", "*.png", "*.webp", "*.heic", "*.tif", "*.tiff"};
-    photos_ = static_cast<int>(dir.entryList(photographs, QDir::Files).size());
+    const QStringList files = dir.entryList(QDir::Files);
+    photos_ = static_cast<int>(std::count_if(files.begin(), files.end(), [](const QString& file) {
+        return has_photo_ending(file.toStdString());
+    }));
     emit moved();
     return true;
 }

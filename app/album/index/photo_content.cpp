@@ -18,8 +18,13 @@ namespace tp {
 
 namespace {
 
-/// Major brands of HEIC (ISO/IEC 23008-12, annex B).
-constexpr std::array<std::string_view, 7> heic_brands{"heic", "heix", "heim", "heis", "mif1", "msf1", "hevc"};
+/// Major brands of HEIC (ISO/IEC 23008-12, annex B), AVIF and CR3 ("crx" and a blank).
+constexpr std::array<std::string_view, 12> picture_brands{"heic", "heix", "heim", "heis", "hevc", "hevx",
+                                                          "mif1", "msf1", "miaf", "avif", "avis", "crx"};
+/// How a raw file of Olympus or Panasonic begins, in the place of a TIFF's "II*" or "MM"; others begin as a
+/// TIFF does.
+constexpr std::array<std::string_view, 4> raw_beginnings{"IIRO", "IIRS", "MMOR",
+                                                         std::string_view("IIU\0", 4)};
 
 /// Reads until the block is full or the file ends; -1 where the system would not.
 ssize_t read_block(int file, char* block, std::size_t size) {
@@ -70,7 +75,9 @@ bool begins_like_photo(std::string_view bytes) {
     };
     return at(0, "\xFF\xD8\xFF") || at(0, "\x89PNG\r\n\x1A\n") || (at(0, "RIFF") && at(8, "WEBP")) ||
            at(0, "II*\0"sv) || at(0, "MM\0*"sv) ||
-           (at(4, "ftyp") && std::any_of(heic_brands.begin(), heic_brands.end(),
+           std::any_of(raw_beginnings.begin(), raw_beginnings.end(),
+                       [&](std::string_view beginning) { return at(0, beginning); }) ||
+           (at(4, "ftyp") && std::any_of(picture_brands.begin(), picture_brands.end(),
                                          [&](std::string_view brand) { return at(8, brand); }));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/metadata/motion_photo.hpp"
 
+#include "app/album/metadata/heif_boxes.hpp"
 #include "app/album/metadata/xmp_packet.hpp"
 
 #include <algorithm>
@@ -162,6 +163,15 @@ std::optional<VideoPlace> by_samsung_list(const ByteSource& photo) {
     return std::nullopt;
 }
 
+/// By the box for it beside those of a HEIC picture.
+std::optional<VideoPlace> in_its_box(const ByteSource& photo) {
+    const auto boxes = boxes_in(photo, 0, photo.size());
+    const auto box = box_of("mpvd", boxes);
+    return box && boxes.front().type == "ftyp"
+               ? part_of(photo.size(), box->size, photo.size() - box->begin - box->size)
+               : std::nullopt;
+}
+
 /// Whether an MP4 or QuickTime file begins there: ISO/IEC 14496-12, 4.3.
 bool is_video(const ByteSource& photo, const VideoPlace& place) {
     constexpr std::size_t box_head = 8;
@@ -172,9 +182,9 @@ bool is_video(const ByteSource& photo, const VideoPlace& place) {
 } // namespace
 
 std::optional<VideoPlace> video_inside(const ByteSource& photo) {
-    if (bytes_at(photo, 0, 2) != "\xFF\xD8")
-        return std::nullopt;
-    for (const auto& place : {by_xmp(photo), by_samsung_list(photo)})
+    const bool jpeg = bytes_at(photo, 0, 2) == "\xFF\xD8";
+    using Places = std::vector<std::optional<VideoPlace>>;
+    for (const auto& place : jpeg ? Places{by_xmp(photo), by_samsung_list(photo)} : Places{in_its_box(photo)})
         if (place && is_video(photo, *place))
             return place;
     return std::nullopt;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/metadata/photo_metadata.hpp"
 
+#include "app/album/metadata/heif_boxes.hpp"
 #include "app/album/metadata/metadata_size.hpp"
 #include "app/album/metadata/time_text.hpp"
 #include "app/album/metadata/xmp_record.hpp"
+#include "audio/recordings/byte_source.hpp"
 #include "core/base/utf8.hpp"
 #include "core/files/file_words.hpp"
 #include "faces/exiv2/prepare_exiv2.hpp"
@@ -142,7 +144,14 @@ void try_to(std::vector<std::string>& problems, const char* sentence, Read read)
     }
 }
 
-void read_image(Exiv2::Image& image, PhotoMetadata& metadata) {
+/// How a HEIC or AVIF file says that it is turned; none for other files.
+std::optional<int> own_orientation(const fs::path& photo) {
+    const auto bytes = FileBytes::open(photo);
+    return bytes ? heif_orientation(**bytes) : std::nullopt;
+}
+
+/// `turned`: how the file itself says that it is turned, whatever EXIF says.
+void read_image(Exiv2::Image& image, std::optional<int> turned, PhotoMetadata& metadata) {
     std::vector<std::string> problems;
     try_to(problems, "The photograph's own metadata is damaged; what could be read of it counts.",
            [&] { image.readMetadata(); });
@@ -155,6 +164,7 @@ void read_image(Exiv2::Image& image, PhotoMetadata& metadata) {
                 metadata.shape.orientation = static_cast<int>(value);
         complete(metadata.parts, parts_from_exif(image.exifData()));
     });
+    metadata.shape.orientation = turned.value_or(metadata.shape.orientation);
     try_to(problems, "The photograph's XMP is damaged.", [&] {
         const std::string bytes = xmp_of(image);
         if (bytes.empty())
@@ -193,7 +203,7 @@ Result<PhotoMetadata> photo_metadata(const fs::path& photo) {
     try {
         // By its whole path, because the factory takes some names ("-", "data:…") for something else than a file.
         const auto image = Exiv2::ImageFactory::open(fs::absolute(photo).string(), false);
-        read_image(*image, metadata);
+        read_image(*image, own_orientation(photo), metadata);
     } catch (...) {
         metadata.parts.problems.push_back("What the photograph " + quoted(photo) +
                                           " says of itself cannot be read.");

@@ -21,6 +21,11 @@ namespace {
 
 constexpr int most_depth = 100;              // elements in each other; real sidecars: about 12
 constexpr std::size_t most_entries = 10'000; // properties; Lightroom's develop settings: some hundreds
+/// Of "<", and of "=". Lightroom writes every dab of a brush as an element: 35 bytes with two of them.
+constexpr std::ptrdiff_t most_marks = 1'000'000;
+/// In one list of those that are compared with each other; of other programs' own there may be more.
+constexpr std::ptrdiff_t most_listed = 10'000;
+constexpr const char* too_many = "it has more entries than any program writes.";
 
 /// Nothing is translated on the way in or out, so that what nobody changes comes out as it was.
 constexpr unsigned parse_options = pugi::parse_pi | pugi::parse_comments | pugi::parse_declaration |
@@ -62,17 +67,39 @@ void escape_quotation_marks(pugi::xml_node document) {
     struct Walker final : pugi::xml_tree_walker {
         bool for_each(pugi::xml_node& node) override {
             for (pugi::xml_attribute attribute : node.attributes()) {
-                std::string value = attribute.value();
-                if (value.find('"') == std::string::npos)
+                const std::string_view value = attribute.value();
+                if (value.find('"') == std::string_view::npos)
                     continue;
-                for (std::size_t at = 0; (at = value.find('"', at)) != std::string::npos;)
-                    value.replace(at, 1, "&quot;");
-                attribute.set_value(value.c_str());
+                std::string escaped;
+                for (const char letter : value)
+                    letter == '"' ? escaped += "&quot;" : escaped += letter;
+                attribute.set_value(escaped.c_str());
             }
             return true;
         }
     } walker;
     document.traverse(walker);
+}
+
+/// Counted before there is a tree, which is thirty times as large as the shortest element.
+bool has_too_many_marks(std::string_view bytes) {
+    return std::count(bytes.begin(), bytes.end(), '<') > most_marks ||
+           std::count(bytes.begin(), bytes.end(), '=') > most_marks;
+}
+
+bool is_compared(const XmpName& name) {
+    const auto names = {&xmp::alt_text,          &xmp::extended_description,
+                        &xmp::description,       &xmp::persons,
+                        &xmp::keywords,          &xmp::regions,
+                        &xmp::microsoft_regions, &xmp::tags,
+                        &xmp::digikam_tags,      &xmp::lightroom_tags};
+    return std::any_of(names.begin(), names.end(), [&](const XmpName* one) { return *one == name; });
+}
+
+bool lists_too_much(pugi::xml_node element) {
+    const auto inner = element.children();
+    return std::distance(inner.begin(), inner.end()) > 2 * most_listed || // white space between them
+           std::any_of(inner.begin(), inner.end(), lists_too_much);
 }
 
 bool is_blank(pugi::xml_node node) {
@@ -140,7 +167,7 @@ void XmpPacket::Tree::list_properties(pugi::xml_node description) {
                 name && name->uri != xmp::rdf_uri && name->uri != xmp::xml_uri)
                 properties.push_back({*std::move(name), description, {}, attribute});
     for (const pugi::xml_node child : description.children())
-        if (child.type() == pugi::node_element) {
+        if (child.type() == pugi::node_element && properties.size() <= most_entries) {
             const XmpScope inner(&scope, child);
             if (auto name = inner.resolve(child.name()))
                 properties.push_back({*std::move(name), description, child, {}});
@@ -154,14 +181,19 @@ std::string XmpPacket::Tree::list_properties() {
             continue;
         list_properties(child);
         if (properties.size() > most_entries)
-            return "it has more entries than any program writes.";
+            return too_many;
     }
+    for (const Property& property : properties)
+        if (is_compared(property.name) && lists_too_much(property.element))
+            return "it lists more people, words or recordings than any photograph has.";
     return {};
 }
 
 std::string XmpPacket::Tree::read(std::string_view bytes) {
     if (bytes.size() > most_bytes)
         return "it is larger than " + std::to_string(most_bytes >> 20) + " MB.";
+    if (has_too_many_marks(bytes))
+        return too_many;
     const pugi::xml_parse_result parsed =
         document.load_buffer(bytes.data(), bytes.size(), parse_options, pugi::encoding_auto);
     if (parsed.status == pugi::status_out_of_memory)

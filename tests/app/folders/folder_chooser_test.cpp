@@ -18,7 +18,8 @@ private slots:
         const QTemporaryDir folder;
         QVERIFY(QDir(folder.path()).mkpath("family/2026") && QDir(folder.path()).mkpath("family/Älter"));
         QVERIFY(QDir(folder.path()).mkpath("family/.hidden"));
-        for (const char* name : {"family/2026/1.jpg", "family/2026/2.JPG", "family/2026/notes.txt"}) {
+        for (const char* name : {"family/2026/1.jpg", "family/2026/2.JPG", "family/2026/IMG_3.HEIC", "family/2026/4.dng",
+                                 "family/2026/notes.txt"}) {
             QFile file(folder.filePath(name));
             QVERIFY(file.open(QIODevice::WriteOnly));
         }
@@ -29,7 +30,7 @@ private slots:
         QCOMPARE(voice_.said().back(), QString("Folder family: no photographs in this folder itself, 2 folder(s) below it."));
         chooser.goInto(0);
         QCOMPARE(chooser.folder(), folder.filePath("family/2026"));
-        QVERIFY(voice_.said().back().contains("2 photograph(s) in this folder itself, no folders below it"));
+        QVERIFY(voice_.said().back().contains("4 photograph(s) in this folder itself, no folders below it"));
         chooser.goInto(0);
         chooser.goInto(-1);
         QCOMPARE(chooser.folder(), folder.filePath("family/2026"));

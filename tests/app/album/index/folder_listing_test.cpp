@@ -52,13 +52,15 @@ private slots:
     }
 
     void pictures_are_listed_and_others_not() {
-        for (const char* name : {"a.jpg", "b.JPEG", "c.png", "d.webp", "e.tif", "f.TIFF", "g.heic", "bare",
+        for (const char* name : {"a.jpg", "b.JPEG", "c.png", "d.webp", "e.tif", "f.TIFF", "g.heic", "i.avif", "j.HIF", "k.dng",
+                                 "l.CR2", "m.cr3", "n.nef", "o.ARW", "p.orf", "q.rw2", "bare",
                                  "h.mp4", "a.jpg.xmp", "a.jpg.contours.svg", ".hidden.jpg"})
             write_file(root_ / name, "x");
         for (const char* name : {"a.jpg.tags", ".touchphoto", ".git", "sub", "dir.jpg"})
             fs::create_directory(root_ / name);
         QCOMPARE(photos(), (std::vector<std::string>{"a.jpg", "b.JPEG", "bare", "c.png", "d.webp", "e.tif",
-                                                     "f.TIFF", "g.heic"}));
+                                                     "f.TIFF", "g.heic", "i.avif", "j.HIF", "k.dng", "l.CR2", "m.cr3", "n.nef",
+                                                     "o.ARW", "p.orf", "q.rw2"}));
         QCOMPARE(folders(root_), (std::vector<fs::path>{root_ / "dir.jpg", root_ / "sub"}));
     }
 
@@ -71,6 +73,12 @@ private slots:
         QVERIFY(begins_like_photo("MM\0*"sv));
         QVERIFY(begins_like_photo("\0\0\0\x18"
                                   "ftypheic"sv));
+        QVERIFY(begins_like_photo("\0\0\0\x1C"
+                                  "ftypavif"sv));
+        QVERIFY(begins_like_photo("\0\0\0\x18"
+                                  "ftypcrx "sv));
+        for (const std::string_view raw : {"IIRO"sv, "IIRS"sv, "MMOR"sv, "IIU\0"sv})
+            QVERIFY(begins_like_photo(raw));
         for (const std::string_view no : {""sv, "\xFF\xD8"sv, "<html>"sv, "RIFF\0\0\0\0WAVE"sv,
                                           "\0\0\0\x18"
                                           "ftypisom"sv})

@@ -119,6 +119,27 @@ Landmarks features_of(const Points& points) {
     return found;
 }
 
+/// Back: as net_points::all; fewer where the other model knows no brows or nose.
+Points points_of(const Landmarks& face) {
+    Points points;
+    for (const Points* line :
+         {&face.right_eye, &face.left_eye, &face.outer_lip, &face.inner_lip, &face.outline})
+        points.insert(points.end(), line->begin(), line->end());
+    const Vec2 across = face.left_iris.centre - face.right_iris.centre;
+    const Vec2 outwards = length(across) > 0.0 ? across / length(across) : Vec2(0.0);
+    points.push_back(face.right_iris.centre);
+    points.push_back(face.left_iris.centre);
+    points.push_back(face.right_iris.centre - face.right_iris.radius * outwards);
+    points.push_back(face.left_iris.centre + face.left_iris.radius * outwards);
+    for (const Points* line : {&face.right_brow, &face.left_brow, &face.nose})
+        points.insert(points.end(), line->begin(), line->end());
+    return points;
+}
+
+/// As FeatureIndex.
+constexpr PointRange features[] = {net_points::right_eye, net_points::left_eye, net_points::outer_lip,
+                                   net_points::inner_lip, net_points::outline};
+
 Landmarks unverified(const Points& points) {
     Landmarks found = features_of(points);
     found.confidence = 1.0;
@@ -201,6 +222,39 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
     const double between_passes = disagreement(part(*coarse, windowed), part(fine, windowed));
     if (is_unsteady(between_passes))
         return std::nullopt;
+    auto found = look_closely_in(picture, fine);
+    if (!found)
+        return std::nullopt;
+    for (std::size_t f = 0; f < feature_count; ++f)
+        found->between_passes_px[f] = moved_px(*coarse, fine, features[f]);
+    for (const FeatureIndex eye : {at_right_eye, at_left_eye})
+        found->between_mirrors_px[eye] = mean_of(seen->apart, features[eye]);
+    const Points closest = points_of(*found);
+    found->confidence = confidence_of(
+        *found, {between_passes, disagreement(part(fine, {0, lips.end}), part(closest, {0, lips.end})),
+                 mean_of(seen->apart, all) / face_window.side});
+    return found;
+}
+
+std::optional<Landmarks> ContourNets::look_closely(const cv::Mat& picture, const Detection& face,
+                                                   const Landmarks& start) {
+    const Shrunk near = shrunk_around(picture, face, large_enough_px);
+    Landmarks there = start;
+    map_points(there, near.to_picture.inverse().value(), 1.0 / near.scale());
+    const Points from = points_of(there);
+    if (from.size() != net_points::all.size())
+        return std::nullopt;
+    auto found = look_closely_in(near.pixels, from);
+    if (!found)
+        return std::nullopt;
+    map_points(*found, near.to_picture, near.scale());
+    found->confidence = start.confidence;
+    return found;
+}
+
+/// `fine`: as net_points::all.
+std::optional<Landmarks> ContourNets::look_closely_in(const cv::Mat& picture, const Points& fine) {
+    using namespace net_points;
     const auto right_eye_close = look(eye_, picture, eye_frame(part(fine, right_eye), false), eye_px);
     const auto left_eye_close = look(eye_, picture, eye_frame(part(fine, left_eye), true), eye_px);
     const auto lips_close =
@@ -209,27 +263,19 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
                                               outline_px, outline.begin);
     if (!right_eye_close || !left_eye_close || !lips_close || !outline_close)
         return std::nullopt;
-
     Points closest = fine;
     replace(closest, right_eye, *right_eye_close);
     replace(closest, left_eye, *left_eye_close);
     replace(closest, lips, lips_close->points);
     replace(closest, outline, outline_close->points);
     Landmarks found = features_of(closest);
-    const PointRange features[] = {right_eye, left_eye, outer_lip, inner_lip, outline}; // as FeatureIndex
-    for (std::size_t f = 0; f < feature_count; ++f) {
-        found.between_passes_px[f] = moved_px(*coarse, fine, features[f]);
+    for (std::size_t f = 0; f < feature_count; ++f)
         if (f != at_outline)
             found.between_nets_px[f] = moved_px(fine, closest, features[f]);
-    }
-    found.between_mirrors_px = {mean_of(seen->apart, right_eye), mean_of(seen->apart, left_eye),
-                                mean_of(lips_close->apart, {0, outer_lip.size()}),
-                                mean_of(lips_close->apart, {outer_lip.size(), lips.size()}),
-                                mean_of(outline_close->apart, {0, outline.size()})};
     found.between_nets_px[at_outline] = off_line_px(found.outline, part(fine, outline));
-    found.confidence = confidence_of(
-        found, {between_passes, disagreement(part(fine, {0, lips.end}), part(closest, {0, lips.end})),
-                mean_of(seen->apart, all) / face_window.side});
+    found.between_mirrors_px[at_outer_lip] = mean_of(lips_close->apart, {0, outer_lip.size()});
+    found.between_mirrors_px[at_inner_lip] = mean_of(lips_close->apart, {outer_lip.size(), lips.size()});
+    found.between_mirrors_px[at_outline] = mean_of(outline_close->apart, {0, outline.size()});
     return found;
 }
 

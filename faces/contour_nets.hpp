@@ -18,6 +18,10 @@ public:
     /// Without the close looks there is nothing to verify a face by: whatever was detected is taken for one.
     explicit ContourNets(Refinement most = Refinement::close_looks);
     std::optional<Landmarks> locate(const cv::Mat& picture, const Detection& face) override;
+    /// The close looks alone, from where another model sees the features, brows and all, of that face.
+    /// `between_nets_px` is then how far they lie from those; the confidence is the other model's.
+    std::optional<Landmarks> look_closely(const cv::Mat& picture, const Detection& face,
+                                          const Landmarks& start);
 
 private:
     using Points = std::vector<Vec2>;
@@ -29,6 +33,7 @@ private:
     };
 
     std::optional<Landmarks> locate_in(const cv::Mat& picture, const Detection& face);
+    std::optional<Landmarks> look_closely_in(const cv::Mat& picture, const Points& fine);
     Points answer(cv::dnn::Net& net, const cv::Mat& pixels);
     std::optional<Points> look(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame, int size);
     std::optional<BothWays> look_both_ways(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame,

@@ -14,6 +14,8 @@
     MODEL(eye, "eye.onnx")
     MODEL(mouth, "mouth.onnx")
     MODEL(outline, "outline.onnx")
+    MODEL(mesh, "mesh.onnx")
+    MODEL(yunet, "yunet.onnx")
 
 #if defined(__linux__)
     .section .note.GNU-stack, "", %progbits

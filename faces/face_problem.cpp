@@ -71,6 +71,10 @@ std::string problem_of(const QualitySigns& signs) {
         const std::string feature = spoken[f];
         if (reason == "may be covered")
             sentence = "The " + feature + " may be covered, so its contour may be wrong.";
+        else if (reason == "a beard hides it")
+            sentence = "A beard hides the jaw, so the outline may be wrong.";
+        else if (reason == "hair hides it")
+            sentence = "Hair hides the jaw, so the outline may be wrong.";
         else if (reason == "its edge is faint")
             sentence = "The edge of the " + feature + " is faint, so its contour may be wrong.";
         else

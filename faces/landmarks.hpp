@@ -47,6 +47,10 @@ struct Landmarks {
     /// not look again. `between_passes`: the same net from a better window; `between_nets`: one that looks
     /// closer; `between_mirrors`: the same net at the mirror image of the same window.
     std::array<double, feature_count> between_passes_px{}, between_nets_px{}, between_mirrors_px{};
+    /// Whether another model was asked too (second_opinion.hpp), and how far its points of each feature lie
+    /// from ours, and from those of our close looks that began at them: means, px.
+    bool has_second_opinion = false;
+    std::array<double, feature_count> between_models_px{}, between_close_px{};
 };
 
 /// The same in another frame, in which lengths are `scale` times as long.
@@ -55,6 +59,11 @@ void map_points(Landmarks& landmarks, const Affine& map, double scale);
 /// Index of the second corner of an eye and of a lip; the first is 0.
 inline constexpr std::size_t eye_corner = 8;
 inline constexpr std::size_t mouth_corner = 10;
+
+/// Between the lids half way from corner to corner, of the distance of the corners, for an eye as of
+/// Landmarks: open ones have 0.25 and more, shut ones 0.15 and less (99 of 100 each). 0 where the corners are
+/// in one place.
+double openness(const std::vector<Vec2>& eye);
 
 /// Finds the features of a detected face.
 class LandmarkModel {

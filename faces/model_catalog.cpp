@@ -8,13 +8,21 @@
 #include <system_error>
 #include <unistd.h>
 
+// Where embedded_models.S puts them.
+#define TP_MODELS(MODEL)                                                                                     \
+    MODEL(detector, "finds faces", "Apache-2.0")                                                             \
+    MODEL(contours, "places the points of a face", "Apache-2.0")                                             \
+    MODEL(eye, "looks closely at an eye", "Apache-2.0")                                                      \
+    MODEL(mouth, "looks closely at the mouth", "Apache-2.0")                                                 \
+    MODEL(outline, "looks closely at the outline", "Apache-2.0")                                             \
+    MODEL(mesh, "places the points of a face of which the others are not sure", "Apache-2.0")                \
+    MODEL(yunet, "finds faces where the other detector finds none", "MIT")
+
+#define TP_DECLARE(name, purpose, licence) extern const char tp_model_##name[], tp_model_##name##_end[];
 extern "C" {
-extern const char tp_model_detector[], tp_model_detector_end[];
-extern const char tp_model_contours[], tp_model_contours_end[];
-extern const char tp_model_eye[], tp_model_eye_end[];
-extern const char tp_model_mouth[], tp_model_mouth_end[];
-extern const char tp_model_outline[], tp_model_outline_end[];
+TP_MODELS(TP_DECLARE)
 }
+#undef TP_DECLARE
 
 namespace tp {
 namespace {
@@ -44,10 +52,22 @@ void let_go(const char* begin, const char* end) {
         madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED); // failing, it costs memory only
 }
 
-cv::dnn::Net net_between(const char* begin, const char* end) {
-    cv::dnn::Net net = cv::dnn::readNetFromONNX(begin, static_cast<std::size_t>(end - begin));
-    let_go(begin, end);
-    return net;
+/// An embedded file and what a person reads about it.
+struct Embedded {
+    const char* begin;
+    const char* end;
+    EmbeddedModelFacts facts;
+};
+
+/// In the order of EmbeddedModel.
+const std::vector<Embedded>& embedded_files() {
+#define TP_ENTRY(name, purpose, licence)                                                                     \
+    {tp_model_##name,                                                                                        \
+     tp_model_##name##_end,                                                                                  \
+     {#name, purpose, licence, static_cast<std::size_t>(tp_model_##name##_end - tp_model_##name)}},
+    static const std::vector<Embedded> files{TP_MODELS(TP_ENTRY)};
+#undef TP_ENTRY
+    return files;
 }
 
 Error not_installed(const PluggableModel& model) {
@@ -63,16 +83,10 @@ Error not_installed(const PluggableModel& model) {
 } // namespace
 
 std::vector<EmbeddedModelFacts> embedded_models() {
-    const auto bytes = [](const char* begin, const char* end) {
-        return static_cast<std::size_t>(end - begin);
-    };
-    return {{"detector", "finds faces", "Apache-2.0", bytes(tp_model_detector, tp_model_detector_end)},
-            {"contours", "places the points of a face", "Apache-2.0",
-             bytes(tp_model_contours, tp_model_contours_end)},
-            {"eye", "looks closely at an eye", "Apache-2.0", bytes(tp_model_eye, tp_model_eye_end)},
-            {"mouth", "looks closely at the mouth", "Apache-2.0", bytes(tp_model_mouth, tp_model_mouth_end)},
-            {"outline", "looks closely at the outline", "Apache-2.0",
-             bytes(tp_model_outline, tp_model_outline_end)}};
+    std::vector<EmbeddedModelFacts> facts;
+    for (const Embedded& file : embedded_files())
+        facts.push_back(file.facts);
+    return facts;
 }
 
 std::vector<std::filesystem::path> model_folders() {
@@ -96,19 +110,10 @@ std::optional<std::filesystem::path> installed_file(const PluggableModel& model)
 }
 
 cv::dnn::Net embedded_net(EmbeddedModel model) {
-    switch (model) {
-    case EmbeddedModel::detector:
-        return net_between(tp_model_detector, tp_model_detector_end);
-    case EmbeddedModel::contours:
-        return net_between(tp_model_contours, tp_model_contours_end);
-    case EmbeddedModel::eye:
-        return net_between(tp_model_eye, tp_model_eye_end);
-    case EmbeddedModel::mouth:
-        return net_between(tp_model_mouth, tp_model_mouth_end);
-    case EmbeddedModel::outline:
-        return net_between(tp_model_outline, tp_model_outline_end);
-    }
-    return {};
+    const Embedded& file = embedded_files().at(static_cast<std::size_t>(model));
+    cv::dnn::Net net = cv::dnn::readNetFromONNX(file.begin, file.facts.bytes);
+    let_go(file.begin, file.end);
+    return net;
 }
 
 Result<ChosenModel> find_model(const std::string& choice, PluggableModel::Role role) {
@@ -132,7 +137,7 @@ Result<ChosenModel> find_model(const std::string& choice, PluggableModel::Role r
             continue;
         if (const auto file = installed_file(*model))
             return ChosenModel{model, *file};
-        return not_installed(*model);
+        return model->inside ? Result<ChosenModel>(ChosenModel{model, {}}) : not_installed(*model);
     }
     return Error{"There is no model named \"" + choice + "\" here: choose \"embedded\"" + names +
                  " or the path of a file that holds " + descriptions + "."};

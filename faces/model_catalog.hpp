@@ -15,8 +15,8 @@
 
 namespace tp {
 
-/// The nets that are part of the program (resources/models/README.md says what each was trained on).
-enum class EmbeddedModel { detector, contours, eye, mouth, outline };
+/// The nets that are part of the program (resources/models/README.md says where each comes from).
+enum class EmbeddedModel { detector, contours, eye, mouth, outline, mesh, yunet };
 
 /// A fresh copy of an embedded net, ready to run on the CPU. Throws cv::Exception where the program was built
 /// with a file that is not a net.
@@ -48,6 +48,8 @@ struct PluggableModel {
     std::uintmax_t bytes;
     const char* sha256; ///< in hexadecimal digits; empty: not known, and so there is no address either
     const char* of_system = ""; ///< where a package of Debian puts it; empty: none has it
+    std::optional<EmbeddedModel> inside =
+        {}; ///< the program has it, for those who bring no file of their own
 };
 
 inline constexpr PluggableModel yunet_model{
@@ -60,7 +62,9 @@ inline constexpr PluggableModel yunet_model{
     "face_detection_yunet/face_detection_yunet_2022mar.onnx",
     "It is face_detection_yunet_2022mar.onnx of the OpenCV Zoo; later ones need a later OpenCV.",
     345'478,
-    "50ef07f702a31741ca46a4c0d947773b64143b9362780237bf0d427d6c79bab7"};
+    "50ef07f702a31741ca46a4c0d947773b64143b9362780237bf0d427d6c79bab7",
+    "",
+    EmbeddedModel::yunet};
 
 inline constexpr PluggableModel haar_model{
     "haar",
@@ -85,7 +89,9 @@ inline constexpr PluggableModel mesh_model{
     "no "
     "public address of that is known: convert the published one, with outputs t473 and t472.",
     4'825'994,
-    "8f419ac71e28589a66b2835cc5084951829a1b919e156c261bb4f9582d116e72"};
+    "8f419ac71e28589a66b2835cc5084951829a1b919e156c261bb4f9582d116e72",
+    "",
+    EmbeddedModel::mesh};
 
 inline constexpr PluggableModel lbf_model{
     "lbf",
@@ -109,7 +115,7 @@ std::vector<std::filesystem::path> model_folders();
 /// The file that the model's name means at present.
 std::optional<std::filesystem::path> installed_file(const PluggableModel& model);
 
-/// A kind of model and the file that holds it.
+/// A kind of model and the file that holds it; no file: the one inside the program.
 struct ChosenModel {
     const PluggableModel* kind;
     std::filesystem::path file;
@@ -118,8 +124,8 @@ struct ChosenModel {
 /// What `choice` means where a model of that role is wanted: a path (something with a slash or the ending
 /// .onnx, .yaml or .xml) is taken as it is, its ending saying of which kind it is; a model's name is looked
 /// up in $TOUCHPHOTO_MODELS, then in $XDG_DATA_HOME/touchphoto/models (default
-/// ~/.local/share/touchphoto/models), then where a package of the system puts it. An error names what was
-/// looked for and where.
+/// ~/.local/share/touchphoto/models), then where a package of the system puts it, then inside the program. An
+/// error names what was looked for and where.
 Result<ChosenModel> find_model(const std::string& choice, PluggableModel::Role role);
 
 } // namespace tp

@@ -3,6 +3,7 @@
 
 #include "faces/edge_fit.hpp"
 #include "faces/face.hpp"
+#include "faces/hidden_jaw.hpp"
 
 #include <opencv2/core/mat.hpp>
 
@@ -18,27 +19,28 @@ struct QualitySigns {
     double turn = 0.0, eye_turn = 0.0;
     double confidence = 0.0; ///< of the landmarks, 0 … 1
     std::array<double, feature_count> between_passes{}, between_nets{}, between_mirrors{}; ///< see Landmarks
-    /// Of right and left eye; negative: not known. See off_guess_percent.
-    std::array<double, 2> eye_off_guess{-1.0, -1.0};
-    /// Of right and left eye: between the lids half way, of the width; negative: not known.
-    std::array<double, 2> eye_openness{-1.0, -1.0};
-    double outline_off_step = 0.0; ///< see outline_step.hpp
+    bool has_second_opinion = false;                                                       ///< see Landmarks
+    std::array<double, feature_count> between_models{}, between_close{};                   ///< see Landmarks
+    std::array<double, 2> eye_openness{}; ///< of right and left eye, see openness()
+    double outline_off_step = 0.0;        ///< see outline_step.hpp
+    JawCover jaw = JawCover::none;        ///< see hidden_jaw.hpp
     EdgeReports edges;
 };
 
 /// `picture` (8-bit BGR) is the one in which they were found.
 QualitySigns signs_of(const Landmarks& landmarks, const EdgeReports& edges, const cv::Mat& picture);
 
-/// Whether something lies in front of that feature, so that its contour is a guess from the rest of the face.
-bool is_guessed(const QualitySigns& signs, FeatureIndex feature);
-
 /// The numbers that predict a contour's error, the first one 1.
-inline constexpr std::size_t predictor_count = 12;
+inline constexpr std::size_t predictor_count = 14;
 std::array<double, predictor_count> predictors(const QualitySigns& signs, FeatureIndex feature);
 
 /// What the signs say about a contour: the error that portraits with such signs had (log-linear in the
 /// predictors, least squares on degraded portraits of people whom no training saw: faces/README.md), and what
 /// is unusual about them.
 ContourQuality quality_of(const QualitySigns& signs, FeatureIndex feature);
+
+/// Whether our nets alone are enough: a face as clear, as large, as frontal and as exact as a portrait has
+/// it. Where they are not, a second opinion is worth its time.
+bool is_sure(const QualitySigns& signs);
 
 } // namespace tp

@@ -14,7 +14,8 @@
 namespace tp {
 namespace {
 
-constexpr int usual_side = 320, thorough_side = 1280; ///< px, the longer side of what the net is shown
+constexpr int thorough_side = 1280; ///< px, the longer side of what the net is shown
+constexpr int least_side = 64;      ///< px, of what the net is shown; black is added
 constexpr float least_face_score = 0.6F;
 constexpr float most_face_overlap = 0.3F;
 constexpr int most_candidates = 5000;
@@ -97,7 +98,7 @@ Result<std::unique_ptr<Detector>> YunetDetector::load(const std::filesystem::pat
 
 std::vector<Detection> YunetDetector::detect(const cv::Mat& picture, Effort effort, Looks&,
                                              const std::stop_token&) {
-    const double longest = effort == Effort::usual ? usual_side : thorough_side;
+    const double longest = effort == Effort::usual ? usual_side_ : thorough_side;
     const double scale = std::min(1.0, longest / std::max(picture.cols, picture.rows));
     cv::Mat shrunk = picture;
     if (scale < 1.0)
@@ -105,6 +106,9 @@ std::vector<Detection> YunetDetector::detect(const cv::Mat& picture, Effort effo
                    cv::Size(std::max(1, static_cast<int>(std::lround(picture.cols * scale))),
                             std::max(1, static_cast<int>(std::lround(picture.rows * scale)))),
                    0, 0, cv::INTER_AREA);
+    if (std::min(shrunk.cols, shrunk.rows) < least_side)
+        cv::copyMakeBorder(shrunk, shrunk, 0, std::max(0, least_side - shrunk.rows), 0,
+                           std::max(0, least_side - shrunk.cols), cv::BORDER_CONSTANT);
     net_.setInput(cv::dnn::blobFromImage(shrunk));
     std::vector<cv::Mat> answers;
     net_.forward(answers, std::vector<cv::String>{"loc", "conf", "iou"});

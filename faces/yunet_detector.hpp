@@ -18,7 +18,9 @@ class YunetDetector : public Detector {
 public:
     /// An error where the file is not such a YuNet.
     static Result<std::unique_ptr<Detector>> load(const std::filesystem::path& file);
-    explicit YunetDetector(cv::dnn::Net net) : net_(std::move(net)) {}
+    /// `usual_side`: px, to which a usual look shrinks the longer side of a picture.
+    explicit YunetDetector(cv::dnn::Net net, int usual_side = 320)
+        : net_(std::move(net)), usual_side_(usual_side) {}
     using Detector::detect;
     /// Throws std::runtime_error where the net's answer does not fit a picture of that size.
     std::vector<Detection> detect(const cv::Mat& picture, Effort effort, Looks& looks,
@@ -26,6 +28,7 @@ public:
 
 private:
     cv::dnn::Net net_;
+    int usual_side_;
 };
 
 } // namespace tp

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// calibrate_quality TRUTH.json PHOTOS MESH.onnx: prints the weights of faces/quality.cpp, fitted to the
-// errors of the embedded nets and of the face mesh on every second portrait (the first, the third, …) as it
-// is and degraded.
+// calibrate_quality TRUTH.json PHOTOS: prints the weights of faces/quality.cpp, fitted to the errors of our
+// nets, of what comes of theirs and the face mesh's opinion, and of the mesh, on every second portrait of
+// people whom no training saw, as it is and degraded.
 #include "faces/contour_nets.hpp"
+#include "faces/covered.hpp"
 #include "faces/embedded_detector.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/degraded.hpp"
 #include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/mesh_model.hpp"
+#include "faces/model_catalog.hpp"
 #include "faces/picture.hpp"
 #include "faces/quality.hpp"
 #include "faces/quiet_opencv.hpp"
+#include "faces/second_opinion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +37,38 @@ struct Sample {
     double log_error = 0.0;
 };
 
+/// Whatever chance says, models that differ more, or are less confident, mean no smaller error: the sign that
+/// the weight of such a predictor must not have; 0: it may have any.
+int forbidden_sign(int predictor) {
+    constexpr int confidence = 10, between_models = static_cast<int>(predictor_count) - 1;
+    if (predictor == confidence)
+        return 1;
+    return (predictor >= 1 && predictor <= 3) || predictor == between_models ? -1 : 0;
+}
+
+/// Ridge regression with weighted rows; predictors with a forbidden sign are left out, the worst first.
+cv::Mat1d solved(const cv::Mat1d& x, const cv::Mat1d& y, const cv::Mat1d& weight) {
+    cv::Mat1d weighted = x.clone();
+    for (int r = 0; r < x.rows; ++r)
+        weighted.row(r) *= weight(r);
+    cv::Mat1d normal(x.t() * weighted), right(weighted.t() * y), b;
+    for (int c = 1; c < x.cols; ++c)
+        normal(c, c) += ridge;
+    while (true) {
+        cv::solve(normal, right, b, cv::DECOMP_CHOLESKY);
+        int worst = -1;
+        for (int c = 1; c < x.cols; ++c)
+            if (b(c) * forbidden_sign(c) > 1e-9 && (worst < 0 || std::abs(b(c)) > std::abs(b(worst))))
+                worst = c;
+        if (worst < 0)
+            return b;
+        normal.row(worst) = 0.0;
+        normal.col(worst) = 0.0;
+        normal(worst, worst) = 1.0;
+        right(worst) = 0.0;
+    }
+}
+
 /// Robust ridge regression of ln error on the predictors (iteratively reweighted least squares).
 Predictors fitted(const std::vector<Sample>& samples) {
     constexpr int count = static_cast<int>(predictor_count);
@@ -53,13 +88,7 @@ Predictors fitted(const std::vector<Sample>& samples) {
     }
     cv::Mat1d b;
     for (int round = 0; round < rounds; ++round) {
-        cv::Mat1d weighted = x.clone();
-        for (int r = 0; r < x.rows; ++r)
-            weighted.row(r) *= weight(r);
-        cv::Mat1d normal(x.t() * weighted);
-        for (int c = 1; c < count; ++c)
-            normal(c, c) += ridge;
-        cv::solve(normal, weighted.t() * y, b, cv::DECOMP_CHOLESKY);
+        b = solved(x, y, weight);
         const cv::Mat1d rest(y - x * b);
         for (int r = 0; r < x.rows; ++r)
             weight(r) = 1.0 / std::max(1.0, std::abs(rest(r)) / outlier);
@@ -76,19 +105,20 @@ Predictors fitted(const std::vector<Sample>& samples) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        std::fputs("calibrate_quality TRUTH.json PHOTOS MESH.onnx > faces/quality_weights.inc\n", stderr);
+    if (argc != 3) {
+        std::fputs("calibrate_quality TRUTH.json PHOTOS > faces/quality_weights.inc\n", stderr);
         return 2;
     }
     quiet_opencv();
     const auto people = read_placed_truth(argv[1], argv[2]);
-    auto mesh = MeshModel::load(argv[3]);
-    if (!people.ok() || !mesh.ok()) {
-        std::fprintf(stderr, "%s\n", (people.ok() ? mesh.error() : people.error()).c_str());
+    if (!people.ok()) {
+        std::fprintf(stderr, "%s\n", people.error().c_str());
         return 1;
     }
     EmbeddedDetector detector;
     ContourNets nets;
+    MeshModel mesh(embedded_net(EmbeddedModel::mesh));
+    SecondOpinion second(nets);
     std::array<std::vector<Sample>, feature_count> samples;
     // Of the people whom no training saw (every second, faces/training/holdout.txt) every second one; the
     // test takes the others. On faces that the nets were trained on they err less than they will.
@@ -100,16 +130,21 @@ int main(int argc, char** argv) {
         }
         for (const Degraded& harder : degraded(*portrait, (*people)[i].truth, static_cast<unsigned>(i))) {
             const auto places = surest_first(detector, harder.picture);
-            for (LandmarkModel* model : {static_cast<LandmarkModel*>(&nets), mesh->get()}) {
-                const auto points = located(*model, harder.picture, places);
+            const auto ours = located(nets, harder.picture, places);
+            std::optional<Landmarks> both;
+            if (auto opinions = places.empty()
+                                    ? std::nullopt
+                                    : second.about(harder.picture, places.front(), ours ? &*ours : nullptr))
+                both = std::move(opinions->settled);
+            for (const auto& points : {ours, both, located(mesh, harder.picture, places)}) {
                 if (!points)
                     continue;
                 EdgeReports edges;
                 const auto contours = contours_of(on_edges(harder.picture, lines_through(*points), &edges));
                 const QualitySigns signs = signs_of(*points, edges, harder.picture);
                 for (std::size_t f = 0; f < feature_count; ++f) {
-                    if (is_guessed(signs, static_cast<FeatureIndex>(f)))
-                        continue; // its error is that of guesses
+                    if (is_covered(signs, static_cast<FeatureIndex>(f)))
+                        continue; // its error is that of what is covered
                     if (const auto error = contour_error_percent(harder.truth, contours, names[f]))
                         samples[f].push_back({predictors(signs, static_cast<FeatureIndex>(f)),
                                               std::log(*error + error_floor_percent)});

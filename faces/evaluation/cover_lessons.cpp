@@ -4,8 +4,10 @@
 #include "faces/edge_fit.hpp"
 #include "faces/evaluation/located_face.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 namespace tp {
 namespace {
@@ -27,30 +29,18 @@ cv::Mat1d scale_columns(cv::Mat1d& x) {
 
 } // namespace
 
-std::optional<Sight> sight_of(EmbeddedDetector& detector, ContourNets& nets, const cv::Mat& picture) {
-    const auto points = located(nets, picture, surest_first(detector, picture));
-    if (!points)
-        return std::nullopt;
-    EdgeReports edges;
-    on_edges(picture, lines_through(*points), &edges);
-    return Sight{*points, signs_of(*points, edges, picture)};
-}
-
-cv::Mat1d fitted_places(const cv::Mat1d& guides, const cv::Mat1d& y, double ridge) {
-    cv::Mat1d x = guides.clone(), mean; // as a parameter it would share the caller's numbers
-    cv::reduce(x, mean, 0, cv::REDUCE_AVG);
-    for (int c = 1; c < x.cols; ++c)
-        x.col(c) -= mean(c);
-    const cv::Mat1d deviation = scale_columns(x);
-    cv::Mat1d normal(x.t() * x), weights;
-    for (int c = 1; c < x.cols; ++c)
-        normal(c, c) += ridge * x.rows;
-    cv::solve(normal, x.t() * y, weights, cv::DECOMP_CHOLESKY);
-    for (int c = 1; c < x.cols; ++c) {
-        weights.row(c) /= deviation(c);
-        weights.row(0) -= mean(c) * weights.row(c);
+std::optional<Sight> sight_of(Eyewitness& eyewitness, const cv::Mat& picture) {
+    for (const Detection& place : surest_first(eyewitness.detector, picture)) {
+        const auto ours = located(eyewitness.nets, picture, {place});
+        auto opinions = eyewitness.second.about(picture, place, ours ? &*ours : nullptr);
+        if (!opinions)
+            continue;
+        EdgeReports edges;
+        on_edges(picture, lines_through(opinions->settled), &edges);
+        const QualitySigns signs = signs_of(opinions->settled, edges, picture);
+        return Sight{std::move(*opinions), signs};
     }
-    return weights;
+    return std::nullopt;
 }
 
 cv::Mat1d fitted_cover(const cv::Mat1d& signs, const cv::Mat1d& y, double prior) {
@@ -77,6 +67,17 @@ cv::Mat1d fitted_cover(const cv::Mat1d& signs, const cv::Mat1d& y, double prior)
     for (int c = 1; c < x.cols; ++c)
         b(c) /= deviation(c);
     return b;
+}
+
+double threshold_for(const cv::Mat1d& signs, const cv::Mat1d& y, const cv::Mat1d& weights, double share) {
+    std::vector<double> evidence;
+    for (int r = 0; r < signs.rows; ++r)
+        if (y(r) < 0.5)
+            evidence.push_back(signs.row(r).dot(weights.t()));
+    std::ranges::sort(evidence);
+    return evidence.empty()
+               ? 0.0
+               : evidence[static_cast<std::size_t>((1.0 - share) * static_cast<double>(evidence.size() - 1))];
 }
 
 void print_row(const cv::Mat1d& values) {

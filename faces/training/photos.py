@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The portraits of ../shared/faces, their hand-placed contours, and who is held out of all training."""
+"""The photographs of ../shared/faces, hand-placed contours, and what is held out of all training."""
 import json
 from pathlib import Path
 
@@ -9,14 +9,24 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 DEFAULT_FACES = ROOT.parent / "shared" / "faces"
-SETS = ("congress", "ukmp", "london")
+SETS = ("congress", "ukmp", "london", "wild")
 KEYS = {"right_eye": "eye_on_the_left_of_the_picture", "left_eye": "eye_on_the_right_of_the_picture",
         "outer_lip": "outer_lip", "inner_lip": "inner_lip", "outline": "outline"}
 
 
-def held_out_people(file=HERE / "holdout.txt"):
-    """Numbers of the people of the London set whom no training may see."""
+def listed(file):
+    """The lines of a file without comments."""
     return {line.strip() for line in file.read_text().splitlines() if line.strip() and not line.startswith("#")}
+
+
+def held_out_people():
+    """Numbers of the people of the London set whom no training may see."""
+    return listed(HERE / "holdout.txt")
+
+
+def held_out():
+    """Those, and the names of the photographs of the wild set that no training may see."""
+    return held_out_people() | listed(HERE / "holdout_wild.txt")
 
 
 def person_of(name):
@@ -25,8 +35,9 @@ def person_of(name):
     return file.split("_")[0] if folder == "london" else name
 
 
-def is_held_out(name, held_out):
-    return name.startswith("london/") and person_of(name) in held_out
+def is_held_out(name, kept_out):
+    folder, file = name.split("/")
+    return folder == "london" and person_of(name) in kept_out or folder == "wild" and file in kept_out
 
 
 def names_of(faces, sets=SETS):
@@ -36,8 +47,8 @@ def names_of(faces, sets=SETS):
 
 
 def training_names(faces):
-    held_out = held_out_people()
-    return [name for name in names_of(faces) if not is_held_out(name, held_out)]
+    kept_out = held_out()
+    return [name for name in names_of(faces) if not is_held_out(name, kept_out)]
 
 
 def read_photo(folder, name):

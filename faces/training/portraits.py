@@ -8,7 +8,7 @@ import numpy as np
 from contours import SLICES
 from correction import Correction
 from labels import teacher_labels
-from photos import held_out_people, is_held_out, read_photo, read_truth, truth_file
+from photos import held_out, is_held_out, read_photo, read_truth, truth_file
 from truth_points import truth_labels
 from turned_heads import turned_head
 from warps import closed_eyes, opened_mouth, other_lips
@@ -18,7 +18,7 @@ SELDOM_SHOWN, SHOWN_MORE_OFTEN = 20.0, 3.0  # dark skin, by its typology angle i
 LARGEST_YAW = 40  # degrees
 REACH = 1.9       # of that distance: what is kept around the middle of the face
 # How often a portrait is shown: hand-placed contours are the truth, the smallest pictures teach least.
-WEIGHTS = {"truth": 8.0, "london": 3.0, "congress": 2.0, "ukmp": 1.0}
+WEIGHTS = {"truth": 8.0, "london": 3.0, "wild": 4.0, "congress": 2.0, "ukmp": 1.0}
 
 
 @dataclass
@@ -68,9 +68,9 @@ def cut_out(picture, points, skin, weight):
 
 def plain_portraits(faces, work, log):
     """One a portrait, with the teacher's points corrected, or the hand-placed ones where there are some."""
-    said, truth, held_out = teacher_labels(faces, work, log), read_truth(truth_file(faces)), held_out_people()
+    said, truth, kept_out = teacher_labels(faces, work, log), read_truth(truth_file(faces)), held_out()
     placed = {name: truth_labels(truth[name], said[name].points)
-              for name in truth if name in said and not is_held_out(name, held_out)}
+              for name in truth if name in said and not is_held_out(name, kept_out)}
     correct = Correction([(said[name].points, placed[name]) for name in placed])
     portraits = []
     for name, seen in said.items():

@@ -3,7 +3,8 @@
 import importlib.util
 import sys
 
-DEBIAN = {"torch": "python3-torch", "cv2": "python3-opencv", "numpy": "python3-numpy"}
+DEBIAN = {"torch": "python3-torch", "cv2": "python3-opencv", "numpy": "python3-numpy",
+          "onnx": "python3-onnx"}
 
 
 def require(*modules):

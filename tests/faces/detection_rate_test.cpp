@@ -63,19 +63,24 @@ private slots:
         QVERIFY(alarms <= below / 50);
     }
 
-    void drawn_pictures_have_no_face() {
+    /// Noise, clouds, shapes, stripes, bricks, wood, dots, cells, marble, leaves and letters, of every size
+    /// and colour.
+    void pictures_without_a_face_give_none() {
         FaceExtractor faces = std::move(FaceExtractor::create()).value();
         cv::RNG random(2);
         int alarms = 0, pictures = 0;
-        for (int i = 0; i < 12; ++i) {
-            const cv::Size size(random.uniform(300, 1400), random.uniform(300, 1000));
-            for (const cv::Mat& picture : drawn::without_faces(random, size)) {
+        while (pictures < 1000) {
+            const cv::Size size(random.uniform(200, 700), random.uniform(200, 600));
+            std::vector<cv::Mat> drawn = drawn::without_faces(random, size);
+            for (cv::Mat& texture : drawn::textures(random, size))
+                drawn.push_back(std::move(texture));
+            for (const cv::Mat& picture : drawn) {
                 ++pictures;
                 alarms += !faces.extract(picture).faces.empty();
             }
         }
-        qInfo("%d false alarms in %d drawn pictures", alarms, pictures);
-        QCOMPARE(alarms, 0);
+        qInfo("%d false alarms in %d pictures without a face", alarms, pictures);
+        QVERIFY(alarms <= 2);
     }
 
     /// On their side and on their head, and nothing in the file about it.

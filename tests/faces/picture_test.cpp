@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/jpeg_picture.hpp"
 #include "faces/picture.hpp"
+#include "made_pictures.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -13,30 +14,17 @@
 #include <fstream>
 
 using namespace tp;
+using tp::test::largest_difference;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// Smooth, and different in every corner, so that no two orientations look alike.
-cv::Mat sample(int width = 96, int height = 64) {
-    cv::Mat picture(height, width, CV_8UC3);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            picture.at<cv::Vec3b>(y, x) =
-                cv::Vec3b(static_cast<unsigned char>(40 + 200 * x / width),
-                          static_cast<unsigned char>(30 + 190 * y / height),
-                          static_cast<unsigned char>(220 - 100 * x / width - 80 * y / height));
-    return picture;
-}
+cv::Mat sample(int width = 96, int height = 64) { return test::gradient(width, height); }
 
 Bytes encoded(const cv::Mat& picture, const char* ending) {
     Bytes bytes;
     cv::imencode(ending, picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 98, cv::IMWRITE_WEBP_QUALITY, 101});
     return bytes;
-}
-
-double largest_difference(const cv::Mat& a, const cv::Mat& b) {
-    return a.size() == b.size() && a.type() == b.type() ? cv::norm(a, b, cv::NORM_INF) : 1e9;
 }
 
 /// `upright` as a camera held in the way of EXIF orientation `orientation` stores it: where row 0 and column
@@ -314,8 +302,11 @@ private slots:
         add("text named .jpg", text("Dear Anna, here are the photographs you asked for."), other);
         add("one byte", {0xFF}, other);
         add("random", Bytes(5000, 0xA7), other);
-        add("heic", text(std::string("\0\0\0\x18", 4) + "ftypheic\0\0\0\0mif1heic"),
-            "The picture is in the HEIC or AVIF format, which cannot be read: save it as JPEG.");
+        add("heic header alone",
+            text(std::string("\0\0\0\x18"
+                             "ftypheic\0\0\0\0mif1heic",
+                             24)),
+            "The HEIC file is damaged.");
         add("jpeg cut in its pixels", first_part(jpeg, 0.6), short_jpeg);
         add("jpeg without its last byte", {jpeg.begin(), jpeg.end() - 2}, short_jpeg);
         add("jpeg cut in its header", {jpeg.begin(), jpeg.begin() + 30}, short_jpeg);

@@ -3,6 +3,7 @@
 """The parts of the trainer that need neither portraits nor torch: labels under a mirror, hold-out, metric, windows,
 warps, scenes."""
 import copy
+import importlib.machinery
 import importlib.util
 import sys
 import unittest
@@ -97,6 +98,31 @@ class Mirror(unittest.TestCase):
         np.testing.assert_allclose(at_mirrored, np.array([100.0, 0.0]) + at * [-1.0, 1.0], atol=1e-9)
 
 
+class Mix(unittest.TestCase):
+    """Of two nets of one layer each; needs ONNX, as the trainer does."""
+
+    def setUp(self):
+        if importlib.util.find_spec("onnx") is None:
+            self.skipTest("needs python3-onnx")
+        loader = importlib.machinery.SourceFileLoader("mix", str(photos.HERE / "mix"))
+        self.mix = loader.load_module()
+
+    @staticmethod
+    def net(weights):
+        from onnx import helper, numpy_helper
+        tensor = numpy_helper.from_array(np.array(weights, np.float32), "weights")
+        return helper.make_model(helper.make_graph([], "net", [], [], [tensor]))
+
+    def test_weights_lie_between(self):
+        from onnx import numpy_helper
+        mixed = self.mix.mixed(self.net([1.0, 2.0]), self.net([3.0, -2.0]), 0.25)
+        np.testing.assert_allclose(numpy_helper.to_array(mixed.graph.initializer[0]), [1.5, 1.0])
+
+    def test_other_layers_are_refused(self):
+        with self.assertRaises(SystemExit):
+            self.mix.mixed(self.net([1.0, 2.0]), self.net([1.0]), 0.5)
+
+
 class HoldOut(unittest.TestCase):
     def test_both_pictures_of_a_person_stay_out(self):
         held_out = photos.held_out_people()
@@ -106,12 +132,23 @@ class HoldOut(unittest.TestCase):
                 self.assertTrue(photos.is_held_out(picture, held_out))
         self.assertFalse(photos.is_held_out("ukmp/" + min(held_out) + ".jpg", held_out))
 
+    def test_every_fifth_photograph_in_the_wild_stays_out(self):
+        kept_out = photos.listed(photos.HERE / "holdout_wild.txt")
+        self.assertEqual(len(kept_out), 103)
+        for name in kept_out:
+            self.assertTrue(photos.is_held_out("wild/" + name, photos.held_out()))
+            self.assertFalse(photos.is_held_out("congress/" + name, photos.held_out()))
+        everything = [name.split("/")[1] for name in photos.names_of(photos.DEFAULT_FACES, ("wild",))]
+        if everything:
+            self.assertEqual(set(everything[::5]), kept_out)
+
     def test_training_and_hold_out_share_nobody(self):
         if not photos.DEFAULT_FACES.exists():
             self.skipTest("needs ../shared/faces")
         training = {photos.person_of(name) for name in photos.training_names(photos.DEFAULT_FACES)}
         self.assertTrue(training)
         self.assertFalse(training & photos.held_out_people())
+        self.assertFalse(training & {"wild/" + name for name in photos.listed(photos.HERE / "holdout_wild.txt")})
         with_truth = {photos.person_of(name) for name in photos.read_truth(photos.truth_file(photos.DEFAULT_FACES))}
         self.assertLessEqual(photos.held_out_people(), with_truth)
 

@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/bench/face_bench.hpp"
+#include "app/cli/bench_wild.hpp"
 #include "app/cli/command_line.hpp"
+#include "app/cli/names_file.hpp"
 #include "app/cli/verbs.hpp"
 
 #include <QDir>
-#include <QFile>
 #include <QString>
 
 #include <cstdio>
-#include <set>
 
 namespace tp {
 
 namespace {
-
-/// The people that a file names, a line each; # begins a comment.
-Result<std::set<std::string>> people_in(const QString& name) {
-    QFile file(name);
-    if (!file.open(QIODevice::ReadOnly))
-        return Error{"The list of people cannot be read: " + file.errorString().toStdString() + "."};
-    std::set<std::string> people;
-    for (const QByteArray& line : file.readAll().split('\n'))
-        if (const QByteArray person = line.trimmed(); !person.isEmpty() && !person.startsWith('#'))
-            people.insert(person.toStdString());
-    return people;
-}
 
 void print(const std::vector<FaceBenchRow>& rows, const std::vector<BatchSpeed>& speeds) {
     std::printf("%-26s %6s %6s %8s %8s %8s %9s %6s %8s %6s %6s %6s %8s %6s\n", "contender", "px", "photos",
@@ -67,7 +55,7 @@ std::string run_harder(const std::vector<PlacedPortrait>& portraits, const std::
     std::erase_if(contenders, [](const FaceContender& contender) {
         return contender.name != "embedded" && !contender.name.starts_with("mesh");
     });
-    const auto rows = run_harder_bench(portraits, contenders, say);
+    const auto rows = run_harder_bench(portraits, contenders, say_step);
     if (!rows)
         return rows.error();
     if (const auto written = write_harder_table(out, *rows); !written)
@@ -83,7 +71,7 @@ std::string run(const VerbLine& line) {
     if (!portraits)
         return portraits.error();
     if (line.has("people")) {
-        const auto people = people_in(line.text("people"));
+        const auto people = names_in(line.text("people"), "people");
         if (!people)
             return people.error();
         std::erase_if(*portraits, [&](const PlacedPortrait& portrait) {
@@ -99,10 +87,10 @@ std::string run(const VerbLine& line) {
     if (line.has("harder"))
         return run_harder(*portraits, folder.path().toStdString());
     const auto contenders = face_contenders([](const std::string& why) { say("Left out: " + why); });
-    const auto rows = run_face_bench(*portraits, contenders, {0, 640, 320, 160}, say);
+    const auto rows = run_face_bench(*portraits, contenders, {0, 640, 320, 160}, say_step);
     if (!rows)
         return rows.error();
-    say("a batch on one core and on all");
+    say_step("a batch on one core and on all");
     const auto speeds = run_batch_bench(*portraits);
     if (!speeds)
         return speeds.error();
@@ -122,20 +110,36 @@ int bench_faces_verb(const QStringList& words) {
         "Weighs speed against accuracy of face contours: milliseconds a photograph and error against\n"
         "contours placed by hand, for the embedded nets after each of their refinements and for the models\n"
         "that are installed (YuNet, a face mesh, a Haar cascade alone and with an LBF facemark), over\n"
-        "sizes of the pictures. Writes faces.csv, faces.png and faces.svg.");
+        "sizes of the pictures. Writes faces.csv, faces.png and faces.svg. With --wild, photographs without\n"
+        "such contours instead: found or not, how far our contours are from the face mesh's, what is said\n"
+        "about them, milliseconds. Writes wild.csv, wild_summary.csv, wild.png, wild.svg and worst.png, the\n"
+        "worst twenty enlarged.");
     line.option("photos", "Where the photographs lie.", "DIR")
         .option("truth", "Their contours placed by hand, JSON (faces/evaluation/placed_truth.hpp).", "FILE")
         .option(
             "harder",
             "Instead, portraits made harder: blurred, small, lit from the side, covered, turned, with open\n"
             "mouths; the embedded nets beside the face mesh where it is installed. Writes harder.csv.")
+        .option("wild", "Photographs without truth: a folder and the folders in it, or a single one.", "DIR")
+        .option("only", "With --wild: only photographs whose file names are lines of this file.", "FILE")
+        .option("labels", "With --wild: what a person saw in them, as tests/faces/wild_labels.txt.", "FILE")
         .option("people", "Only photographs whose name begins with a line of this file and _.", "FILE")
         .option("out", "Folder for the results; made where it is missing.", "DIR");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
-    for (const char* needed : {"photos", "truth", "out"})
+    const bool wild = line.has("wild");
+    for (const char* other : {"photos", "truth", "people", "harder"})
+        if (wild && line.has(other))
+            return wrong_usage("bench faces", std::string("--") + other + " does not go with --wild.");
+    for (const char* other : {"only", "labels"})
+        if (!wild && line.has(other))
+            return wrong_usage("bench faces", std::string("--") + other + " goes with --wild DIR.");
+    using Names = std::vector<const char*>;
+    for (const char* needed : wild ? Names{"out"} : Names{"photos", "truth", "out"})
         if (!line.has(needed))
             return wrong_usage("bench faces", std::string("--") + needed + " is missing.");
+    if (wild)
+        return bench_wild(line);
     const std::string problem = run(line);
     if (problem.empty())
         return exit_done;

@@ -3,13 +3,13 @@
 #include "app/bench/nearest_bench.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/verbs.hpp"
+#include "core/files/durable_file.hpp"
 
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <QSysInfo>
 
 #include <cmath>
@@ -89,17 +89,13 @@ int bench_guidance(const QStringList& words) {
         .option("quick", "Fewer sizes and rounds; ends within 45 s.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
-    const auto rows = run_nearest_bench(line.has("quick") ? BenchPlan::quick() : BenchPlan::whole(), say);
+    const auto rows = run_nearest_bench(line.has("quick") ? BenchPlan::quick() : BenchPlan::whole(), say_step);
     print(rows);
     if (!line.has("json"))
         return exit_done;
-    QSaveFile file(line.text("json"));
-    const bool written = file.open(QIODevice::WriteOnly) &&
-                         file.write(QJsonDocument(json_of(rows)).toJson()) > 0 && file.commit();
-    if (!written) {
-        say_problem("The figures cannot be written: " + file.errorString().toStdString() + ".");
-        return exit_bad_input;
-    }
+    const std::string figures = QJsonDocument(json_of(rows)).toJson().toStdString();
+    if (const std::string reason = replace_file(line.text("json").toStdString(), figures); !reason.empty())
+        return refused("The figures cannot be written: " + reason);
     return exit_done;
 }
 
@@ -129,7 +125,7 @@ int bench_accuracy(const QStringList& words) {
     for (const AccuracyScene& scene : accuracy_scenes()) {
         if (line.has("quick") && scene.name == "map")
             continue;
-        const std::vector<AccuracyRow> its = run_accuracy_bench(scene, plan, say);
+        const std::vector<AccuracyRow> its = run_accuracy_bench(scene, plan, say_step);
         rows.insert(rows.end(), its.begin(), its.end());
     }
     const std::filesystem::path out = folder.path().toStdString();
@@ -155,7 +151,8 @@ int bench_verb(const QStringList& words) {
     if (what == QLatin1String("--help") || what == QLatin1String("-h")) {
         std::puts("touchphoto-lab bench guidance [--json FILE] [--quick]\n"
                   "touchphoto-lab bench accuracy --out DIR [--quick]\n"
-                  "touchphoto-lab bench faces --photos DIR --truth FILE --out DIR [--people FILE]");
+                  "touchphoto-lab bench faces --photos DIR --truth FILE --out DIR [--people FILE]\n"
+                  "touchphoto-lab bench faces --wild DIR --out DIR [--only FILE] [--labels FILE]");
         return exit_done;
     }
     return wrong_usage("bench", "What is to be measured? There are: guidance, accuracy, faces.");

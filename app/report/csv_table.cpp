@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/report/csv_table.hpp"
 
-#include <QSaveFile>
+#include "core/files/durable_file.hpp"
+
+#include <QByteArray>
 #include <QString>
 
 namespace tp {
@@ -20,21 +22,15 @@ QByteArray field(const std::string& text) {
 std::string cell(double value, int digits) { return QString::number(value, 'g', digits).toStdString(); }
 
 Result<std::filesystem::path> CsvTable::write(const std::filesystem::path& file) const {
-    QSaveFile out(QString::fromStdString(file.string()));
-    const auto problem = [&] {
-        return Error{std::string("The table ") + file.string() +
-                     " cannot be written: " + out.errorString().toStdString() + "."};
-    };
-    if (!out.open(QIODevice::WriteOnly))
-        return problem();
+    QByteArray text;
     for (const auto& row : rows_) {
         QByteArray line;
         for (std::size_t i = 0; i < row.size(); ++i)
             line += (i == 0 ? QByteArray() : QByteArray(",")) + field(row[i]);
-        out.write(line + '\n');
+        text += line + '\n';
     }
-    if (!out.commit())
-        return problem();
+    if (const std::string reason = replace_file(file, text.toStdString()); !reason.empty())
+        return Error{"The table " + file.string() + " cannot be written: " + reason};
     return file;
 }
 

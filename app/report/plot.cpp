@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/report/plot.hpp"
 
+#include "core/files/durable_file.hpp"
+
 #include <QBuffer>
 #include <QImage>
 #include <QPainter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 #include <algorithm>
@@ -161,10 +162,8 @@ void paint_all(QPaintDevice& device, const std::vector<PlotPanel>& panels, const
 }
 
 Result<std::filesystem::path> write_bytes(const std::filesystem::path& file, const QByteArray& bytes) {
-    QSaveFile out(QString::fromStdString(file.string()));
-    if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit())
-        return Error{std::string("The plot ") + file.string() +
-                     " cannot be written: " + out.errorString().toStdString() + "."};
+    if (const std::string reason = replace_file(file, bytes.toStdString()); !reason.empty())
+        return Error{"The plot " + file.string() + " cannot be written: " + reason};
     return file;
 }
 

@@ -19,7 +19,6 @@ Column {
             anchors.left: parent.left
             width: parent.width - (place.visible ? place.width + Theme.gap : 0)
             text: words.session.title
-            textFormat: Text.PlainText
         }
         TpStatus {
             id: place
@@ -40,7 +39,6 @@ Column {
         visible: words.ready
         text: words.session.summary
         font.bold: true
-        textFormat: Text.PlainText
     }
     TpStatus {
         width: parent.width
@@ -48,7 +46,6 @@ Column {
         label: qsTr("Detail")
         text: words.session.detail
         color: Theme.accent
-        textFormat: Text.PlainText
     }
     TpStatus {
         width: parent.width

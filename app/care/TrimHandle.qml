@@ -63,7 +63,7 @@ Item {
         height: 0.7 * Theme.target
         radius: Theme.radius
         color: area.pressed ? Theme.accentPressed : Theme.accent
-        Text {
+        PlainText {
             anchors.centerIn: parent
             text: handle.atBegin ? "⟩" : "⟨"
             font.pixelSize: Theme.headingSize

@@ -29,7 +29,7 @@ T.Button {
         text: label.text
     }
 
-    contentItem: Text {
+    contentItem: PlainText {
         id: label
         text: control.text
         font.pixelSize: control.large ? 1.2 * Theme.headingSize : Theme.textSize

@@ -13,13 +13,12 @@ Column {
     spacing: 6
     Accessible.role: Accessible.Grouping // without a name: each option has the label in its own, and Orca would say it twice
 
-    Text {
+    PlainText {
         width: parent.width
         visible: text !== ""
         text: choice.label
         font.pixelSize: Theme.smallSize
         color: Theme.quiet
-        horizontalAlignment: Text.AlignLeft
         wrapMode: Text.Wrap
         Accessible.ignored: true
     }
@@ -59,7 +58,7 @@ Column {
                     font: label.font
                     text: label.text
                 }
-                Text {
+                PlainText {
                     id: label
                     anchors { fill: parent; margins: Theme.gap }
                     text: (option.chosen ? "● " : "○ ") + option.modelData
@@ -69,7 +68,6 @@ Column {
                     horizontalAlignment: Text.AlignHCenter
                     verticalAlignment: Text.AlignVCenter
                     wrapMode: Text.Wrap
-                    textFormat: Text.PlainText
                     Accessible.ignored: true
                 }
             }

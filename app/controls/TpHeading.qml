@@ -2,12 +2,11 @@
 import QtQuick
 
 // A Text, because a role set on a Label is ignored by Qt 6.4.
-Text {
+PlainText {
     font.pixelSize: Theme.headingSize
     font.bold: true
     color: Theme.text
     wrapMode: Text.Wrap
-    horizontalAlignment: Text.AlignLeft
     Accessible.role: Accessible.Heading
     Accessible.name: text
 }

@@ -67,7 +67,7 @@ Item {
             Accessible.role: Accessible.Button
             Accessible.name: modelData
             Accessible.onPressAction: board.chosen(index)
-            Text {
+            PlainText {
                 anchors.centerIn: parent
                 text: key.modelData
                 font.pixelSize: 1.4 * Theme.textSize

@@ -50,26 +50,22 @@ TpPressable {
             id: words
             anchors.verticalCenter: parent.verticalCenter
             width: parent.width - (thumbnail.visible ? thumbnail.width + parent.spacing : 0)
-            Text {
+            PlainText {
                 width: parent.width
                 text: row.text
                 font.pixelSize: row.large ? 1.4 * Theme.headingSize : Theme.textSize
                 font.bold: row.selected
                 color: Theme.text
-                horizontalAlignment: Text.AlignLeft
                 wrapMode: Text.Wrap
-                textFormat: Text.PlainText
                 Accessible.ignored: true
             }
-            Text {
+            PlainText {
                 width: parent.width
                 visible: text !== ""
                 text: row.detail
                 font.pixelSize: row.large ? Theme.textSize : Theme.smallSize
                 color: Theme.quiet
-                horizontalAlignment: Text.AlignLeft
                 wrapMode: Text.Wrap
-                textFormat: Text.PlainText
                 Accessible.ignored: true
             }
         }

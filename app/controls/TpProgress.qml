@@ -16,13 +16,12 @@ Item {
     Accessible.role: Accessible.ProgressBar
     Accessible.name: valueText === "" ? label : label + ": " + valueText
 
-    Text {
+    PlainText {
         id: words
         width: parent.width
         text: progress.valueText === "" ? progress.label : progress.label + ": " + progress.valueText
         font.pixelSize: Theme.smallSize
         color: Theme.text
-        horizontalAlignment: Text.AlignLeft
         wrapMode: Text.Wrap
         Accessible.ignored: true
     }

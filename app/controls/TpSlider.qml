@@ -35,17 +35,16 @@ T.Slider {
         color: Theme.raised
         border.width: 1
         border.color: Theme.edge
-        Text {
+        PlainText {
             id: caption
             anchors { left: parent.left; right: reading.left; top: parent.top; margins: 10; leftMargin: Theme.gap }
             text: control.label
             font.pixelSize: Theme.smallSize
             color: Theme.text
-            horizontalAlignment: Text.AlignLeft
             wrapMode: Text.Wrap
             Accessible.ignored: true
         }
-        Text {
+        PlainText {
             id: reading
             anchors { right: parent.right; top: parent.top; margins: 10; rightMargin: Theme.gap }
             width: Math.min(Math.ceil(metrics.advanceWidth) + 2, 0.5 * parent.width - Theme.gap) // half is the label's

@@ -23,13 +23,12 @@ FocusScope {
     onSettingChanged: input.text = setting
     Component.onCompleted: input.text = setting
 
-    Text {
+    PlainText {
         id: caption
         width: parent.width
         text: field.label
         font.pixelSize: Theme.smallSize
         color: Theme.quiet
-        horizontalAlignment: Text.AlignLeft
         wrapMode: Text.Wrap
         Accessible.ignored: true
     }

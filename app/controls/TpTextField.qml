@@ -30,13 +30,12 @@ FocusScope {
     onSettingChanged: input.text = setting
     Component.onCompleted: input.text = setting
 
-    Text {
+    PlainText {
         id: caption
         width: parent.width
         text: field.label
         font.pixelSize: Theme.smallSize
         color: Theme.quiet
-        horizontalAlignment: Text.AlignLeft
         wrapMode: Text.Wrap
         Accessible.ignored: true
     }
@@ -63,7 +62,7 @@ FocusScope {
         Accessible.editable: true
         Accessible.focusable: true
 
-        Text {
+        PlainText {
             anchors.fill: parent
             anchors.margins: parent.padding
             visible: input.text === "" && !input.activeFocus

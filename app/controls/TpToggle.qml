@@ -28,14 +28,13 @@ T.Switch {
     Keys.onReturnPressed: control.toggle()
     Keys.onEnterPressed: control.toggle()
 
-    contentItem: Text {
+    contentItem: PlainText {
         id: label
         text: control.text
         rightPadding: control.mirrored ? 0 : control.indicator.width + 16
         leftPadding: control.mirrored ? control.indicator.width + 16 : 0
         font.pixelSize: Theme.textSize
         color: Theme.text
-        horizontalAlignment: Text.AlignLeft
         verticalAlignment: Text.AlignVCenter
         wrapMode: Text.Wrap
         Accessible.ignored: true

@@ -101,14 +101,13 @@ Item {
         radius: 6
         visible: marks.arrowShown
         color: Theme.panel
-        Text {
+        PlainText {
             id: newtons
             anchors.centerIn: parent
             text: qsTr("%1 N").arg(marks.session.newtons.toFixed(2))
             font.pixelSize: Theme.smallSize
             font.bold: true
             color: Theme.text
-            textFormat: Text.PlainText
             Accessible.ignored: true
         }
     }

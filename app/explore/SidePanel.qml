@@ -35,7 +35,6 @@ TpScroll {
     TpHeading {
         width: parent.width
         text: panel.session.title === "" ? qsTr("Explore") : panel.session.title
-        textFormat: Text.PlainText
         elide: Text.ElideMiddle
         wrapMode: Text.NoWrap
     }
@@ -46,7 +45,6 @@ TpScroll {
         minimumPixelSize: Theme.textSize
         verticalAlignment: Text.AlignVCenter
         text: panel.session.featureName === "" ? "–" : panel.session.featureName
-        textFormat: Text.PlainText
         font.pixelSize: Math.max(Theme.headingSize, Math.min(Theme.bigSize, width / (width > 560 ? 14 : 9)))
         font.bold: true
         lineHeight: 0.95
@@ -64,7 +62,6 @@ TpScroll {
         width: parent.width
         visible: panel.session.deviceName !== ""
         text: qsTr("Device: %1").arg(panel.session.deviceName)
-        textFormat: Text.PlainText
         font.pixelSize: Theme.smallSize
         color: Theme.quiet
     }

@@ -17,7 +17,7 @@ namespace tp {
 namespace {
 
 constexpr std::size_t largest_lab_recording = std::size_t{1} << 30U;
-constexpr std::size_t largest_setup = std::size_t{1} << 26U;
+constexpr std::size_t largest_setup = std::size_t{1} << 24U; // 100 000 lines of a tactile map
 
 /// By how much a loop with the setup differs from what was recorded, N.
 Result<double> difference(const TouchRecording& recording, const LabSetup& setup, const std::stop_token& stop) {

@@ -9,6 +9,7 @@
 #include "app/print/print_module.hpp"
 #include "app/settings/settings_module.hpp"
 #include "app/shell/focus_words.hpp"
+#include "app/shell/own_resources.hpp"
 #include "app/start/start_module.hpp"
 
 #include <QAccessible>
@@ -24,6 +25,7 @@ extern void qml_register_types_TouchPhoto_Shell();
 namespace tp {
 
 ProgramWindow::ProgramWindow(Program& program) : program_(program) {
+    keep_to_own_resources(*engine());
     qml_register_types_TouchPhoto_Shell();
     register_start();
     register_browse();

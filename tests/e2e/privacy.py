@@ -3,7 +3,7 @@
 """The page and the verbs of an album under strace: they talk to this machine's sound, speech, display and accessibility
 servers and to nobody else, and what they write of a family only its owner may read.
 
-privacy.py PROGRAM LAB PHOTO    ends in 77 where something that it needs is missing
+privacy.py PROGRAM LAB PHOTO [TEST...]    ends in 77 where something that it needs is missing
 """
 import json
 import os
@@ -19,6 +19,9 @@ import wave
 
 import desk
 import network_trace
+from album import preferences
+from every_page import BY_NUMBER, WIDE, Focus, Walker
+from hostile_album import HostileAlbum, Listener
 
 # What each local server's socket is called. "@" begins an abstract name.
 SERVERS = {
@@ -35,6 +38,17 @@ SERVERS = {
 def judged(trace):
     with open(trace, encoding="utf-8", errors="replace") as file:
         return network_trace.judged(file.read(), SERVERS)
+
+
+def setUpModule():
+    """A desk with a sound server, one for all: a client of accessibility does not find its way to a second one."""
+    import sound_server
+
+    folder = tempfile.mkdtemp()
+    unittest.addModuleCleanup(shutil.rmtree, folder, True)
+    os.mkdir(os.path.join(folder, "sound-server"), 0o700)
+    unittest.addModuleCleanup(sound_server.Server(os.path.join(folder, "sound-server")).end)
+    unittest.enterModuleContext(desk.Desk())
 
 
 class Judge(unittest.TestCase):
@@ -225,12 +239,8 @@ class Page(unittest.TestCase):
 
         folder = tempfile.mkdtemp()
         self.addCleanup(shutil.rmtree, folder, True)
-        os.mkdir(os.path.join(folder, "sound-server"), 0o700)
-        server = sound_server.Server(os.path.join(folder, "sound-server"))
-        self.addCleanup(server.end)
         speech = sound_server.Speech()  # before the program, which would start one as a child
         self.addCleanup(speech.end)
-        self.enterContext(desk.Desk())
         trace = os.path.join(folder, "trace")
         program = subprocess.Popen(network_trace.traced([PROGRAM, "--voice", "on", PHOTO], trace))
         try:
@@ -247,6 +257,70 @@ class Page(unittest.TestCase):
         print(f"met in {found.lines} lines of trace: " + ", ".join(sorted(found.servers)))
 
 
+def written_in(node):
+    """What somebody could change or read letter by letter; empty where there is no such thing."""
+    try:
+        return node.queryText().getText(0, -1)
+    except NotImplementedError:
+        return ""
+
+
+class HostileWords(unittest.TestCase):
+    """A stranger's names, captions, transcripts and file names on every page."""
+
+    CALLS = network_trace.CALLS + ",open,openat,openat2"
+    DETAILS = 6  # of a photograph that Browse tells one after the other
+    ON_NO_PAGE = {"transcript"}  # searched in, never shown
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder, True)
+        self.listener = self.enterContext(Listener())
+        self.album = HostileAlbum(LAB, PHOTO, self.folder, self.listener.port)
+        self.focus = Focus()
+        self.shown = set()
+
+    def walk(self, pages, *words):
+        """Over pages, until each has come to rest; whom the program met and what it opened on the way."""
+        environment = preferences(self.folder, asked=True, voice="screen_reader", album_folders=[self.album.album.folder],
+                                  last_photo=self.album.photos[0])
+        trace = os.path.join(self.folder, "trace")
+        command = [PROGRAM, "--size", "x".join(map(str, WIDE)), *words]
+        running = subprocess.Popen(network_trace.traced(command, trace, self.CALLS), env=environment)
+        try:
+            walker = Walker(running, desk.Page(), self.focus)
+            for page in pages:
+                walker.go(page)
+                walker.faultless(page)
+                for _ in range(self.DETAILS if page == "browse" else 0):
+                    self.note_what_is_shown(walker)
+                    walker.page.keys("Down")
+                self.note_what_is_shown(walker)
+            self.assertIsNone(running.poll(), "the program has ended")
+        finally:
+            running.terminate()
+            running.wait(20)
+        wait_until(lambda: is_whole(trace))
+        self.assertEqual(judged(trace).offences, [])
+        with open(trace, encoding="utf-8", errors="replace") as file:
+            self.assertEqual([line for line in file if "open" in line.split("(")[0] and self.album.bait in line], [])
+
+    def note_what_is_shown(self, walker):
+        for node in walker.seen():
+            self.shown |= self.album.kinds_in([node.name, written_in(node)])
+
+    def test_nothing_is_fetched_that_words_ask_for(self):
+        broken = os.path.join(self.folder, self.album.words["file"] + ".png")
+        with open(broken, "wb") as file:
+            file.write(b"no picture")
+        for pages, words in ((("mend", "start", *BY_NUMBER), ("--page", "mend")), (("print",), ("--page", "print")),
+                             (("what cannot be opened",), (broken,))):
+            with self.subTest(words=words):
+                self.walk(pages, *words)
+        self.assertEqual(self.listener.callers, [])
+        self.assertEqual(self.shown, set(self.album.words) - self.ON_NO_PAGE)
+
+
 def outer():
     reason = network_trace.can_trace()
     if reason:
@@ -257,9 +331,9 @@ def outer():
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
+    if len(sys.argv) < 4:
         sys.exit(__doc__)
     if not desk.is_at_a_desk():
         sys.exit(outer())
-    PROGRAM, LAB, PHOTO = sys.argv[1:]
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    PROGRAM, LAB, PHOTO = sys.argv[1:4]
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:], verbosity=2)

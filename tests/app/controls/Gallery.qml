@@ -8,6 +8,7 @@ Column {
     spacing: 10
 
     readonly property var theme: Theme
+    readonly property string photos: PhotoPatterns.all
     property int presses: 0
     property bool wanted: false
     property real picked: 0.5

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/controls/controls_module.hpp"
+#include "core/files/photo_endings.hpp"
 #include "places.hpp"
 
 #include <QAccessible>
@@ -9,6 +10,7 @@
 #include <QQuickItem>
 #include <QQuickView>
 #include <QScopeGuard>
+#include <QStringList>
 #include <QTest>
 #include <QUrl>
 #include <QVariant>
@@ -16,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <string_view>
 
 namespace {
 
@@ -63,6 +67,13 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
     }
     void cleanup() { view_.reset(); }
+
+    void file_dialogs_show_what_the_album_takes() {
+        const QStringList patterns = view_->rootObject()->property("photos").toString().split(' ');
+        for (const std::string_view ending : tp::photo_endings)
+            QVERIFY(patterns.contains("*" + QString::fromStdString(std::string(ending))));
+        QVERIFY(patterns.contains("*.bmp") && patterns.contains("*.jp2")); // which open, though the album leaves them
+    }
 
     void every_control_has_role_name_and_a_target_of_64_pixels() {
         struct Expected {

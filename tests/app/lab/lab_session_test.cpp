@@ -329,6 +329,8 @@ private slots:
         const Result<LabReplay> read = read_replay(file);
         QVERIFY(read.ok());
         QVERIFY(read->greatest_difference > 0.05);
+        QVERIFY(beside.resize((16 << 20) + 1)); // read it would take thirty times as much memory
+        QVERIFY(read_replay(file).error().find("larger than 16 MB") != std::string::npos);
     }
 
     void a_recording_without_its_parameters_is_played_and_a_spoilt_one_is_told() {

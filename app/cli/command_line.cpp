@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
 
+#include "app/cli/long_work.hpp"
+
 #include <QDir>
 
 #include <cmath>
@@ -14,10 +16,18 @@ void say_problem(const std::string& sentence, const std::string& about) {
 
 int refused(const std::string& sentence) {
     say_problem(sentence);
-    return exit_bad_input;
+    return LongWork::stop_asked() ? LongWork::stop_code() : exit_bad_input;
 }
 
-void say(const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }
+void say(const std::string& line) {
+    std::fprintf(stderr, "%s\n", line.c_str());
+    LongWork::said();
+}
+
+void say_step(const std::string& line) {
+    say(line);
+    LongWork::step(line);
+}
 
 int wrong_usage(const QString& verb, const std::string& sentence) {
     say(sentence + " See touchphoto-lab " + verb.toStdString() + " --help.");

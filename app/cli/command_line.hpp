@@ -20,10 +20,12 @@ enum ExitCode {
 
 /// One sentence to stderr, with `about` (a file's name, say) before it.
 void say_problem(const std::string& sentence, const std::string& about = {});
-/// The same; exit_bad_input.
+/// The same; exit_bad_input, or what a verb ends in that was stopped.
 int refused(const std::string& sentence);
 /// A line of progress or news to stderr; stdout is for machines.
 void say(const std::string& line);
+/// The same of what begins now, which is then also what a person who waits is told.
+void say_step(const std::string& line);
 
 /// The parser of one verb: options, `--help`, and what is left as arguments.
 class VerbLine {

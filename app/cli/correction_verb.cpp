@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/picture/field_picture.hpp"
 #include "app/picture/picture_file.hpp"
@@ -83,6 +84,7 @@ public:
 
     /// A sentence where something is wrong; else empty.
     std::string run() {
+        LongWork::step("looking at " + photo_);
         auto extractor = FaceExtractor::create();
         if (!extractor)
             return extractor.error();
@@ -105,6 +107,7 @@ public:
                 return "The true contours cannot be used: " + placed.error();
             truth = *placed;
         }
+        LongWork::step("comparing the force fields");
         print_features(found, *mended, truth);
         return compare_fields(found, *mended, truth);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/device_measures.hpp"
 
+#include "app/cli/input_line.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/devices/calibration_steps.hpp"
 #include "app/devices/stick_measuring.hpp"
@@ -44,6 +46,7 @@ Result<Vec2> screen_size(const QString& text) {
 
 /// Holds each mark in turn, without any force on the device; a fault ends it with its sentence.
 Result<Calibration> calibrated(ServoLoop& loop, const ForceDevice& device, Vec2 screen, double inset) {
+    const PersonsTurn turn;
     const Rect area{{0.0, -screen.y}, {screen.x, 0.0}};
     const Vec2 marks[] = {{inset, -inset}, {screen.x - inset, -inset}, {screen.x - inset, inset - screen.y}, {inset, inset - screen.y}};
     const char* const corners[] = {"top left", "top right", "bottom right", "bottom left"};
@@ -53,7 +56,7 @@ Result<Calibration> calibrated(ServoLoop& loop, const ForceDevice& device, Vec2 
         const int mark = steps.mark();
         say("Put the knob on the " + std::string(corners[mark]) + " mark, keep it still, and press Return.");
         std::string line;
-        if (!std::getline(std::cin, line))
+        if (!next_line(std::cin, line))
             return Error{"The calibration was ended. Nothing was changed."};
         steps.lift();
         double well_at = clock.now();
@@ -74,12 +77,13 @@ Result<Calibration> calibrated(ServoLoop& loop, const ForceDevice& device, Vec2 
 
 /// Lets a stick be measured, the grams read from standard input.
 Result<StickScale> measured(ServoLoop& loop, ForceDevice& device) {
+    const PersonsTurn turn;
     const Error ended{"The measurement was ended. Nothing was changed."};
     StickMeasuring measuring(device, loop);
     SteadyClock clock;
     std::string line;
     say(measuring.words().toStdString() + " Press Return to begin.");
-    if (!std::getline(std::cin, line))
+    if (!next_line(std::cin, line))
         return ended;
     double well_at = clock.now();
     const auto step = [&measuring] { return measuring.trial().step(); };
@@ -104,7 +108,7 @@ Result<StickScale> measured(ServoLoop& loop, ForceDevice& device) {
     say(measuring.words().toStdString());
     std::future<bool> typing;
     while (step() == StickTrial::Step::weigh) {
-        typing = std::async(std::launch::async, [&line] { return bool(std::getline(std::cin, line)); });
+        typing = std::async(std::launch::async, [&line] { return next_line(std::cin, line); });
         while (typing.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
             if (const std::string why = pass(0.1); !why.empty()) {
                 say(why + " Press Return.");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/device_measures.hpp"
 #include "app/cli/guidance_options.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 #include "core/files/whole_file.hpp"
 #include "core/servo/servo_loop.hpp"
@@ -51,7 +52,8 @@ std::set<Fault> run_for(double seconds, ServoLoop& loop, Meanwhile meanwhile) {
     std::set<Fault> faults;
     SteadyClock clock;
     loop.start();
-    for (const double begun = clock.now(); clock.now() - begun < seconds;) {
+    for (const double begun = clock.now(); clock.now() - begun < seconds && !LongWork::stop_asked();) {
+        LongWork::share((clock.now() - begun) / seconds);
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         meanwhile();
         faults.insert(loop.snapshot().fault);
@@ -88,6 +90,7 @@ int test(const QStringList& words) {
     settings.rate = can->rate;
     ServoLoop loop(*device, *can, clock, settings);
     std::string complaint;
+    LongWork::step("reading " + can->name);
     const auto* const pad = dynamic_cast<const ForcePad*>(device.get());
     const std::set<Fault> faults =
         run_for(*seconds, loop, [&] { complaint = device->complaint(); });
@@ -98,6 +101,8 @@ int test(const QStringList& words) {
         std::printf("bad frames  %llu\n", static_cast<unsigned long long>(pad->bad_frames()));
     for (const Fault fault : faults)
         say_problem(fault == Fault::motors_off && !complaint.empty() ? complaint : sentence(fault));
+    if (LongWork::stop_asked())
+        return LongWork::stop_code();
     return faults.empty() ? exit_done : exit_bad_input;
 }
 
@@ -155,12 +160,17 @@ int record(const QStringList& words) {
         loop.engage();
     }
     bool written = true;
+    LongWork::step("recording " + can->name);
     const std::set<Fault> faults = run_for(*seconds, loop, [&] { written = recorder->flush() && written; });
     written = recorder->flush() && written;
     for (const Fault fault : faults)
         say(sentence(fault));
+    if (written && LongWork::stop_asked()) {
+        say("Stopped; the recording is whole as far as it goes.");
+        return LongWork::stop_code();
+    }
     return written
-               ? exit_done
+               ? int{exit_done}
                : refused(
                      "The recording is not whole, because the disk is full or this computer was too busy.");
 }
@@ -179,6 +189,7 @@ int replay_verb(const QStringList& words) {
     const auto options = guidance_options(line);
     if (!options)
         return wrong_usage("devices replay", options.error());
+    LongWork::step("reading " + line.arguments().first().toStdString());
     const auto bytes = read_whole(line.arguments().first().toStdString(), largest_recording);
     if (!bytes)
         return refused(bytes.error());
@@ -192,10 +203,13 @@ int replay_verb(const QStringList& words) {
             " bytes are left out.");
     if (!line.has("scene")) {
         std::puts("now_s,fresh,x_mm,y_mm,fx_n,fy_n,lost,motors_off,refused");
-        for (const RecordedTick& tick : recording->ticks)
+        for (const RecordedTick& tick : recording->ticks) {
+            if (LongWork::stop_asked())
+                return LongWork::stop_code();
             std::printf("%.6f,%d,%.6f,%.6f,%.6f,%.6f,%d,%d,%d\n", tick.now, tick.fresh,
                         tick.reading.position.x, tick.reading.position.y, tick.force.x, tick.force.y,
                         tick.lost, tick.motors_off, tick.refused);
+        }
         return exit_done;
     }
     auto loaded = load_scene(line.text("scene"), *options);
@@ -211,6 +225,7 @@ int replay_verb(const QStringList& words) {
     ServoLoop loop(device, *can, clock, {});
     loop.render(std::move(loaded->haptic));
     loop.engage();
+    LongWork::step("replaying");
     replay(*recording, loop, clock);
     std::printf("ticks %zu, greatest difference %.9f N\n", device.ticks(), device.greatest_difference());
     return exit_done;

@@ -2,17 +2,19 @@
 #include "app/cli/expression_labels.hpp"
 
 #include "core/base/words.hpp"
+#include "core/files/photo_endings.hpp"
+#include "core/files/whole_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
-#include <sstream>
 #include <vector>
 
 namespace tp {
 
 namespace {
+
+constexpr std::size_t most_bytes = 16 << 20;
 
 using Row = std::vector<std::string>;
 
@@ -43,14 +45,13 @@ std::optional<std::vector<Row>> rows_of(std::string_view text) {
 
 /// The file's name without what says how the file is written.
 std::string bare_name(const std::filesystem::path& file) {
-    constexpr std::array<std::string_view, 9> endings{".svg", ".truth", ".contours", ".jpg", ".jpeg",
-                                                      ".png", ".webp",  ".tif",      ".tiff"};
+    constexpr std::array<std::string_view, 3> endings{".svg", ".truth", ".contours"};
     std::filesystem::path name = file.filename();
     for (;;) {
         std::string ending = name.extension().string();
         std::transform(ending.begin(), ending.end(), ending.begin(),
                        [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        if (std::find(endings.begin(), endings.end(), ending) == endings.end())
+        if (std::find(endings.begin(), endings.end(), ending) == endings.end() && !has_photo_ending(name))
             return name.string();
         name = name.stem();
     }
@@ -61,11 +62,10 @@ std::string up_to_last_underscore(const std::string& name) { return name.substr(
 } // namespace
 
 Result<ExpressionLabels> ExpressionLabels::read(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    if (!in || !(text << in.rdbuf()))
-        return Error{"The labels in " + file.string() + " cannot be read, or there are none."};
-    auto labels = from_csv(text.str());
+    const auto text = read_whole(file, most_bytes);
+    if (!text)
+        return Error{"The labels cannot be read: " + text.error()};
+    auto labels = from_csv(*text);
     return labels ? std::move(labels) : Error{file.string() + ": " + labels.error()};
 }
 

@@ -3,10 +3,10 @@
 #include "app/cli/expression_faces.hpp"
 #include "app/cli/expression_labels.hpp"
 #include "app/cli/expression_report.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/study/expression_trial.hpp"
-
-#include <QSaveFile>
 
 #include <algorithm>
 #include <cstdio>
@@ -54,7 +54,9 @@ private:
             labels_ = std::move(labels).value();
         }
         ExpressionMeter meter(!line_.has("uncorrected"));
+        std::size_t number = 0;
         for (const QString& name : line_.arguments()) {
+            LongWork::item(name.toStdString(), ++number, static_cast<std::size_t>(line_.arguments().size()));
             const auto measured = meter.measure(name.toStdString());
             if (!measured)
                 return measured.error();
@@ -105,11 +107,8 @@ private:
         const auto observer = ExpressionObserver::learned_from(examples());
         if (!observer)
             return observer.error();
-        QSaveFile file(name);
-        if (!file.open(QIODevice::WriteOnly) || file.write(rows_of(observer->model())) < 0 || !file.commit())
-            return "What was learned cannot be written to " + name.toStdString() + ": " +
-                   file.errorString().toStdString() + ".";
-        return {};
+        const std::string reason = replace_file(name.toStdString(), rows_of(observer->model()).toStdString());
+        return reason.empty() ? reason : "What was learned cannot be written to " + name.toStdString() + ": " + reason;
     }
 
     /// Who judges whom: the built-in observer, or one that has not seen the person.
@@ -138,7 +137,9 @@ private:
     void judge() {
         ExpressionTrial trial;
         trial.choices = report_.choices;
+        std::size_t number = 0;
         for (JudgedFace& face : report_.faces) {
+            LongWork::item("judging " + face.photo, ++number, report_.faces.size());
             const ExpressionObserver& observer = observer_for(face.person);
             face.exact = observer.judge(face.cues, trial.choices);
             trial.touch.reset();

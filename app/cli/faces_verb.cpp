@@ -2,8 +2,8 @@
 #include "app/cli/batch_progress.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/face_json.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/results_file.hpp"
-#include "app/cli/stop_signal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/picture/overlay.hpp"
 #include "app/picture/picture_file.hpp"
@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <future>
+#include <mutex>
 #include <optional>
 #include <unordered_set>
 #include <vector>
@@ -114,19 +115,26 @@ private:
     }
 
     int run(std::vector<FaceExtractor> extractors) {
-        const StopSignal stop;
+        LongWork::step("looking at " + (photos_.size() == 1 ? photos_.front().file.toStdString()
+                                                            : std::to_string(photos_.size()) + " photographs"));
         BatchProgress progress(photos_.size());
         std::vector<std::filesystem::path> files;
         for (const Photo& photo : photos_)
             files.emplace_back(photo.file.toStdString());
         bool good = true;
         const auto take = [&](std::size_t index, const Extraction& found) {
+            const std::lock_guard lock(taking_);
             if (photos_.size() > 1)
                 say(progress.next(photos_[index].file.toStdString()));
             good = one(photos_[index], found) && good;
+            taken_ = index + 1;
             return problem_.empty();
         };
-        const auto done = extract_batch(std::move(extractors), files, take, stop.asked());
+        const LastWords how_many([this] {
+            const std::lock_guard lock(taking_); // what is being written is written whole
+            say_stopped();
+        });
+        const auto done = extract_batch(std::move(extractors), files, take, LongWork::stop_asked());
         if (!done)
             return refused(done.error());
         if (results_ && problem_.empty())
@@ -134,11 +142,15 @@ private:
         if (!problem_.empty())
             return refused(problem_);
         if (*done < photos_.size()) {
-            say("Stopped after " + std::to_string(*done) + " of " + std::to_string(photos_.size()) + "." +
-                (results_ ? " The same command goes on from there." : ""));
-            return stop.exit_code();
+            say_stopped();
+            return LongWork::stop_code();
         }
         return good ? exit_done : exit_bad_input;
+    }
+
+    void say_stopped() const {
+        say("Stopped after " + std::to_string(taken_) + " of " + std::to_string(photos_.size()) + "." +
+            (results_ ? " The same command goes on from there." : ""));
     }
 
     /// False where something has to be said about this photograph; the others of the batch go on.
@@ -195,7 +207,9 @@ private:
     ExtraFeatures extras_; ///< in sheets and overlays; JSON has them always
     std::optional<ResultsFile> results_;
     std::vector<Photo> photos_;
-    std::string problem_; ///< why no more results can be written; empty: they can
+    std::mutex taking_;     ///< held while a photograph's results are written
+    std::size_t taken_ = 0; ///< photographs whose results are
+    std::string problem_;   ///< why no more results can be written; empty: they can
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/guidance_options.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/picture/field_picture.hpp"
 #include "app/picture/picture_file.hpp"
@@ -27,13 +28,12 @@ int field_verb(const QStringList& words) {
         say_problem(loaded.error(), line.text("scene").toStdString());
         return exit_bad_input;
     }
-    const auto written = write_image(line.text("out").toStdString(),
-                                     draw_force_field(*loaded->haptic, loaded->scene.surface(), *scale));
-    if (!written) {
-        say_problem(written.error());
-        return exit_bad_input;
-    }
-    return exit_done;
+    LongWork::step("drawing the force field");
+    const QImage drawn = draw_force_field(*loaded->haptic, loaded->scene.surface(), *scale, {},
+                                          LongWork::stop_token(), LongWork::share);
+    LongWork::step("writing the picture");
+    const auto written = write_image(line.text("out").toStdString(), drawn);
+    return written ? int{exit_done} : refused(written.error());
 }
 
 } // namespace tp

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/guidance_options.hpp"
+#include "app/cli/input_line.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 
 #include <charconv>
@@ -10,6 +12,14 @@
 namespace tp {
 
 namespace {
+
+constexpr long places_a_word = 10'000;
+
+/// Whoever writes the places may take their time.
+bool next_place(std::string& text) {
+    const PersonsTurn turn;
+    return next_line(std::cin, text);
+}
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; }
 
@@ -64,9 +74,20 @@ int force_verb(const QStringList& words) {
         return exit_bad_input;
     }
 
+    LongWork::step("answering places");
     const HapticScene& haptic = *loaded->haptic;
     std::string text;
-    for (long number = 1; std::getline(std::cin, text); ++number) {
+    for (long number = 1; next_place(text); ++number) {
+        if (LongWork::stop_asked())
+            return LongWork::stop_code();
+        if (number % places_a_word == 0)
+            LongWork::step("answered " + std::to_string(number) + " places");
+        if (text.size() > most_line_bytes) {
+            std::fflush(stdout);
+            say_problem("Line " + std::to_string(number) +
+                        " of the input is longer than two numbers can be.");
+            return exit_bad_input;
+        }
         if (text.find_first_not_of(" \t\r") == std::string::npos)
             continue;
         const auto place = parse_place(text);

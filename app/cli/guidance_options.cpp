@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/guidance_options.hpp"
 
+#include "app/cli/long_work.hpp"
+#include "core/files/file_words.hpp"
 #include "core/svg/contour_sheet.hpp"
 
 namespace tp {
@@ -37,9 +39,11 @@ Result<GuidanceOptions> guidance_options(const VerbLine& line) {
 }
 
 Result<LoadedScene> load_scene(const QString& file, const GuidanceOptions& options) {
+    LongWork::step("reading " + quoted(std::filesystem::path(file.toStdString()).filename()));
     const Result<ContourSheet> sheet = read_sheet(file.toStdString());
     if (!sheet)
         return Error{sheet.error()};
+    LongWork::step("preparing the scene to be felt");
     LoadedScene loaded{scene_from_sheet(*sheet), nullptr};
     auto haptic = make_haptic_scene(loaded.scene, options.profile, options.law, options.continuity);
     if (!haptic)

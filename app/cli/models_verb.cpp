@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
+#include "app/cli/input_line.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/model_fetch.hpp"
-#include "app/cli/stop_signal.hpp"
 #include "app/cli/verbs.hpp"
 #include "faces/face_extractor.hpp"
 #include "faces/model_catalog.hpp"
@@ -37,6 +38,9 @@ int list_models(const QStringList& words) {
         const auto file = installed_file(*model);
         if (file)
             std::printf("            installed: %s\n", file->c_str());
+        else if (model->inside)
+            std::printf("            inside the program; a file %s in a folder below takes its place\n",
+                        model->file);
         else if (*model->address)
             std::printf("            not installed: touchphoto-lab models fetch %s, or put a file %s into a "
                         "folder below\n",
@@ -72,9 +76,10 @@ int check_models(const QStringList& words) {
     for (const PluggableModel* model : pluggable_models) {
         const auto file = installed_file(*model);
         if (!file) {
-            std::printf("%s: not installed\n", model->name);
+            std::printf("%s: %s\n", model->name, model->inside ? "inside the program" : "not installed");
             continue;
         }
+        LongWork::step("checking " + std::string(model->name));
         const auto sum = sha256_of(QString::fromStdString(file->string()));
         if (!sum) {
             judge(model->name, file->string() + ", ", sum.error());
@@ -99,8 +104,9 @@ QUrl address_of(const QString& text) {
 bool agreed(const char* question) {
     std::fputs(question, stderr);
     std::fflush(stderr);
+    const PersonsTurn turn;
     std::string answer;
-    std::getline(std::cin, answer);
+    next_line(std::cin, answer);
     const QString word = QString::fromStdString(answer).trimmed().toLower();
     return word == "y" || word == "yes";
 }
@@ -149,7 +155,7 @@ int fetch(const PluggableModel& model, const QUrl& address, const QString& targe
         (QFileInfo::exists(target) ? ", in place of another file there" : ""));
     if (ask && !agreed("Fetch it? [y/N] "))
         return refused("Nothing was fetched.");
-    const StopSignal stop;
+    LongWork::step("fetching " + std::string(model.name));
     int tenths = 0;
     const auto progress = [&](qint64 bytes) {
         const int reached = static_cast<int>(10 * bytes / wanted->bytes);
@@ -157,10 +163,10 @@ int fetch(const PluggableModel& model, const QUrl& address, const QString& targe
             say(std::to_string(10 * reached) + " %");
         tenths = reached;
     };
-    const auto done = fetch_file(address, target, *wanted, progress, stop.asked());
+    const auto done = fetch_file(address, target, *wanted, progress, LongWork::stop_asked());
     if (!done) {
         say_problem(done.error());
-        return stop.asked() ? stop.exit_code() : exit_bad_input;
+        return LongWork::stop_asked() ? LongWork::stop_code() : exit_bad_input;
     }
     say("Installed: " + std::string(option_of(model)) + " " + model.name + " uses it.");
     return exit_done;

@@ -18,6 +18,7 @@ namespace tp {
 namespace {
 
 constexpr std::chrono::seconds between_syncs{1};
+constexpr qint64 most_result_bytes = 16 << 20; ///< a photograph with a thousand faces has 4 MB
 
 /// What a line of results that was cut off can be: the beginning of an object.
 bool is_cut_line(const QByteArray& text) { return text == "{" || text.startsWith("{\""); }
@@ -58,11 +59,11 @@ std::string ResultsFile::read() {
         return "The results in \"" + file_.string() + "\" cannot be read.";
     qint64 whole = 0; ///< bytes up to the end of the last line that has one
     for (int number = 1; !in.atEnd(); ++number) {
-        const QByteArray line = in.readLine();
+        const QByteArray line = in.readLine(most_result_bytes);
         const QJsonValue photo =
             line.endsWith('\n') ? QJsonDocument::fromJson(line)[QLatin1String("photo")] : QJsonValue();
         if (!photo.isString()) {
-            if (!line.endsWith('\n') && is_cut_line(line))
+            if (in.atEnd() && !line.endsWith('\n') && is_cut_line(line))
                 break;
             return "Line " + std::to_string(number) + " of \"" + file_.string() +
                    "\" is no result of faces --json: nothing is written to this file; name another.";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/scene/corrections.hpp"
 #include "app/scene/extra_features.hpp"
@@ -86,6 +87,7 @@ int scene_verb(const QStringList& words) {
     if (!extras)
         return wrong_usage("scene", extras.error());
 
+    LongWork::step("looking at " + line.arguments().first().toStdString());
     auto extractor = FaceExtractor::create();
     if (!extractor) {
         say_problem(extractor.error());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/guidance_options.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/report/test_scenes.hpp"
 #include "core/servo/servo_loop.hpp"
@@ -79,7 +80,9 @@ int servo_verb(const QStringList& words) {
         const std::unique_ptr<Load> load = line.has("load") ? std::make_unique<Load>() : nullptr;
         const double begun = clock.now();
         loop.start();
-        for (double t = 0.0; t < *seconds; t = clock.now() - begun) {
+        LongWork::step("measuring");
+        for (double t = 0.0; t < *seconds && !LongWork::stop_asked(); t = clock.now() - begun) {
+            LongWork::share(t / *seconds);
             device.move_pointer({60.0 * std::cos(t), 40.0 * std::sin(1.3 * t)});
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
@@ -99,7 +102,7 @@ int servo_verb(const QStringList& words) {
     if (!loop.memory_locked())
         say("The system did not let the memory be locked; to allow it, give this user a memlock limit of "
             "a mebibyte or more in the same place.");
-    return exit_done;
+    return LongWork::stop_asked() ? LongWork::stop_code() : int{exit_done};
 }
 
 } // namespace tp

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/report/continuity_cost.hpp"
 #include "app/report/csv_table.hpp"
@@ -61,7 +62,7 @@ std::vector<std::pair<HandleCase, HandleResult>> release_all(const std::vector<H
     std::vector<std::pair<HandleCase, HandleResult>> rows;
     for (std::size_t i = 0; i < grid.size(); ++i) {
         if (i % 200 == 0)
-            say("released handles: " + std::to_string(i) + " of " + std::to_string(grid.size()));
+            say_step("released handles: " + std::to_string(i) + " of " + std::to_string(grid.size()));
         rows.emplace_back(grid[i], release_handle(grid[i]));
     }
     return rows;
@@ -127,16 +128,17 @@ int stability_verb(const QStringList& words) {
         return exit_bad_input;
     }
     const bool quick = line.has("quick");
-    say("hard cases");
+    say_step("hard cases");
     const std::vector<HardVerdict> verdicts = judge_hard_cases();
-    say("loops");
+    say_step("loops");
     const std::vector<LoopWork> loops = measure_loop_work(
         {0.5, 1.0, 2.0, 5.0, 10.0}, quick ? LoopWorkEffort{20'000, 100, 1'885} : LoopWorkEffort{});
-    say("continuity at switches");
+    say_step("continuity at switches");
     const std::vector<ContinuityCost> continuity =
         measure_continuity(quick ? ContinuityEffort{40'000, 100, 2.0} : ContinuityEffort{});
     const auto handles = release_all(handle_grid(quick));
 
+    LongWork::step("writing tables and plots");
     const std::filesystem::path out = folder.path().toStdString();
     for (const auto& written :
          {table_of(verdicts).write(out / "hard_cases.csv"), table_of(loops).write(out / "loop_work.csv"),

@@ -38,8 +38,8 @@ StopSignal::~StopSignal() {
         sigaction(heeded[i], &before[i], nullptr);
 }
 
-const std::atomic<bool>& StopSignal::asked() const { return stop; }
+const std::atomic<bool>& StopSignal::asked() { return stop; }
 
-int StopSignal::exit_code() const { return 128 + received; }
+int StopSignal::exit_code() { return 128 + received; }
 
 } // namespace tp

@@ -14,9 +14,9 @@ public:
     StopSignal(const StopSignal&) = delete;
     StopSignal& operator=(const StopSignal&) = delete;
 
-    const std::atomic<bool>& asked() const;
+    static const std::atomic<bool>& asked();
     /// How a shell is told of it: 128 and the signal's number.
-    int exit_code() const;
+    static int exit_code();
 };
 
 } // namespace tp

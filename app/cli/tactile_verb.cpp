@@ -2,6 +2,7 @@
 #include "app/album/metadata/read_record.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/json_number.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/people/face_names.hpp"
 #include "app/scene/corrections.hpp"
@@ -80,6 +81,7 @@ int tactile_verb(const QStringList& words) {
         return wrong_usage("tactile", "The sheet's name ends in .pdf or .svg.");
 
     const std::string photo = line.arguments().first().toStdString();
+    LongWork::step("looking at " + line.arguments().first().toStdString());
     auto extractor = FaceExtractor::create();
     if (!extractor)
         return refused(extractor.error());

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/guidance_options.hpp"
+#include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/picture/field_picture.hpp"
 #include "app/picture/picture_file.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/servo/servo_loop.hpp"
 #include "core/study/exploring_finger.hpp"
 #include "device/simulated/simulated_device.hpp"
 
 #include <QDir>
-#include <QSaveFile>
 #include <QTextStream>
 
 namespace tp {
@@ -39,7 +40,8 @@ Trace explore(const Scene& scene, std::unique_ptr<HapticScene> haptic, double lo
     Trace trace;
     double next_row = 0.0;
     double next_word = say_every;
-    while (!hand.finished() && clock.now() < longest) {
+    while (!hand.finished() && clock.now() < longest && !LongWork::stop_asked()) {
+        LongWork::share(clock.now() / longest);
         clock.sleep_until(clock.now() + 0.001);
         loop.tick();
         const ServoSnapshot view = loop.snapshot();
@@ -68,19 +70,16 @@ QString csv_field(const std::string& name) {
 }
 
 std::string write_csv(const QString& file, const Trace& trace, const std::vector<std::string>& names) {
-    QSaveFile out(file);
-    if (!out.open(QIODevice::WriteOnly))
-        return "The trace cannot be written: " + out.errorString().toStdString() + ".";
-    QTextStream text(&out);
-    text << "t,x,y,fx,fy,distance,contour\n";
+    QString text;
+    QTextStream rows(&text);
+    rows << "t,x,y,fx,fy,distance,contour\n";
     for (const ServoSnapshot& row : trace.rows)
-        text << QString::asprintf("%.3f,%.4f,%.4f,%.5f,%.5f,%.4f,", row.time, row.x, row.y, row.fx, row.fy,
+        rows << QString::asprintf("%.3f,%.4f,%.4f,%.5f,%.5f,%.4f,", row.time, row.x, row.y, row.fx, row.fy,
                                   row.distance)
              << (row.contour < 0 ? QString() : csv_field(names[static_cast<std::size_t>(row.contour)]))
              << '\n';
-    text.flush();
-    return out.commit() ? std::string()
-                        : "The trace cannot be written: " + out.errorString().toStdString() + ".";
+    const std::string reason = replace_file(file.toStdString(), text.toStdString());
+    return reason.empty() ? reason : "The trace cannot be written: " + reason;
 }
 
 } // namespace
@@ -124,14 +123,19 @@ int trace_verb(const QStringList& words) {
     const auto to_draw =
         make_haptic_scene(loaded->scene, options->profile, options->law, options->continuity);
     const std::vector<std::string> names = loaded->haptic->flat.names;
+    LongWork::step("exploring");
     const Trace trace = explore(loaded->scene, std::move(loaded->haptic), *longest);
+    if (LongWork::stop_asked())
+        return LongWork::stop_code();
+    LongWork::step("drawing the way over the force field");
     std::vector<Vec2> way;
     for (const ServoSnapshot& row : trace.rows)
         way.push_back(row.finger());
     std::string problem = write_csv(folder.filePath("trace.csv"), trace, names);
     if (problem.empty())
         problem = write_image(folder.filePath("trace.png").toStdString(),
-                              draw_force_field(**to_draw, loaded->scene.surface(), 5.0, way))
+                              draw_force_field(**to_draw, loaded->scene.surface(), 5.0, way,
+                                               LongWork::stop_token(), LongWork::share))
                       .error();
     if (!problem.empty()) {
         say_problem(problem);

@@ -2,6 +2,7 @@
 #include "app/cli/verbs.hpp"
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/long_work.hpp"
 
 #include <array>
 #include <cstdio>
@@ -39,7 +40,8 @@ void list_verbs(FILE* where) {
         std::fprintf(where, "  %-11s %s\n", verb.name, verb.about);
     std::fputs(
         "\ntouchphoto-lab VERB --help says more about one. Results go to stdout, everything else to stderr.\n"
-        "Exit codes: 0 done, 1 bad input, 2 wrong usage.\n",
+        "What takes long says on stderr how far it is. Exit codes: 0 done, 1 bad input, 2 wrong usage,\n"
+        "130 stopped by Ctrl-C, 143 by SIGTERM.\n",
         where);
 }
 
@@ -60,8 +62,10 @@ int run_lab(const QStringList& words) {
         return exit_done;
     }
     for (const Verb& verb : verbs)
-        if (first == verb.name)
+        if (first == verb.name) {
+            const LongWork work(verb.name);
             return verb.run(words.mid(1));
+        }
     say_problem("There is no verb \"" + first.toStdString() + "\". touchphoto-lab --help lists them.");
     return exit_usage;
 }

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPointF>
+#include <QPolygonF>
 
 #include <algorithm>
 
@@ -15,6 +16,9 @@ namespace {
 
 constexpr double largest_side_px = 4000.0;
 constexpr int legend_height = 44;
+constexpr double force_share = 0.8;     ///< of the time; arrows and lines take the rest
+constexpr double unseen_px = 0.2;       ///< a line that leaves out steps so small looks the same
+constexpr qsizetype longest_piece = 64; ///< points
 
 /// Surface millimetres → picture pixels.
 struct Frame {
@@ -27,9 +31,11 @@ struct Frame {
 };
 
 void paint_magnitude(QImage& image, const HapticScene& haptic, const Frame& frame, int height,
-                     const std::stop_token& stop) {
+                     const std::stop_token& stop, const std::function<void(double)>& report) {
     const double peak = haptic.profile.peak();
     for (int y = 0; y < height && !stop.stop_requested(); ++y) {
+        if (report)
+            report(force_share * y / height);
         auto* const row = reinterpret_cast<QRgb*>(image.scanLine(y)); // of Format_RGB32
         for (int x = 0; x < image.width(); ++x) {
             const Vec2 force = haptic.law->force_at(frame.back(x + 0.5, y + 0.5));
@@ -60,13 +66,23 @@ void paint_arrows(QPainter& painter, const HapticScene& haptic, const Frame& fra
         }
 }
 
+/// In pieces, because a stroke costs the square of its points, and without points that nobody would see.
 void paint_line(QPainter& painter, const Polyline& line, const Frame& frame) {
     if (line.points.empty())
         return;
-    QPainterPath path(frame(line.points.front()));
-    for (std::size_t i = 0; i < line.segment_count(); ++i)
-        path.lineTo(frame(line.segment_end(i)));
-    painter.drawPath(path);
+    QPolygonF piece{frame(line.points.front())};
+    for (std::size_t i = 0; i < line.segment_count(); ++i) {
+        const QPointF next = frame(line.segment_end(i));
+        const QPointF step = next - piece.back();
+        if (std::max(std::abs(step.x()), std::abs(step.y())) < unseen_px && i + 1 < line.segment_count())
+            continue;
+        piece << next;
+        if (piece.size() < longest_piece)
+            continue;
+        painter.drawPolyline(piece);
+        piece = {next};
+    }
+    painter.drawPolyline(piece);
 }
 
 void paint_legend(QPainter& painter, const HapticScene& haptic, const Frame& frame, int width, int top) {
@@ -93,14 +109,15 @@ void paint_legend(QPainter& painter, const HapticScene& haptic, const Frame& fra
 } // namespace
 
 QImage draw_force_field(const HapticScene& haptic, const Rect& surface, double pixels_per_mm,
-                        const std::vector<Vec2>& way, const std::stop_token& stop) {
+                        const std::vector<Vec2>& way, const std::stop_token& stop,
+                        const std::function<void(double)>& report) {
     const double scale =
         std::min(pixels_per_mm, largest_side_px / std::max(surface.width(), surface.height()));
     const Frame frame{surface, scale};
     const int width = std::max(1, static_cast<int>(std::lround(surface.width() * scale)));
     const int height = std::max(1, static_cast<int>(std::lround(surface.height() * scale)));
     QImage image(width, height + legend_height, QImage::Format_RGB32);
-    paint_magnitude(image, haptic, frame, height, stop);
+    paint_magnitude(image, haptic, frame, height, stop, report);
     if (stop.stop_requested())
         return {};
 
@@ -108,6 +125,9 @@ QImage draw_force_field(const HapticScene& haptic, const Rect& surface, double p
     painter.setRenderHint(QPainter::Antialiasing);
     paint_arrows(painter, haptic, frame, width, height);
     for (std::size_t i = 0; i < haptic.flat.lines.size(); ++i) {
+        if (report)
+            report(force_share + (1.0 - force_share) * static_cast<double>(i) /
+                                     static_cast<double>(haptic.flat.lines.size()));
         painter.setPen(QPen(line_colour(static_cast<int>(i)), 2.0));
         paint_line(painter, haptic.flat.lines[i], frame);
     }

@@ -4,15 +4,18 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <mutex>
 #include <string>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace tp {
 
@@ -48,6 +51,29 @@ int rename_over(const fs::path& from, const fs::path& to) {
     return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
+/// The temporary names that this process has given and not yet taken back.
+class Unfinished {
+public:
+    /// Never destroyed: files are written until the very end.
+    static Unfinished& all() {
+        static Unfinished& files = *new Unfinished;
+        return files;
+    }
+    /// Nothing begins or ends while it is held.
+    std::unique_lock<std::mutex> hold() { return std::unique_lock(mutex_); }
+
+    void add(const fs::path& file) { files_.push_back(file); }
+    void drop(const fs::path& file) { std::erase(files_, file); }
+    void remove_all() const noexcept {
+        for (const fs::path& file : files_)
+            ::unlink(file.c_str());
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<fs::path> files_;
+};
+
 } // namespace
 
 Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
@@ -63,6 +89,7 @@ Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
     const unsigned mode = readers == Readers::owner_only ? 0600 : 0666;
     for (int tries = 0; tries < most_tries; ++tries) {
         fs::path temporary = temporary_beside(target);
+        const auto held = Unfinished::all().hold();
         const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         if (file < 0 && errno == EEXIST)
             continue;
@@ -72,6 +99,7 @@ Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
         if (::stat(target.c_str(), &before) ==
             0) // where that cannot be kept, the file is still worth writing
             static_cast<void>(::fchmod(file, before.st_mode & 0777u));
+        Unfinished::all().add(temporary);
         return NewFile(target, std::move(temporary), file);
     }
     return Error{"files that an earlier program left behind are in the way."};
@@ -84,8 +112,11 @@ NewFile::NewFile(NewFile&& other) noexcept
 NewFile::~NewFile() {
     if (descriptor_ >= 0)
         ::close(descriptor_);
-    if (!temporary_.empty())
-        ::unlink(temporary_.c_str());
+    if (temporary_.empty())
+        return;
+    const auto held = Unfinished::all().hold();
+    ::unlink(temporary_.c_str());
+    Unfinished::all().drop(temporary_);
 }
 
 std::string NewFile::write(std::string_view bytes) {
@@ -103,6 +134,7 @@ std::string NewFile::take_place(Existing existing) {
     // fsync of any descriptor brings to the disk what others wrote to the file
     if (::fsync(descriptor_) != 0)
         return reason_of(errno);
+    auto held = Unfinished::all().hold();
     bool swapped = false;
     int renamed = 0;
     switch (existing) {
@@ -120,9 +152,16 @@ std::string NewFile::take_place(Existing existing) {
     }
     if (renamed != 0)
         return reason_of(renamed);
+    Unfinished::all().drop(temporary_); // what was swapped is somebody's whole file
+    held.unlock();
     if (!swapped)
         temporary_.clear();
     return sync_folder(place_.parent_path());
+}
+
+void NewFile::give_up_all() {
+    Unfinished::all().hold().release(); // for good: nothing takes its place any more
+    Unfinished::all().remove_all();
 }
 
 bool is_temporary(const fs::path& file) {

@@ -44,6 +44,10 @@ public:
     /// swap replaces, and `temporary()` is empty.
     std::string take_place(Existing existing = Existing::replaced);
 
+    /// For a process that ends now, whatever its threads are in: removes all files that have not taken their
+    /// place, and from then on none does and none begins; who tries waits for the end.
+    static void give_up_all();
+
 private:
     NewFile(std::filesystem::path place, std::filesystem::path temporary, int descriptor)
         : place_(std::move(place)), temporary_(std::move(temporary)), descriptor_(descriptor) {}

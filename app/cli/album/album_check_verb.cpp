@@ -2,6 +2,7 @@
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
+#include "app/cli/long_work.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QJsonArray>
@@ -53,16 +54,13 @@ int album_check(const QStringList& words) {
         .argument("ALBUM", "The album's folder.");
     if (const auto ended = line.parse(words, 1, 1))
         return *ended;
-    StopOnSignal stop;
     CheckOptions options;
     options.mend = line.has("mend");
     options.hashes = !line.has("no-hashes");
     options.report = [&](std::size_t photos, const std::filesystem::path& current) {
-        stop.look();
-        if (photos % 100 == 0)
-            say(std::to_string(photos) + " photographs looked at, now " + quoted(current.filename()));
+        LongWork::step(std::to_string(photos) + " photographs looked at, now " + quoted(current.filename()));
     };
-    const auto report = check_album(path_given(line.arguments().first()), options, stop.token());
+    const auto report = check_album(path_given(line.arguments().first()), options, LongWork::stop_token());
     if (!report)
         return refused(report.error());
     if (line.has("json"))
@@ -70,7 +68,7 @@ int album_check(const QStringList& words) {
     else
         print_for_a_person(*report, options.mend);
     if (report->stopped)
-        return stop.exit_code();
+        return LongWork::stop_code();
     return std::all_of(report->findings.begin(), report->findings.end(),
                        [](const Finding& finding) { return finding.mended; })
                ? exit_done

@@ -5,8 +5,10 @@
 #include "app/cli/album/album_index_words.hpp"
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
+#include "app/cli/long_work.hpp"
 #include "core/files/file_words.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace tp {
@@ -33,20 +35,16 @@ void print_photo(const ImportedPhoto& photo, bool json) {
         say_problem(photo.problem);
 }
 
-void say_progress(const ImportProgress& progress) {
-    if (progress.current.empty())
-        return;
-    std::string line = std::to_string(progress.done + 1) + " of " + std::to_string(progress.total) + ": " +
-                       readable(progress.current.filename().string());
-    if (progress.seconds_left)
-        line += ", about " + std::to_string(static_cast<long>(*progress.seconds_left) + 1) + " s left";
-    say(line);
+void tell(const ImportProgress& progress) {
+    LongWork::item(readable(progress.current.filename().string()), progress.done + 1, progress.total);
 }
 
-int ended(const ImportReport& report, const StopOnSignal& stop) {
+constexpr const char* stopped = "The import was stopped. It goes on with --continue.";
+
+int ended(const ImportReport& report) {
     if (report.stopped) {
-        say("The import was stopped. It goes on with --continue.");
-        return stop.exit_code();
+        say(stopped);
+        return LongWork::stop_code();
     }
     say(std::to_string(report.count(Fate::imported)) + " imported, " +
         std::to_string(report.count(Fate::duplicate)) + " in the album already, " +
@@ -89,8 +87,7 @@ int album_import(const QStringList& words) {
                 return refused(problem);
         return exit_done;
     }
-    StopOnSignal stop;
-    auto index = scanned_index(line, {album}, stop);
+    auto index = scanned_index(line, {album});
     if (!index)
         return refused(index.error());
     ImportTools tools;
@@ -98,20 +95,22 @@ int album_import(const QStringList& words) {
         const auto found = AlbumQueries(*index).with_content(hash);
         return found && *found ? std::optional((*found)->path) : std::nullopt;
     };
-    tools.progress = [&](const ImportProgress& progress) {
-        stop.look();
-        say_progress(progress);
+    tools.progress = tell;
+    tools.unpacking = [](const fs::path& bundle, double share) {
+        LongWork::step("unpacking " + quoted(bundle.filename()));
+        LongWork::share(share);
     };
     tools.done = [&](const ImportedPhoto& photo) { print_photo(photo, line.has("json")); };
-    tools.stop = stop.token();
+    tools.stop = LongWork::stop_token();
+    const LastWords goes_on([] { say(stopped); });
     if (!go_on) {
         const auto report = import_photos(album, line.text("into").toStdString(), sources, tools);
-        return report ? ended(*report, stop) : refused(report.error());
+        return report ? ended(*report) : refused(report.error());
     }
     int result = exit_done;
     for (const std::string& id : unfinished_imports(album)) {
         const auto report = go_on_importing(album, id, tools);
-        if (const int end = report ? ended(*report, stop) : refused(report.error()); end != exit_done)
+        if (const int end = report ? ended(*report) : refused(report.error()); end != exit_done)
             result = end;
     }
     return result;
@@ -134,12 +133,14 @@ int album_export(const QStringList& words) {
         photos.push_back(path_given(word));
     if (photos.empty())
         photos.push_back(album);
-    StopOnSignal stop;
-    const std::string problem = export_bundle(
-        path_given(line.text("to")), album, photos, [&](std::uintmax_t, std::uintmax_t) { stop.look(); },
-        stop.token());
-    if (stop.token().stop_requested())
-        return stop.exit_code();
+    LongWork::step("packing " + quoted(path_given(line.text("to")).filename()));
+    const auto report = [](std::uintmax_t done, std::uintmax_t all) {
+        LongWork::share(static_cast<double>(done) / static_cast<double>(std::max<std::uintmax_t>(all, 1)));
+    };
+    const std::string problem =
+        export_bundle(path_given(line.text("to")), album, photos, report, LongWork::stop_token());
+    if (LongWork::stop_asked() && !problem.empty())
+        return LongWork::stop_code();
     return problem.empty() ? int{exit_done} : refused(problem);
 }
 

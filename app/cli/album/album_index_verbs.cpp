@@ -5,6 +5,7 @@
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
+#include "app/cli/long_work.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QJsonArray>
@@ -63,14 +64,14 @@ void print_for_a_person(const ScanReport& report, const FollowedMoves& moves) {
 }
 
 /// What belongs to moved photographs goes along, and the index learns where it is now.
-FollowedMoves follow(AlbumIndex& index, ScanReport& report, StopOnSignal& stop) {
+FollowedMoves follow(AlbumIndex& index, ScanReport& report) {
     auto moves = follow_moves(index);
     if (!moves)
         return {{}, {moves.error()}};
     std::vector<fs::path> folders;
     for (const Move& move : moves->followed)
         folders.push_back(move.to.parent_path());
-    if (const auto again = rescan_with_progress(index, folders, stop); !again)
+    if (const auto again = rescan_with_progress(index, folders); !again)
         moves->problems.push_back(again.error());
     else
         report.problems.insert(report.problems.end(), again->problems.begin(), again->problems.end());
@@ -86,13 +87,12 @@ int scan(const VerbLine& line, bool following) {
     auto index = open_index(line, folders);
     if (!index)
         return refused(index.error());
-    StopOnSignal stop;
-    auto report = scan_with_progress(*index, folders, stop);
+    auto report = scan_with_progress(*index, folders);
     if (!report)
         return refused(report.error());
     FollowedMoves moves;
     if (following && !report->stopped)
-        moves = follow(*index, *report, stop);
+        moves = follow(*index, *report);
     if (line.has("json"))
         print_line(to_json(*report, moves));
     else
@@ -101,7 +101,7 @@ int scan(const VerbLine& line, bool following) {
     for (const std::string& problem : report->problems)
         say_problem(problem);
     if (report->stopped)
-        return stop.exit_code();
+        return LongWork::stop_code();
     return report->problems.empty() ? exit_done : exit_bad_input;
 }
 

@@ -3,15 +3,13 @@
 
 #include "app/album/keeper/recording_facts.hpp"
 #include "app/album/metadata/read_record.hpp"
-#include "app/cli/batch_progress.hpp"
+#include "app/cli/long_work.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QCryptographicHash>
 #include <QStandardPaths>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 
 namespace tp {
 
@@ -45,48 +43,45 @@ Result<AlbumIndex> open_index(const VerbLine& line, const std::vector<fs::path>&
 
 namespace {
 
-/// `scan` with the readers, telling once a second how far it is.
+/// `scan` with the readers, telling how far it is.
 template <typename Scan>
-Result<ScanReport> told(StopOnSignal& stop, Scan scan) {
+Result<ScanReport> told(Scan scan) {
+    LongWork::step("looking through the folders");
     ScanTools tools;
     tools.read_record = read_record;
     tools.read_recording = recording_facts;
-    tools.stop = stop.token();
-    auto said = std::chrono::steady_clock::now();
-    tools.progress = [&](const ScanProgress& progress) {
-        stop.look();
-        const auto now = std::chrono::steady_clock::now();
-        if (now - said < std::chrono::seconds(1))
-            return;
-        said = now;
-        std::string line = std::to_string(progress.done) + " of " + std::to_string(progress.total) + ": " +
-                           readable(progress.photo.filename().string());
-        if (progress.left)
-            line += ", about " + std::to_string(progress.left->count() / 1000 + 1) + " s left";
-        say(line);
+    tools.stop = LongWork::stop_token();
+    tools.progress = [](const ScanProgress& progress) {
+        LongWork::item(readable(progress.photo.filename().string()), progress.done, progress.total);
     };
-    return scan(tools);
+    auto report = scan(tools);
+    LongWork::step("finishing the index");
+    return report;
+}
+
+/// The index, unless the scan came to an error or was stopped.
+Result<AlbumIndex> index_after(Result<AlbumIndex> index, const std::vector<fs::path>& folders) {
+    const auto report = scan_with_progress(*index, folders);
+    if (!report)
+        return Error{report.error()};
+    if (report->stopped)
+        return Error{"The scan was stopped on its way; \"album scan\" goes on with it."};
+    return index;
 }
 
 } // namespace
 
-Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<fs::path>& folders,
-                                      StopOnSignal& stop) {
-    return told(stop, [&](const ScanTools& tools) { return scan_album(index, folders, tools); });
+Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<fs::path>& folders) {
+    return told([&](const ScanTools& tools) { return scan_album(index, folders, tools); });
 }
 
-Result<ScanReport> rescan_with_progress(AlbumIndex& index, const std::vector<fs::path>& folders,
-                                        StopOnSignal& stop) {
-    return told(stop, [&](const ScanTools& tools) { return rescan_folders(index, folders, tools); });
+Result<ScanReport> rescan_with_progress(AlbumIndex& index, const std::vector<fs::path>& folders) {
+    return told([&](const ScanTools& tools) { return rescan_folders(index, folders, tools); });
 }
 
-Result<AlbumIndex> scanned_index(const VerbLine& line, const std::vector<fs::path>& folders,
-                                 StopOnSignal& stop) {
+Result<AlbumIndex> scanned_index(const VerbLine& line, const std::vector<fs::path>& folders) {
     auto index = open_index(line, folders);
-    if (!index)
-        return index;
-    const auto report = scan_with_progress(*index, folders, stop);
-    return report ? std::move(index) : Result<AlbumIndex>(Error{report.error()});
+    return index ? index_after(std::move(index), folders) : std::move(index);
 }
 
 Result<AlbumIndex> filled_index(const VerbLine& line, const std::vector<fs::path>& folders) {
@@ -96,11 +91,7 @@ Result<AlbumIndex> filled_index(const VerbLine& line, const std::vector<fs::path
     const auto totals = index->totals();
     if (!totals)
         return Error{totals.error()};
-    if (totals->photos > 0)
-        return index;
-    StopOnSignal stop;
-    const auto report = scan_with_progress(*index, folders, stop);
-    return report ? std::move(index) : Result<AlbumIndex>(Error{report.error()});
+    return totals->photos > 0 ? std::move(index) : index_after(std::move(index), folders);
 }
 
 } // namespace tp

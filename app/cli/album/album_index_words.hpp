@@ -24,16 +24,13 @@ std::filesystem::path cache_of(const VerbLine& line, const std::vector<std::file
 Result<AlbumIndex> open_index(const VerbLine& line, const std::vector<std::filesystem::path>& folders);
 
 /// Brings it up to date, with progress on stderr; stopped by the signal.
-Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<std::filesystem::path>& folders,
-                                      StopOnSignal& stop);
+Result<ScanReport> scan_with_progress(AlbumIndex& index, const std::vector<std::filesystem::path>& folders);
 
 /// The same for folders in which something changed.
-Result<ScanReport> rescan_with_progress(AlbumIndex& index, const std::vector<std::filesystem::path>& folders,
-                                        StopOnSignal& stop);
+Result<ScanReport> rescan_with_progress(AlbumIndex& index, const std::vector<std::filesystem::path>& folders);
 
 /// Opens the index and brings it up to date.
-Result<AlbumIndex> scanned_index(const VerbLine& line, const std::vector<std::filesystem::path>& folders,
-                                 StopOnSignal& stop);
+Result<AlbumIndex> scanned_index(const VerbLine& line, const std::vector<std::filesystem::path>& folders);
 
 /// Opens the index and scans where it was never filled.
 Result<AlbumIndex> filled_index(const VerbLine& line, const std::vector<std::filesystem::path>& folders);

@@ -8,6 +8,7 @@
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
+#include "app/cli/long_work.hpp"
 #include "core/files/file_words.hpp"
 
 #include <array>
@@ -74,8 +75,7 @@ int person_rename(const QStringList& words) {
         photos.push_back(path_given(word));
     const bool everywhere = photos.empty();
     if (everywhere) {
-        StopOnSignal stop;
-        auto index = scanned_index(line, {first_path(line)}, stop);
+        auto index = scanned_index(line, {first_path(line)});
         if (!index)
             return refused(index.error());
         const auto found = AlbumQueries(*index).page(OfTopic{"person", from}, std::nullopt, most_photos);
@@ -84,6 +84,7 @@ int person_rename(const QStringList& words) {
         for (const PhotoEntry& entry : *found)
             photos.push_back(entry.path);
     }
+    LongWork::step("writing the name into " + std::to_string(photos.size()) + " photographs");
     AlbumKeeper keeper(first_path(line));
     const auto changed = keeper.rename_person(photos, from, to);
     if (!changed)
@@ -131,6 +132,7 @@ int person_record(const QStringList& words) {
         return *over;
     if (!line.has("from"))
         return wrong_usage("album person record", "It needs --from FILE.");
+    LongWork::step("storing " + quoted(path_given(line.text("from")).filename()));
     const std::string problem =
         AlbumKeeper(first_path(line))
             .keep_name_recording(line.arguments()[1].toStdString(), path_given(line.text("from")));

@@ -5,6 +5,7 @@
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
+#include "app/cli/long_work.hpp"
 #include "audio/recordings/recording_file.hpp"
 #include "core/files/file_words.hpp"
 
@@ -86,6 +87,7 @@ int tag_add(const QStringList& words) {
         return *over;
     if (!line.has("from"))
         return wrong_usage("album tag add", "It needs --from FILE.");
+    LongWork::step("storing " + quoted(path_given(line.text("from")).filename()));
     const auto about = about_recording(path_given(line.text("from"))); // what it says of itself, if anything
     const auto label = labelled(line, about ? about->notes.label : RecordingLabel{});
     if (!label)
@@ -148,6 +150,7 @@ int tag_trim(const QStringList& words) {
     if (!end || !is_number || begin < 0.0)
         return wrong_usage("album tag trim", end ? "--begin must be a number of seconds." : end.error());
     AlbumKeeper keeper(album_around(photo_given(line)));
+    LongWork::step("trimming " + line.arguments()[1].toStdString());
     const auto tag = keeper.trim_recording(photo_given(line), line.arguments()[1].toStdString(), begin, *end);
     if (!tag)
         return refused(tag.error());

@@ -3,6 +3,7 @@
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
+#include "app/cli/long_work.hpp"
 #include "core/files/file_words.hpp"
 
 #include <array>
@@ -48,6 +49,7 @@ int trash_empty(const QStringList& words) {
     if (!line.has("yes"))
         return wrong_usage("album trash empty", "It deletes " + std::to_string(trash.entries().size()) +
                                                     " things for good; say --yes if you want that.");
+    LongWork::step("emptying the trash");
     const std::string problem = trash.empty();
     return problem.empty() ? int{exit_done} : refused(problem);
 }

@@ -23,6 +23,9 @@ private slots:
         QTest::newRow("drawn contours") << "anna_surprised.truth.svg"
                                         << "anna"
                                         << "surprised";
+        QTest::newRow("a phone's photograph") << "anna_sad.HEIC"
+                                              << "anna"
+                                              << "sad";
         QTest::newRow("found contours") << "anna_smiling.jpg.contours.svg"
                                         << "anna"
                                         << "smiling";
@@ -95,7 +98,7 @@ private slots:
 
     void a_file_that_cannot_be_read_is_a_sentence() {
         QTemporaryDir folder;
-        for (const QString& name : {folder.filePath("none.csv"), folder.path()}) {
+        for (const QString& name : {folder.filePath("none.csv"), folder.path(), QString("/dev/zero")}) {
             const std::string error = ExpressionLabels::read(name.toStdString()).error();
             QVERIFY2(error.find("cannot be read") != std::string::npos, error.c_str());
         }

@@ -13,11 +13,21 @@ struct Run {
     QByteArray err;
 };
 
+/// Without the lines that say how far the work is: they come by the clock.
+inline QByteArray without_progress(const QByteArray& err) {
+    QByteArray rest;
+    for (const QByteArray& line : err.split('\n'))
+        if (!line.startsWith("… "))
+            rest += line + '\n';
+    rest.chop(1);
+    return rest;
+}
+
 inline Run ended(QProcess& process) {
     const bool well = process.waitForFinished(240'000) && process.exitStatus() == QProcess::NormalExit;
     Run run{well ? process.exitCode() : -1, process.readAllStandardOutput(), {}};
     if (process.processChannelMode() == QProcess::SeparateChannels)
-        run.err = process.readAllStandardError();
+        run.err = without_progress(process.readAllStandardError());
     if (!well)
         run.err += "\ncrashed or hung";
     return run;

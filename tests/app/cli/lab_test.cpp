@@ -68,6 +68,13 @@ private slots:
         QVERIFY(!run.err.isEmpty());
     }
 
+    void input_without_an_end_of_line_is_not_kept() {
+        const Run run = lab({"force", "--scene", scene()}, "1 2\n" + QByteArray(1 << 20, '1'));
+        QCOMPARE(run.code, 1);
+        QCOMPARE(run.out.count('\n'), 1);
+        QCOMPARE(run.err, QByteArray("Line 2 of the input is longer than two numbers can be.\n"));
+    }
+
     void help_is_there_for_every_verb_data() {
         QTest::addColumn<QString>("verb");
         for (const char* verb : {"expressions", "faces", "scene", "force", "field", "trace"})

@@ -29,6 +29,17 @@ double peak_bytes(qint64 program) {
     return 0.0;
 }
 
+/// Runs touchphoto-lab; the largest that it became, bytes.
+double peak_of(QProcess& process, const QStringList& words) {
+    process.start(QStringLiteral(TP_LAB), words);
+    double most = 0.0;
+    while (process.state() != QProcess::NotRunning) {
+        most = std::max(most, peak_bytes(process.processId()));
+        process.waitForFinished(10);
+    }
+    return most;
+}
+
 /// Noise in which there is no face, or a drawn portrait.
 void write_photograph(const QString& file, QSize size, bool has_face) {
     cv::Mat small(size.height() / 10, size.width() / 10, CV_8UC3), large;
@@ -65,18 +76,28 @@ private slots:
         const QString file = folder.filePath("large.jpg");
         write_photograph(file, size, has_face);
         QProcess process;
-        process.start(QStringLiteral(TP_LAB), {"faces", file});
-        QVERIFY(process.waitForStarted());
-        double most = 0.0;
-        do
-            most = std::max(most, peak_bytes(process.processId()));
-        while (!process.waitForFinished(10) && process.state() == QProcess::Running);
+        const double most = peak_of(process, {"faces", file});
         QCOMPARE(process.exitCode(), has_face ? 0 : 1);
         QVERIFY(process.readAllStandardOutput().contains(has_face ? "1 face" : "0 faces"));
         qInfo("%.1f MB", most / 1e6);
         const double read = 3.0 * size.width() * size.height() / (has_face ? 16.0 : 1.0);
         QVERIFY(most > read); // the picture itself was seen in it
         QVERIFY2(most <= (has_face ? most_bytes_with_a_face : most_bytes), qPrintable(QString::number(most)));
+    }
+
+    void two_gigabytes_that_are_no_picture_are_not_read() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        QSKIP("a sanitizer takes memory of its own");
+#endif
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("zeros.jpg");
+        QVERIFY(QFile(file).open(QIODevice::WriteOnly) &&
+                QFile::resize(file, (qint64{2} << 30) - 1)); // sparse
+        QProcess process;
+        const double most = peak_of(process, {"faces", file});
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY(process.readAllStandardError().contains("is not a picture of a kind that can be read."));
+        QVERIFY2(most <= most_bytes_with_a_face, qPrintable(QString::number(most)));
     }
 };
 

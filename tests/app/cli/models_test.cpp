@@ -70,8 +70,9 @@ private slots:
         for (const PluggableModel* model : pluggable_models)
             for (const char* fact : {model->name, model->file, model->description, model->licence})
                 QVERIFY2(none.out.contains(fact), fact);
-        QVERIFY(none.out.contains("345478 bytes") && none.out.contains("models fetch yunet"));
-        QVERIFY(none.out.contains(mesh_model.origin) && none.out.contains(models().toUtf8()));
+        QVERIFY(none.out.contains("345478 bytes") &&
+                none.out.contains("inside the program; a file yunet.onnx"));
+        QVERIFY(none.out.contains(lbf_model.origin) && none.out.contains(models().toUtf8()));
         put(yunet(), "any");
         QVERIFY(lab({"models", "list"}).out.contains("installed: " + yunet().toUtf8()));
     }
@@ -79,7 +80,8 @@ private slots:
     void check_is_content_without_optional_models() {
         const Run run = lab({"models", "check"});
         QCOMPARE(run.code, 0);
-        QVERIFY(run.out.startsWith("embedded: loads") && run.out.contains("yunet: not installed"));
+        QVERIFY(run.out.startsWith("embedded: loads") && run.out.contains("yunet: inside the program") &&
+                run.out.contains("lbf: not installed"));
         QCOMPARE(run.err, QByteArray());
     }
 

@@ -66,6 +66,7 @@ private slots:
         QTest::newRow("a list") << QByteArray("[1, 2]\n");
         QTest::newRow("an empty line") << one_line + "\n\n" + two_line + '\n';
         QTest::newRow("a cut line in the middle") << one_line.left(12) + '\n' + two_line + '\n';
+        QTest::newRow("a line without an end") << "{\"photo\":\"" + QByteArray(17 << 20, 'a');
         QTest::newRow("a letter after results") << one_line + "\nDear Anna";
     }
     void another_kind_of_file_stays_as_it_was() {

@@ -272,7 +272,8 @@ private:
             Contour contour = on_sheet(std::move(path), view.to_sheet);
             pieces_ += contour.pieces.size();
             name_bytes_ += name.size();
-            if (pieces_ >= svg::most_pieces || name_bytes_ > svg::most_name_bytes)
+            if (pieces_ >= svg::most_pieces || sheet_.contours.size() >= svg::most_contours ||
+                name_bytes_ > svg::most_name_bytes)
                 return Error{"The drawing has more lines than a sheet of contours may have."};
             for (const Piece& piece : contour.pieces)
                 if (!is_finite(piece))

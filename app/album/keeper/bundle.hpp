@@ -19,7 +19,7 @@ namespace tp {
 
 struct BundleLimits {
     std::uintmax_t most_bytes = std::uintmax_t{64} << 30; ///< unpacked
-    std::size_t most_files = 200'000;
+    std::size_t most_files = 200'000;                     ///< and folders, be they part of it or not
     double most_growth = 200.0; ///< unpacked size against the bundle's own, beyond a megabyte: more is a bomb
 };
 
@@ -37,9 +37,10 @@ std::string export_bundle(const std::filesystem::path& bundle, const std::filesy
                           const std::vector<std::filesystem::path>& photos_and_folders,
                           const BundleProgress& report = {}, std::stop_token stop = {});
 
-/// Unpacks a bundle into an empty folder, which only the owner may read. What would lie outside it, is no
-/// plain file or folder, or would be written twice is refused with the whole bundle, as is one beyond the
-/// limits or damaged. Empty when done; else why not, and the folder may hold a part.
+/// Unpacks a bundle's photographs and what belongs to them (`BundleParts`) into an empty folder, which only
+/// the owner may read. A bundle without a photograph, beyond the limits or damaged is refused, and so is one
+/// that holds something under a name outside the folder, twice, or that is no plain file or folder. Empty
+/// when done; else why not, and the folder may hold a part.
 std::string unpack_bundle(const std::filesystem::path& bundle, const std::filesystem::path& folder,
                           const BundleLimits& limits = {}, const BundleProgress& report = {},
                           std::stop_token stop = {});

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/bundle.hpp"
+#include "app/album/keeper/bundle_bytes.hpp"
+#include "app/album/keeper/bundle_parts.hpp"
 #include "app/album/keeper/path_text.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
@@ -9,7 +11,9 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -21,6 +25,10 @@ namespace {
 
 constexpr std::ptrdiff_t most_folders = 64;        // in each other; a name could otherwise make thousands
 constexpr std::uintmax_t always_allowed = 1 << 20; // bytes, whatever the growth
+
+constexpr const char* too_many_files = "it holds more files than any album.";
+/// Of a file, its name and what programs add to it; ours take about 100.
+constexpr std::uintmax_t most_directory_bytes = 512;
 
 using Archive = std::unique_ptr<archive, decltype(&archive_read_free)>;
 
@@ -43,7 +51,8 @@ Result<fs::path> path_of(archive_entry* entry) {
     return *decoded;
 }
 
-/// Packed as every program packs a ZIP file. Of the other ways LZMA alone may ask for 4 GiB of memory, in 25 bytes.
+/// Packed as every program packs a ZIP file. Of the other ways LZMA alone may ask for 4 GiB of memory, in 25
+/// bytes.
 bool is_packed_as_usual(archive* zip) {
     const std::string_view format = archive_format_name(zip); // "ZIP 2.0 (deflation)", of the last header
     return format.ends_with("(uncompressed)") || format.ends_with("(deflation)");
@@ -60,37 +69,72 @@ public:
         size_ = fs::file_size(bundle_, error);
         if (error || !fs::is_regular_file(bundle_, error))
             return "there is no such file.";
+        std::string problem = each_entry([this](archive_entry* entry) { return look_at(entry); });
+        if (!problem.empty())
+            return problem;
+        if (names_.empty())
+            return "it is empty.";
+        if (!parts_.has_photo())
+            return "it holds no photograph.";
+        return each_entry([this](archive_entry* entry) { return unpack_one(entry); });
+    }
+
+private:
+    /// Ends at the first problem.
+    template <typename Visit>
+    std::string each_entry(Visit visit) {
+        zip_.reset(); // which reads the bytes
+        bytes_.emplace(bundle_, always_allowed + most_directory_bytes * limits_.most_files);
+        zip_.reset(archive_read_new());
         archive_read_support_format_zip_seekable(zip_.get());
-        if (archive_read_open_filename(zip_.get(), bundle_.c_str(), 1 << 16) != ARCHIVE_OK)
+        if (bytes_->open_in(zip_.get()) != ARCHIVE_OK)
             return "it is not a bundle, or it is damaged.";
         archive_entry* entry = nullptr;
-        std::size_t files = 0;
-        while (true) {
+        for (std::size_t entries = 0;;) {
             const int next = archive_read_next_header(zip_.get(), &entry);
+            if (bytes_->is_directory_too_large())
+                return too_many_files;
+            bytes_->directory_is_read();
             if (next == ARCHIVE_EOF)
-                return files > 0 ? std::string{} : "it is empty.";
+                return {};
             if (next < ARCHIVE_WARN)
-                return files > 0 ? "it is damaged." : "it is not a bundle, or it is damaged.";
-            if (++files > limits_.most_files)
-                return "it holds more files than any album.";
-            if (std::string problem = unpack_one(entry); !problem.empty())
+                return entries > 0 ? "it is damaged." : "it is not a bundle, or it is damaged.";
+            if (++entries > limits_.most_files)
+                return too_many_files;
+            if (stop_.stop_requested())
+                return "it was stopped.";
+            if (std::string problem = visit(entry); !problem.empty())
                 return problem;
         }
     }
 
-private:
-    std::string unpack_one(archive_entry* entry) {
+    /// What would be wrong with an entry, be it part of the bundle or not.
+    std::string look_at(archive_entry* entry) {
         const auto path = path_of(entry);
         if (!path)
             return path.error();
         if (archive_entry_is_encrypted(entry))
             return "it is locked with a password.";
         if (!is_packed_as_usual(zip_.get()))
-            return "it holds " + quoted(*path) + ", which is packed in an unusual way. Pack it again as an ordinary ZIP file.";
-        if (archive_entry_filetype(entry) == AE_IFDIR)
-            return make_folder(folder_ / *path, Readers::owner_only);
-        if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry))
+            return "it holds " + quoted(*path) +
+                   ", which is packed in an unusual way. Pack it again as an ordinary ZIP file.";
+        const bool folder = archive_entry_filetype(entry) == AE_IFDIR;
+        if (!folder && (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry)))
             return "it holds " + quoted(*path) + ", which is not a plain file.";
+        const auto [name, is_new] = names_.emplace(*path, folder);
+        if (!is_new && !(folder && name->second))
+            return "it holds " + quoted(*path) + " twice.";
+        if (!folder)
+            parts_.add(*path);
+        return {};
+    }
+
+    std::string unpack_one(archive_entry* entry) {
+        const auto path = path_of(entry);
+        if (!path)
+            return path.error();
+        if (archive_entry_filetype(entry) != AE_IFREG || !parts_.hold(*path))
+            return {};
         std::string reason = make_folder((folder_ / *path).parent_path(), Readers::owner_only);
         if (!reason.empty())
             return reason;
@@ -131,7 +175,10 @@ private:
     const BundleLimits& limits_;
     const BundleProgress& report_;
     std::stop_token stop_;
-    Archive zip_{archive_read_new(), archive_read_free};
+    std::optional<BundleBytes> bytes_;
+    Archive zip_{nullptr, archive_read_free}; ///< reads them, so it goes first
+    std::map<fs::path, bool> names_;          ///< of all entries; whether it is a folder
+    BundleParts parts_;
     std::uintmax_t size_ = 0, done_ = 0;
 };
 

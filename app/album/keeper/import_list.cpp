@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_bytes = 64 << 20;
+constexpr std::size_t most_bytes = 4 << 20; // 40 000 names; read it takes 75 times as much memory
 constexpr const char* extension = ".json";
 
 fs::path folder_of(const fs::path& album) { return album / ".touchphoto" / "import"; }
@@ -47,6 +47,8 @@ Result<std::string> ImportList::save(const fs::path& album) const {
         names.append(path_text(source));
     const QByteArray text =
         QJsonDocument(QJsonObject{{"into", path_text(into)}, {"sources", names}}).toJson();
+    if (static_cast<std::size_t>(text.size()) > most_bytes)
+        return Error{"That is more at once than an import takes: import the folder that the files are in."};
     if (std::string reason = make_folder(folder_of(album), Readers::owner_only); !reason.empty())
         return Error{reason};
     const std::string start =

@@ -39,7 +39,8 @@ std::vector<PhotoToImport> photographs_in(const std::vector<fs::path>& files_and
     return photos;
 }
 
-ImportSources::ImportSources(const std::vector<fs::path>& sources, fs::path unpack_in, std::stop_token stop)
+ImportSources::ImportSources(const std::vector<fs::path>& sources, fs::path unpack_in, std::stop_token stop,
+                             const Unpacking& unpacking)
     : unpack_in_(std::move(unpack_in)) {
     std::error_code error;
     fs::remove_all(unpack_in_, error); // what a kill left
@@ -49,7 +50,12 @@ ImportSources::ImportSources(const std::vector<fs::path>& sources, fs::path unpa
             continue;
         }
         const fs::path folder = unpack_in_ / std::to_string(i);
-        const std::string problem = unpack_bundle(sources[i], folder, {}, {}, stop);
+        const auto report = [&](std::uintmax_t done, std::uintmax_t total) {
+            if (unpacking)
+                unpacking(sources[i], static_cast<double>(done) / static_cast<double>(total));
+        };
+        report(0, 1);
+        const std::string problem = unpack_bundle(sources[i], folder, {}, report, stop);
         if (problem.empty())
             add({folder});
         else if (!stop.stop_requested())

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct PhotoToImport {
 /// are passed over.
 std::vector<PhotoToImport> photographs_in(const std::vector<std::filesystem::path>& files_and_folders);
 
+/// Told while a bundle is unpacked: how much of it is, 0 to 1.
+using Unpacking = std::function<void(const std::filesystem::path& bundle, double share)>;
+
 /// The photographs that files, folders and bundles hold; a bundle is unpacked into a folder that goes with
 /// this object.
 class ImportSources {
@@ -29,7 +33,7 @@ public:
     /// `unpack_in` is a folder on the album's disk. A bundle that cannot be unpacked is a sentence in
     /// `problems`.
     ImportSources(const std::vector<std::filesystem::path>& sources, std::filesystem::path unpack_in,
-                  std::stop_token stop);
+                  std::stop_token stop, const Unpacking& unpacking = {});
     ~ImportSources();
     ImportSources(const ImportSources&) = delete;
     ImportSources& operator=(const ImportSources&) = delete;

@@ -3,7 +3,6 @@
 
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/import_list.hpp"
-#include "app/album/keeper/import_sources.hpp"
 #include "app/album/keeper/photo_copy.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/motion_photo.hpp"
@@ -58,7 +57,7 @@ public:
 
     ImportReport run() {
         const ImportSources sources(list_.sources, album_ / ".touchphoto" / "import" / report_.id,
-                                    tools_.stop);
+                                    tools_.stop, tools_.unpacking);
         for (const auto& [bundle, problem] : sources.problems())
             add({bundle, {}, Fate::failed, problem});
         progress_.total = sources.photos().size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/album/keeper/import_sources.hpp"
 #include "core/base/result.hpp"
 
 #include <cstddef>
@@ -66,6 +67,7 @@ struct ImportTools {
     std::function<void(const ImportProgress&)> progress; ///< before each photograph, and at the end
     std::function<void(const ImportedPhoto&)> done;      ///< after each
     std::stop_token stop;
+    Unpacking unpacking = {}; ///< before the first photograph
 };
 
 // Copies photographs with all that is theirs into a folder of an album: from folders, whose own folders are

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/preferences/preferences.hpp"
+#include "choices_check.hpp"
+#include "places.hpp"
+#include "svg_mutants.hpp"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -117,6 +120,13 @@ private slots:
         preferences.set(unusual());
         QVERIFY(preferences.keep().startsWith("Your settings could not be kept: "));
         QCOMPARE(preferences.choices(), unusual());
+    }
+
+    void hostile_preferences() {
+        const auto files = tp::test::corpus(tp::test::in_source("tests/app/preferences/corpus"));
+        QVERIFY(files.size() >= 4);
+        for (const auto& file : files)
+            QCOMPARE(tp::test::complaint_about_choices(file.text), std::string());
     }
 };
 

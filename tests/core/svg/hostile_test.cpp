@@ -138,6 +138,15 @@ private slots:
         QCOMPARE(sheet->contours.back().name, std::string("eye 50000"));
     }
 
+    void more_contours_than_a_sheet_may_hold() {
+        std::string text = "<svg width=\"10\" height=\"10\">";
+        for (int i = 0; i < 200'001; ++i)
+            text += "<path d=\"M0 0 1 1\"/>";
+        const auto sheet = tp::sheet_from_svg(text + "</svg>");
+        QVERIFY(!sheet.ok());
+        QVERIFY2(sheet.error().find("more lines than") != std::string::npos, sheet.error().c_str());
+    }
+
     void larger_than_64_mib() {
         const auto sheet = tp::sheet_from_svg(std::string((std::size_t{64} << 20) + 1, ' '));
         QVERIFY(!sheet.ok());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "byte_mutants.hpp"
 #include "device/hid_pid/stick_scale_file.hpp"
+#include "places.hpp"
+#include "stick_scale_check.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -108,6 +110,13 @@ private slots:
         qunsetenv("XDG_CONFIG_HOME");
         qputenv("HOME", "/home/one");
         QCOMPARE(stick_scale_file().string(), std::string("/home/one/.config/touchphoto/sticks.txt"));
+    }
+
+    void hostile_scales() {
+        const auto files = tp::test::corpus(tp::test::in_source("tests/device/hid_pid/scale_corpus"));
+        QVERIFY(files.size() >= 4);
+        for (const auto& file : files)
+            QCOMPARE(tp::test::complaint_about_stick_scales(file.text), std::string());
     }
 };
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "album_folder.hpp"
 #include "app/album/keeper/bundle.hpp"
+#include "core/files/file_words.hpp"
 #include "made_zip.hpp"
 #include "places.hpp"
 
 #include <QDir>
 #include <QTest>
 
+#include <iterator>
 #include <random>
+#include <set>
 
 using namespace tp;
 using namespace tp::test;
@@ -110,9 +113,109 @@ private slots:
         write_zip(place / "deep", {{deep}});
         QVERIFY(unpack_bundle(place / "deep", place / "out5").find("more folders") != std::string::npos);
         QVERIFY(!fs::exists(place / "out5/a"));
-        write_zip(place / "twice", {{"a", "first"}, {"a", "second"}});
-        QVERIFY(unpack_bundle(place / "twice", place / "out4").find("already") != std::string::npos);
-        QCOMPARE(place.read("out4/a"), std::string("first"));
+    }
+
+    void only_what_belongs_to_photographs_is_unpacked() {
+        const AlbumFolder place;
+        const std::vector<std::string> parts{"a.jpg", "a.jpg.xmp", "a.xmp", "a.jpg.contours.svg", "a.jpg.tags/1.flac", "A.WAV", "a.mov",
+                                             "a.jpg.sync-conflict-20260501-101500-ABCDEFG.xmp", "2026/b.c.HEIC", "2026/b.c.mp4"};
+        const std::vector<std::string> foreign{"a.txt",      "readme",       "b.xmp",        "2026/a.xmp",         "c.jpg.tags/1.flac",
+                                               "a.jpg.exe",  "a.jpg.tags/deeper/1.flac",           ".hidden/d.jpg",
+                                               ".e.jpg",     "a.jpgs/1.flac"};
+        std::vector<ZipEntry> entries;
+        for (const auto* names : {&foreign, &parts})
+            for (const std::string& name : *names)
+                entries.push_back({name});
+        entries.push_back({"empty", "", AE_IFDIR});
+        write_zip(place / "b", entries);
+        const AlbumFolder out;
+        QCOMPARE(unpack_bundle(place / "b", out.path()), std::string());
+        std::set<std::string> came;
+        for (const auto& file : fs::recursive_directory_iterator(out.path()))
+            if (!file.is_directory())
+                came.insert(file.path().lexically_relative(out.path()).string());
+        QCOMPARE(came, std::set<std::string>(parts.begin(), parts.end()));
+        QVERIFY(!fs::exists(out / "empty"));
+    }
+
+    void names_that_are_there_twice_are_refused() {
+        const AlbumFolder place;
+        const std::vector<std::vector<ZipEntry>> bundles{
+            {{"a.jpg", "first"}, {"a.jpg", "second"}},
+            {{"a.jpg"}, {"foreign"}, {"foreign"}},
+            {{"a.jpg"}, {"b"}, {"b", "", AE_IFDIR}},
+            {{"a.jpg"}, {"b", "", AE_IFDIR}, {"b"}},
+        };
+        for (std::size_t i = 0; i < bundles.size(); ++i) {
+            write_zip(place / "twice", bundles[i]);
+            const fs::path out = place / ("out" + std::to_string(i));
+            const std::string problem = unpack_bundle(place / "twice", out);
+            QVERIFY2(problem.ends_with(" twice."), problem.c_str());
+            QVERIFY(fs::is_empty(out));
+        }
+    }
+
+    /// Known by what is written, which is nothing, and by what is told of the bytes read.
+    void a_hundred_thousand_foreign_files_are_passed_over() {
+        const AlbumFolder place;
+        std::vector<ZipEntry> many;
+        for (int i = 0; i < 100'000; ++i)
+            many.push_back({"papers/" + std::to_string(i) + ".txt"});
+        write_zip(place / "many", many, "zip:compression=store");
+        int reports = 0;
+        const auto report = [&](std::uintmax_t, std::uintmax_t) { ++reports; };
+        const std::string problem = unpack_bundle(place / "many", place / "out", {}, report);
+        QCOMPARE(problem, "The bundle " + quoted(place / "many") + " cannot be used: it holds no photograph.");
+        QVERIFY(fs::is_empty(place / "out"));
+        many.push_back({"a.jpg"});
+        write_zip(place / "one", many, "zip:compression=store");
+        QCOMPARE(unpack_bundle(place / "one", place / "out1", {}, report), std::string());
+        QCOMPARE(reports, 1);
+        QCOMPARE(std::distance(fs::recursive_directory_iterator(place / "out1"), {}), 1);
+    }
+
+    void a_bundle_may_hold_so_many_files_and_no_more() {
+        const AlbumFolder place;
+        BundleLimits limits;
+        limits.most_files = 10;
+        std::vector<ZipEntry> some{{"a.jpg"}, {"b", "", AE_IFDIR}};
+        while (some.size() < limits.most_files)
+            some.push_back({std::to_string(some.size())});
+        write_zip(place / "just", some);
+        QCOMPARE(unpack_bundle(place / "just", place / "out", limits), std::string());
+        some.push_back({"one more"});
+        write_zip(place / "more", some);
+        const std::string problem = unpack_bundle(place / "more", place / "out2", limits);
+        QVERIFY2(problem.ends_with("it holds more files than any album."), problem.c_str());
+        QVERIFY(fs::is_empty(place / "out2"));
+    }
+
+    /// libarchive would keep each of them in memory before it gave the first file.
+    void a_directory_of_more_files_than_any_album_is_not_read() {
+        const AlbumFolder folder;
+        const fs::path bundle = folder / "many.zip";
+        write_zip(bundle, {{"a", "x"}}, "zip:compression=store");
+        const std::string zip = folder.read("many.zip");
+        const std::size_t directory = zip.find("PK\x01\x02"), end = zip.find("PK\x05\x06");
+        std::string many = zip.substr(0, directory);
+        std::string entry = zip.substr(directory, end - directory);
+        for (std::size_t i = 0; i < 100'000; ++i) {
+            entry[42] = static_cast<char>(i); // where in the file it says that it lies
+            entry[43] = static_cast<char>(i >> 8);
+            entry[44] = static_cast<char>(i >> 16);
+            many += entry;
+        }
+        const auto size = many.size() - directory;
+        std::string last = zip.substr(end);
+        for (std::size_t i = 0; i < 4; ++i)
+            last[12 + i] = static_cast<char>(size >> (8 * i));
+        folder.write("many.zip", many + last);
+        BundleLimits limits;
+        limits.most_files = 1'000;
+        const AlbumFolder out;
+        const std::string problem = unpack_bundle(bundle, out.path(), limits);
+        QVERIFY2(problem.find("more files than any album") != std::string::npos, problem.c_str());
+        QVERIFY(out.files().empty());
     }
 
     void damaged_bundles_are_refused_or_whole() {

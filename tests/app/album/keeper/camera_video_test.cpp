@@ -59,6 +59,14 @@ class CameraVideoTest : public QObject {
     static std::string motion_photo(const std::string& video) {
         return made_motion_photo(motion_photo_1(video.size()), video);
     }
+    /// Its video in the box that Google's "Motion Photo format 1.0" has for it, in the last one, whose size may be 0.
+    static std::string heic_motion_photo(const std::string& video) {
+        using namespace std::string_literals;
+        return "\0\0\0\x10"
+               "ftypheic\0\0\0\0\0\0\0\0"
+               "mpvd"s +
+               video;
+    }
     static ImportReport imported(const AlbumFolder& album, const AlbumFolder& card) {
         auto report = import_photos(album.path(), {}, {card.path()}, {});
         return report ? *report : ImportReport{};
@@ -84,6 +92,8 @@ private slots:
                                             << "motion_photo";
         QTest::newRow("Samsung's") << "samsung"
                                    << "motion_photo";
+        QTest::newRow("motion photo as HEIC") << "heic"
+                                              << "motion_photo";
         QTest::newRow("Live Photo") << "live"
                                     << "live_photo";
         QTest::newRow("Live Photo, as JPEG and MP4") << "live, mp4"
@@ -97,11 +107,12 @@ private slots:
         QFETCH(QString, source);
         const AlbumFolder card, album;
         const std::string film = video();
-        const bool heic = kind == "live";
+        const bool heic = kind == "live" || kind == "heic";
         const std::string name = heic ? "IMG_1.HEIC" : "IMG_1.JPG";
         card.write(name, kind == "format 1"      ? motion_photo(film)
                          : kind == "micro video" ? made_motion_photo(micro_video(film.size()), film)
                          : kind == "samsung"     ? made_motion_photo(">", samsung_end(film))
+                         : kind == "heic"        ? heic_motion_photo(film)
                                                  : "a picture");
         fs::path sounding = card / name;
         if (kind == "live")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "album_list_check.hpp"
 #include "bundle_check.hpp"
 #include "byte_mutants.hpp"
 #include "places.hpp"
@@ -26,6 +27,16 @@ private slots:
             const std::string complaint = complaint_about_bundle(input.text);
             QVERIFY2(complaint.empty(), (input.name + ": " + complaint).c_str());
         }
+    }
+
+    void lists_of_deletions_and_imports() {
+        const std::vector<Seed> lists = corpus(tp::test::in_source("tests/app/album/keeper/list_corpus"));
+        QVERIFY(lists.size() >= 6);
+        ByteMutator mutator(seed);
+        for (const Seed& input : lists)
+            QCOMPARE(complaint_about_album_lists(input.text), std::string());
+        for (std::size_t i = 0; i < mutated_bundles; ++i)
+            QCOMPARE(complaint_about_album_lists(mutator.mutant(lists)), std::string());
     }
 
     void mutated_bundles_are_refused_or_harmless() {

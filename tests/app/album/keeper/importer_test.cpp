@@ -2,6 +2,7 @@
 #include "album_folder.hpp"
 #include "album_parts.hpp"
 #include "app/album/keeper/bundle.hpp"
+#include "app/album/keeper/import_list.hpp"
 #include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
@@ -26,6 +27,21 @@ class ImporterTest : public QObject {
     }
 
 private slots:
+    /// Read, a list takes 75 times its size in memory.
+    void a_list_is_never_larger_than_one_that_is_read() {
+        const AlbumFolder album;
+        ImportList list;
+        list.sources.assign(30'000, fs::path("/" + std::string(100, 'a')));
+        const auto id = list.save(album.path());
+        QVERIFY2(id.ok(), id.error().c_str());
+        QCOMPARE(ImportList::read(album.path(), *id)->sources.size(), std::size_t{30'000});
+        list.sources.assign(50'000, list.sources[0]);
+        QVERIFY(list.save(album.path()).error().starts_with("That is more at once than an import takes"));
+        QCOMPARE(ImportList::all(album.path()).size(), std::size_t{1});
+        album.write(".touchphoto/import/2.json", std::string((4 << 20) + 1, ' '));
+        QVERIFY(!ImportList::read(album.path(), "2").ok());
+    }
+
     void a_photograph_comes_with_all_that_is_its_own() {
         const AlbumFolder card, album;
         card.write("DCIM/100/IMG_1.JPG", "one");

@@ -3,6 +3,7 @@
 #include "app/album/metadata/write_sidecar.hpp"
 #include "app/album/metadata/xmp_packet.hpp"
 #include "made_photo.hpp"
+#include "photo_check.hpp"
 #include "places.hpp"
 #include "sidecar_check.hpp"
 #include "svg_mutants.hpp"
@@ -66,6 +67,15 @@ private slots:
 
     void mutated_sidecars() { mutate(sidecars(), complaint_about_sidecar); }
     void mutated_regions() { mutate(regions(), complaint_about_regions); }
+
+    void photo_corpus() {
+        const std::vector<Seed> photos = corpus(tp::test::in_source("tests/app/album/metadata/photo_corpus"));
+        QVERIFY(photos.size() >= 6);
+        for (const Seed& input : photos) {
+            const std::string complaint = complaint_about_photo(input.text);
+            QVERIFY2(complaint.empty(), (input.name + ": " + complaint).c_str());
+        }
+    }
 
     void a_gigabyte_is_refused_by_its_size() {
         const fs::path sidecar = photo_.string() + ".xmp";
@@ -155,6 +165,44 @@ private slots:
             attributes.append(" f:a").append(std::to_string(i)).append("='1'");
         QVERIFY(!XmpPacket::from(packet(attributes, "")).ok());
         QVERIFY(!XmpPacket::from(packet("xmlns:f='f/'", repeated("<f:a/>", 20'000))).ok());
+    }
+
+    /// A reader whose work grows with the square of their number takes minutes; one that keeps each, half a gigabyte.
+    void sixteen_megabytes_of_one_thing_data() {
+        QTest::addColumn<std::string>("text");
+        QTest::addColumn<std::string>("says");
+        const auto list = [](const std::string& property, const char* item, int times) {
+            std::string text = "<";
+            text.append(property).append("><rdf:Bag>").append(repeated(item, times));
+            return packet("", text.append("</rdf:Bag></").append(property).append(">"));
+        };
+        const std::string many = "it has more entries than any program writes.",
+                          listed = "it lists more people, words or recordings than any photograph has.";
+        QTest::newRow("elements") << packet("xmlns:f='f/'", repeated("<f:a/>", 2'500'000)) << many;
+        QTest::newRow("instructions") << packet("", repeated("<?a?>", 3'000'000)) << many;
+        QTest::newRow("attributes") << packet("xmlns:f='f/'", "<f:a " + repeated("a='' ", 3'000'000) + "/>")
+                                    << many;
+        QTest::newRow("quotation marks")
+            << packet("photoshop:City='" + std::string(10'000'000, '"') + "'", "") << std::string();
+        for (const char* property : {"dc:subject", "Iptc4xmpExt:PersonInImage", "dc:description", "tp:tags",
+                                     "digiKam:TagsList", "lr:hierarchicalSubject"})
+            QTest::newRow(property) << list(property, "<rdf:li>a</rdf:li>", 20'001) << listed;
+        QTest::newRow("faces") << packet(
+                                      "",
+                                      "<mwg-rs:Regions><rdf:Description><mwg-rs:RegionList><rdf:Bag>" +
+                                          repeated("<rdf:li>a</rdf:li>", 20'001) +
+                                          "</rdf:Bag></mwg-rs:RegionList></rdf:Description></mwg-rs:Regions>")
+                               << listed;
+        QTest::newRow("dabs of a brush")
+            << list("photoshop:Dabs", "<rdf:li>d 0.123456 0.654321</rdf:li>\n", 400'000) << std::string();
+        QTest::newRow("keywords of a large album")
+            << list("dc:subject", "\n  <rdf:li>holiday</rdf:li>", 9'999) << std::string();
+    }
+    void sixteen_megabytes_of_one_thing() {
+        QFETCH(std::string, text);
+        QFETCH(std::string, says);
+        const auto packet = XmpPacket::from(text);
+        QCOMPARE(packet ? std::string() : packet.error(), says);
     }
 
     void damaged_photos_of_every_kind() {

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "motion_check.hpp"
 
+#include "app/album/metadata/heif_boxes.hpp"
 #include "app/album/metadata/motion_photo.hpp"
 #include "audio/recordings/byte_source.hpp"
 
 namespace tp::test {
 
 std::string complaint_about_motion(std::string_view bytes) {
+    if (const auto turned = heif_orientation(MemoryBytes(bytes)); turned && (*turned < 1 || *turned > 8))
+        return "turned in a way that EXIF does not know";
     const auto place = video_inside(MemoryBytes(bytes));
     if (!place)
         return {};
-    if (!bytes.starts_with("\xFF\xD8"))
-        return "found in what is no JPEG";
+    if (!bytes.starts_with("\xFF\xD8") && bytes.substr(0, 8).find("ftyp") != 4)
+        return "found in what is neither JPEG nor HEIC";
     if (place->begin < 2 || place->size == 0 || place->begin >= bytes.size() ||
         place->size > bytes.size() - place->begin)
         return "it does not lie in the file";

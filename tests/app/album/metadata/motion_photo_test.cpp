@@ -54,6 +54,24 @@ private slots:
         QVERIFY(found(made_motion_photo(">", samsung_end(video))) == video);
     }
 
+    void the_video_in_a_heic_file_has_a_box_of_its_own() {
+        const std::string head = "\0\0\0\x10"
+                                 "ftypheic\0\0\0\0"s;
+        const std::string other = "\0\0\0\x0A"
+                                  "mdat12"s;
+        const auto size = [](std::size_t bytes) { return "\0\0\0"s + static_cast<char>(bytes + 8); };
+        const std::string box = size(video.size()) + "mpvd" + video;
+        QVERIFY(found(head + other + box) == video);
+        QVERIFY(found(head + box + other) == video);
+        QVERIFY(found(head + other + "\0\0\0\0mpvd"s + video) == video); // to the end
+        QVERIFY(found(head + other + "\0\0\0\1mpvd\0\0\0\0\0\0\0"s + static_cast<char>(video.size() + 16) +
+                      video) == video);
+        QVERIFY(!found(head + other));
+        QVERIFY(!found(head + size(video.size() + 1) + "mpvd" + video)); // leads out of the file
+        QVERIFY(!found(head + size(8) + "mpvdno video"));
+        QVERIFY(!found(other + box));
+    }
+
     void what_lies_around_it_is_not_its_own() {
         const std::string gain_map = "another picture";
         QVERIFY(found(made_motion_photo(

@@ -17,26 +17,6 @@ namespace {
 
 bool inside(double share) { return share >= 0.0 && share <= 1.0; }
 
-std::string unsound(const PhotoRecord& record) {
-    for (const FaceRegion& face : record.faces)
-        if (!inside(face.x) || !inside(face.y) || !inside(face.width) || !inside(face.height))
-            return "a face lies outside";
-    for (const Tag& tag : record.tags)
-        if (!is_file_name(tag.file) || !std::isfinite(tag.duration_s) || !std::isfinite(tag.gain_db) ||
-            tag.duration_s < 0.0 || tag.order < 0)
-            return "a tag makes no sense";
-    if (record.place &&
-        (!(std::abs(record.place->latitude) <= 90.0) || !(std::abs(record.place->longitude) <= 180.0)))
-        return "the place is not on Earth";
-    for (const std::string& problem : record.problems)
-        if (!problem.ends_with('.') || !is_utf8(problem))
-            return "no sentence: " + problem;
-    for (const auto& texts : {record.keywords, record.persons})
-        if (!std::all_of(texts.begin(), texts.end(), is_utf8))
-            return "a text is not UTF-8";
-    return {};
-}
-
 /// What a packet says, with named faces first, as they are written.
 PhotoRecord record_in(const XmpPacket& packet, const PictureShape& shape) {
     PhotoRecord record = record_of(parts_from_xmp(packet, shape), shape);
@@ -76,7 +56,7 @@ std::string complaint(std::string_view bytes, const PictureShape& shape) {
     if (std::string fault = changed(*packet, *copy); !fault.empty())
         return fault;
     const PhotoRecord before = record_in(*packet, shape);
-    if (std::string fault = unsound(before); !fault.empty())
+    if (std::string fault = complaint_about_record(before); !fault.empty())
         return fault;
 
     const SidecarChanges changes = everything_in(before);
@@ -103,6 +83,26 @@ std::string complaint(std::string_view bytes, const PictureShape& shape) {
 }
 
 } // namespace
+
+std::string complaint_about_record(const PhotoRecord& record) {
+    for (const FaceRegion& face : record.faces)
+        if (!inside(face.x) || !inside(face.y) || !inside(face.width) || !inside(face.height))
+            return "a face lies outside";
+    for (const Tag& tag : record.tags)
+        if (!is_file_name(tag.file) || !std::isfinite(tag.duration_s) || !std::isfinite(tag.gain_db) ||
+            tag.duration_s < 0.0 || tag.order < 0)
+            return "a tag makes no sense";
+    if (record.place &&
+        (!(std::abs(record.place->latitude) <= 90.0) || !(std::abs(record.place->longitude) <= 180.0)))
+        return "the place is not on Earth";
+    for (const std::string& problem : record.problems)
+        if (!problem.ends_with('.') || !is_utf8(problem))
+            return "no sentence: " + problem;
+    for (const auto& texts : {record.keywords, record.persons})
+        if (!std::all_of(texts.begin(), texts.end(), is_utf8))
+            return "a text is not UTF-8";
+    return {};
+}
 
 std::string complaint_about_sidecar(std::string_view bytes) { return complaint(bytes, {400, 300, 1}); }
 

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
+// A libFuzzer target: any bytes as a sound file of another program, and as a video.
+#include "fuzz_target.hpp"
+#include "sound_check.hpp"
+
+TP_FUZZ_TARGET(tp::test::complaint_about_sound)

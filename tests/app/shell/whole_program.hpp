@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/devices/device_access.hpp"
 #include "app/shell/program_window.hpp"
 #include "audio/speech/recording_voice.hpp"
 #include "fake_loudspeaker.hpp"
@@ -17,13 +18,14 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <utility>
 #include <vector>
 
 /// The program with everything but the machine: its voice is remembered, its loudspeakers and its microphone are the
 /// test's, its album is a folder of sample portraits; of somebody who has not been asked yet it has none.
 class WholeProgram {
 public:
-    explicit WholeProgram(const tp::Choices& choices = asked()) {
+    explicit WholeProgram(const tp::Choices& choices = asked(), tp::DeviceAccess devices = {}) {
         QDir().mkpath(folder.filePath("Family"));
         for (const char* name : {"anna_smiling.jpg", "ben_and_clara.jpg", "ben_smiling.jpg"})
             QFile::copy(QString(tp::test::in_source("resources/samples/")) + name, folder.filePath(QString("Family/") + name));
@@ -51,6 +53,7 @@ public:
                                file("Documents"),
                                {},
                                [] { return std::vector<tp::FoundDevice>(); }};
+        parts.explore.devices = std::move(devices);
         program = std::make_unique<tp::Program>(std::move(parts));
         program->begin({});
         window = std::make_unique<tp::ProgramWindow>(*program);

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hours of use at one go: somebody wanders over all pages while the album, the devices, the voice and the sound change
+// underneath. Each deed counts as two seconds of a person's. TP_SOAK_HOURS asks for more or fewer of them; a line tells each
+// half hour what the program holds of the machine.
+#include "disturbances.hpp"
+#include "monkey.hpp"
+#include "process_load.hpp"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <QTest>
+#include <QThreadPool>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <span>
+#include <vector>
+
+using namespace tp;
+using tp::test::ProcessLoad;
+
+namespace {
+
+constexpr double deed_s = 2.0;    ///< of a person's time
+constexpr double sound_s = 0.2;   ///< that passes with each deed
+constexpr double look_every_h = 0.5;
+constexpr double most_growth = 5.0;        ///< MB an hour
+constexpr double least_judged_hours = 6.0; ///< fewer tell chance from growth no more
+constexpr double unlike = 3.0;             ///< handles or threads, of the pages and dialogs that happen to be open
+
+double hours() { return qEnvironmentVariableIsSet("TP_SOAK_HOURS") ? qEnvironmentVariable("TP_SOAK_HOURS").toDouble() : 16.0; }
+
+struct Look {
+    double hour = 0.0;
+    ProcessLoad load;
+};
+
+/// MB an hour, by least squares.
+double growth(std::span<const Look> looks) {
+    double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (const Look& look : looks) {
+        n += 1.0;
+        x += look.hour;
+        y += look.load.memory_mb;
+        xx += look.hour * look.hour;
+        xy += look.hour * look.load.memory_mb;
+    }
+    return (n * xy - x * y) / (n * xx - x * x);
+}
+
+template <typename Count>
+double mean(std::span<const Look> looks, Count count) {
+    double sum = 0.0;
+    for (const Look& look : looks)
+        sum += static_cast<double>(count(look.load));
+    return sum / static_cast<double>(looks.size());
+}
+
+} // namespace
+
+class SoakTest : public QObject {
+    Q_OBJECT
+
+    /// At home with nothing under way.
+    void rest(WholeProgram& whole) {
+        whole.shell().open("start");
+        QTRY_VERIFY_WITH_TIMEOUT(whole.complete(), 60000);
+        QThreadPool::globalInstance()->waitForDone();
+        QTest::qWait(200);
+    }
+
+private slots:
+    void initTestCase() { QAccessible::setActive(true); }
+
+    void nothing_grows_and_nothing_is_left() {
+        const Warnings warnings;
+        testing::DeviceSocket socket;
+        DeviceAccess access = socket.access();
+        access.look_every_ms = 200;
+        WholeProgram whole(WholeProgram::asked(), access);
+        QVERIFY(whole.shown());
+        Monkey monkey(whole, 20260501);
+        Disturbances disturbances(whole, socket, 20260502);
+        std::mt19937 random(20260503);
+        const QStringList pages{"start", "browse", "explore", "care", "mend", "print", "lab", "settings"};
+        std::vector<Look> looks;
+        const auto deeds = static_cast<int>(std::lround(3600.0 * hours() / deed_s));
+        const auto deeds_between = static_cast<int>(std::lround(3600.0 * look_every_h / deed_s));
+        for (int i = 0; i < deeds; ++i) {
+            if (random() % 25 == 0)
+                whole.shell().open(pages[static_cast<int>(random() % static_cast<unsigned>(pages.size()))]);
+            monkey.do_something();
+            if (random() % 8 == 0)
+                disturbances.let_something_happen();
+            disturbances.let_sound_pass(sound_s);
+            QCoreApplication::processEvents();
+            QVERIFY2(whole.program->explore().newtons() <= whole.program->preferences().choices().max_force_n + 1e-9,
+                     qPrintable(monkey.last()));
+            QVERIFY2(Warnings::all().isEmpty(), qPrintable(monkey.last() + ", " + disturbances.last() + ": " + Warnings::all().join('\n')));
+            if ((i + 1) % deeds_between != 0)
+                continue;
+            rest(whole);
+            looks.push_back({(i + 1) * deed_s / 3600.0, ProcessLoad::now()});
+            std::printf("hour %4.1f: %.1f MB, %zu handles, %zu threads\n", looks.back().hour, looks.back().load.memory_mb,
+                  looks.back().load.handles, looks.back().load.threads);
+            std::fflush(stdout);
+        }
+        socket.unplug();
+        QTRY_VERIFY(!socket.in_use());
+        // In the first half what is kept fills: pictures, pages, dialogs, threads that wait for work.
+        const std::span<const Look> judged = std::span(looks).last(looks.size() / 2);
+        if (static_cast<double>(judged.size()) * look_every_h < least_judged_hours) {
+            std::printf("too few hours to judge what grows\n");
+            return;
+        }
+        std::printf("grows by %.2f MB an hour\n", growth(judged));
+        QVERIFY(growth(judged) <= most_growth);
+        const std::span<const Look> before = judged.first(judged.size() / 2), after = judged.last(judged.size() / 2);
+        const auto handles = [](const ProcessLoad& load) { return load.handles; };
+        const auto threads = [](const ProcessLoad& load) { return load.threads; };
+        QVERIFY(mean(after, handles) <= mean(before, handles) + unlike);
+        QVERIFY(mean(after, threads) <= mean(before, threads) + unlike);
+    }
+};
+
+QTEST_MAIN(SoakTest)
+#include "soak_test.moc"

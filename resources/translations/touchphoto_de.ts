@@ -692,12 +692,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Foto öffnen</translation>
     </message>
     <message>
-        <source>Photographs (*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2)</source>
-        <translation>Fotos (*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2)</translation>
+        <source>Photographs (%1)</source>
+        <translation>Fotos (%1)</translation>
     </message>
     <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
+        <source>All files (%1)</source>
+        <translation>Alle Dateien (%1)</translation>
     </message>
 </context>
 <context>
@@ -2277,20 +2277,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die eigenen Angaben des Fotos sind beschädigt; es gilt, was davon gelesen werden konnte.</translation>
     </message>
     <message>
-        <source>The picture %1 could not be written: %2.</source>
-        <translation>Das Bild %1 konnte nicht geschrieben werden: %2.</translation>
-    </message>
-    <message>
         <source>The picture cannot be decoded.</source>
         <translation>Das Bild kann nicht entschlüsselt werden.</translation>
     </message>
     <message>
         <source>The picture is empty.</source>
         <translation>Das Bild ist leer.</translation>
-    </message>
-    <message>
-        <source>The picture is in the HEIC or AVIF format, which cannot be read: save it as JPEG.</source>
-        <translation>Das Bild hat das Format HEIC oder AVIF, das nicht gelesen werden kann: Speichern Sie es als JPEG.</translation>
     </message>
     <message>
         <source>The picture is not in 8-bit colour.</source>
@@ -3013,10 +3005,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>die Aufnahme, wer %1 ist</translation>
     </message>
     <message>
-        <source>the picture is empty, or its ending is neither png nor jpg</source>
-        <translation>Das Bild ist leer, oder seine Endung ist weder png noch jpg</translation>
-    </message>
-    <message>
         <source>the place</source>
         <translation>die Ortsaufnahme</translation>
     </message>
@@ -3363,6 +3351,66 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The program that watches over the motors of the Falcon has ended, so they stay off. Start the device again.</source>
         <translation>Das Programm, das über die Motoren des Falcon wacht, hat geendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
+    </message>
+    <message>
+        <source>Pictures in the formats HEIC and AVIF need the library libheif (Debian: libheif1), which is not here: install it or save the picture as JPEG.</source>
+        <translation>Für Bilder in den Formaten HEIC und AVIF fehlt die Bibliothek libheif (Debian: libheif1): Installieren Sie sie oder speichern Sie das Bild als JPEG.</translation>
+    </message>
+    <message>
+        <source>The %1 file holds a kind of picture that cannot be decoded here: save it as JPEG.</source>
+        <translation>Die %1-Datei enthält eine Art von Bild, die hier nicht entschlüsselt werden kann: Speichern Sie es als JPEG.</translation>
+    </message>
+    <message>
+        <source>The %1 file is cut short: a part of the picture is missing.</source>
+        <translation>Die %1-Datei ist abgeschnitten: Ein Teil des Bildes fehlt.</translation>
+    </message>
+    <message>
+        <source>The %1 file says that it holds more than any photograph does; it was not read.</source>
+        <translation>Die %1-Datei gibt an, mehr zu enthalten als je ein Foto; sie wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The raw file holds no preview that can be read: save the picture as JPEG.</source>
+        <translation>Die Raw-Datei enthält keine Vorschau, die gelesen werden kann: Speichern Sie das Bild als JPEG.</translation>
+    </message>
+    <message>
+        <source>A beard hides the jaw, so the outline may be wrong.</source>
+        <translation>Ein Bart verdeckt den Kiefer, der Gesichtsumriss könnte deshalb falsch sein.</translation>
+    </message>
+    <message>
+        <source>Hair hides the jaw, so the outline may be wrong.</source>
+        <translation>Haare verdecken den Kiefer, der Gesichtsumriss könnte deshalb falsch sein.</translation>
+    </message>
+    <message>
+        <source>a beard hides it</source>
+        <translation>von einem Bart verdeckt</translation>
+    </message>
+    <message>
+        <source>hair hides it</source>
+        <translation>von Haaren verdeckt</translation>
+    </message>
+    <message>
+        <source>The picture %1 could not be written: %2</source>
+        <translation>Das Bild %1 konnte nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>it holds &quot;%1&quot; twice.</source>
+        <translation>Es enthält „%1“ zweimal.</translation>
+    </message>
+    <message>
+        <source>it holds no photograph.</source>
+        <translation>Es enthält kein Foto.</translation>
+    </message>
+    <message>
+        <source>the picture is empty, or its ending is neither png nor jpg.</source>
+        <translation>Das Bild ist leer, oder seine Endung ist weder png noch jpg.</translation>
+    </message>
+    <message>
+        <source>That is more at once than an import takes: import the folder that the files are in.</source>
+        <translation>Das ist mehr auf einmal, als ein Import annimmt: Importieren Sie den Ordner, in dem die Dateien liegen.</translation>
+    </message>
+    <message>
+        <source>it lists more people, words or recordings than any photograph has.</source>
+        <translation>Die Datei zählt mehr Personen, Wörter oder Aufnahmen auf, als irgendein Foto hat.</translation>
     </message>
 </context>
 <context>

@@ -688,12 +688,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진 열기</translation>
     </message>
     <message>
-        <source>Photographs (*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2)</source>
-        <translation>사진 (*.jpg *.jpeg *.png *.webp *.tif *.tiff *.bmp *.jp2)</translation>
+        <source>Photographs (%1)</source>
+        <translation>사진 (%1)</translation>
     </message>
     <message>
-        <source>All files (*)</source>
-        <translation>모든 파일 (*)</translation>
+        <source>All files (%1)</source>
+        <translation>모든 파일 (%1)</translation>
     </message>
 </context>
 <context>
@@ -2264,20 +2264,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진에 든 정보가 손상되었습니다. 읽을 수 있는 것만 씁니다.</translation>
     </message>
     <message>
-        <source>The picture %1 could not be written: %2.</source>
-        <translation>사진 %1: 쓰지 못했습니다. %2.</translation>
-    </message>
-    <message>
         <source>The picture cannot be decoded.</source>
         <translation>사진을 해독할 수 없습니다.</translation>
     </message>
     <message>
         <source>The picture is empty.</source>
         <translation>사진이 비어 있습니다.</translation>
-    </message>
-    <message>
-        <source>The picture is in the HEIC or AVIF format, which cannot be read: save it as JPEG.</source>
-        <translation>사진이 읽을 수 없는 HEIC나 AVIF 형식입니다. JPEG로 저장하세요.</translation>
     </message>
     <message>
         <source>The picture is not in 8-bit colour.</source>
@@ -3000,10 +2992,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1이(가) 누구인지 알려 주는 녹음</translation>
     </message>
     <message>
-        <source>the picture is empty, or its ending is neither png nor jpg</source>
-        <translation>사진이 비어 있거나 파일 이름이 png나 jpg로 끝나지 않습니다</translation>
-    </message>
-    <message>
         <source>the place</source>
         <translation>장소 녹음</translation>
     </message>
@@ -3350,6 +3338,66 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The program that watches over the motors of the Falcon has ended, so they stay off. Start the device again.</source>
         <translation>Falcon의 모터를 지켜보는 프로그램이 끝나서 모터를 켜지 않습니다. 장치를 다시 시작하세요.</translation>
+    </message>
+    <message>
+        <source>Pictures in the formats HEIC and AVIF need the library libheif (Debian: libheif1), which is not here: install it or save the picture as JPEG.</source>
+        <translation>HEIC와 AVIF 형식의 사진에는 libheif 라이브러리(Debian: libheif1)가 필요하지만 여기에는 없습니다. 설치하거나 사진을 JPEG로 저장하세요.</translation>
+    </message>
+    <message>
+        <source>The %1 file holds a kind of picture that cannot be decoded here: save it as JPEG.</source>
+        <translation>%1 파일에 여기서 해독할 수 없는 종류의 사진이 들어 있습니다. JPEG로 저장하세요.</translation>
+    </message>
+    <message>
+        <source>The %1 file is cut short: a part of the picture is missing.</source>
+        <translation>%1 파일이 중간에서 끊겨 사진의 일부가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The %1 file says that it holds more than any photograph does; it was not read.</source>
+        <translation>%1 파일이 어떤 사진보다도 많은 것을 담고 있다고 하여 읽지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The raw file holds no preview that can be read: save the picture as JPEG.</source>
+        <translation>RAW 파일에 읽을 수 있는 미리보기가 없습니다. 사진을 JPEG로 저장하세요.</translation>
+    </message>
+    <message>
+        <source>A beard hides the jaw, so the outline may be wrong.</source>
+        <translation>수염이 턱을 가려 얼굴 윤곽선이 틀릴 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Hair hides the jaw, so the outline may be wrong.</source>
+        <translation>머리카락이 턱을 가려 얼굴 윤곽선이 틀릴 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>a beard hides it</source>
+        <translation>수염에 가려져</translation>
+    </message>
+    <message>
+        <source>hair hides it</source>
+        <translation>머리카락에 가려져</translation>
+    </message>
+    <message>
+        <source>The picture %1 could not be written: %2</source>
+        <translation>사진 %1: 쓰지 못했습니다. %2</translation>
+    </message>
+    <message>
+        <source>it holds &quot;%1&quot; twice.</source>
+        <translation>“%1”이(가) 두 번 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>it holds no photograph.</source>
+        <translation>사진이 들어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>the picture is empty, or its ending is neither png nor jpg.</source>
+        <translation>사진이 비어 있거나 파일 이름이 png나 jpg로 끝나지 않습니다.</translation>
+    </message>
+    <message>
+        <source>That is more at once than an import takes: import the folder that the files are in.</source>
+        <translation>한 번에 가져올 수 있는 것보다 많습니다. 파일이 들어 있는 폴더를 가져오십시오.</translation>
+    </message>
+    <message>
+        <source>it lists more people, words or recordings than any photograph has.</source>
+        <translation>어떤 사진에 있는 것보다 많은 사람, 낱말 또는 녹음을 나열합니다.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/explore/demonstration.hpp"
+#include "app/pages/explore/demonstration.hpp"
 #include "app/shell/program_window.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "audio/sound/recorder.hpp"

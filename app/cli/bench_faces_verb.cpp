@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/bench/face_bench.hpp"
 #include "app/cli/bench_wild.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/names_file.hpp"
 #include "app/cli/verbs.hpp"
+#include "app/figures/bench/face_bench.hpp"
 
 #include <QDir>
 #include <QString>

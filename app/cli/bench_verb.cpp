@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/bench/accuracy_bench.hpp"
-#include "app/bench/nearest_bench.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/verbs.hpp"
+#include "app/figures/bench/accuracy_bench.hpp"
+#include "app/figures/bench/nearest_bench.hpp"
 #include "core/files/durable_file.hpp"
 
 #include <QDir>

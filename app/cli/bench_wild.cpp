@@ -2,11 +2,11 @@
 #include "app/cli/bench_wild.hpp"
 
 #include "app/album/metadata/photo_name.hpp"
-#include "app/bench/wild_bench.hpp"
 #include "app/cli/batch_progress.hpp"
 #include "app/cli/command_line.hpp"
-#include "app/cli/names_file.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/names_file.hpp"
+#include "app/figures/bench/wild_bench.hpp"
 #include "core/files/whole_file.hpp"
 
 #include <QFileInfo>

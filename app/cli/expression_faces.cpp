@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/expression_faces.hpp"
 
-#include "app/scene/corrections.hpp"
+#include "app/photo/scene/corrections.hpp"
 #include "core/svg/contour_sheet.hpp"
 
 #include <map>

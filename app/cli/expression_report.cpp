@@ -2,7 +2,7 @@
 #include "app/cli/expression_report.hpp"
 
 #include "app/cli/json_number.hpp"
-#include "app/report/csv_table.hpp"
+#include "app/figures/report/csv_table.hpp"
 
 #include <QJsonArray>
 #include <QJsonDocument>

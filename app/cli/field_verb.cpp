@@ -2,8 +2,8 @@
 #include "app/cli/guidance_options.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
-#include "app/picture/field_picture.hpp"
-#include "app/picture/picture_file.hpp"
+#include "app/photo/picture/field_picture.hpp"
+#include "app/photo/picture/picture_file.hpp"
 
 namespace tp {
 

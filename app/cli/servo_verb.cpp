@@ -2,7 +2,7 @@
 #include "app/cli/guidance_options.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
-#include "app/report/test_scenes.hpp"
+#include "app/figures/report/test_scenes.hpp"
 #include "core/servo/servo_loop.hpp"
 #include "device/simulated/simulated_device.hpp"
 

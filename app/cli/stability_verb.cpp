@@ -2,12 +2,12 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
-#include "app/report/continuity_cost.hpp"
-#include "app/report/csv_table.hpp"
-#include "app/report/hard_cases.hpp"
-#include "app/report/loop_work.hpp"
-#include "app/report/released_handle.hpp"
-#include "app/report/stability_plots.hpp"
+#include "app/figures/report/continuity_cost.hpp"
+#include "app/figures/report/csv_table.hpp"
+#include "app/figures/report/hard_cases.hpp"
+#include "app/figures/report/loop_work.hpp"
+#include "app/figures/report/released_handle.hpp"
+#include "app/figures/report/stability_plots.hpp"
 
 #include <QDir>
 

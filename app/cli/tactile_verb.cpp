@@ -4,9 +4,9 @@
 #include "app/cli/json_number.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
-#include "app/people/face_names.hpp"
-#include "app/scene/corrections.hpp"
-#include "app/tactile/tactile_file.hpp"
+#include "app/photo/people/face_names.hpp"
+#include "app/photo/scene/corrections.hpp"
+#include "app/photo/tactile/tactile_file.hpp"
 #include "faces/face_extractor.hpp"
 
 #include <QJsonArray>

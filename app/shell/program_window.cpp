@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/shell/program_window.hpp"
 
-#include "app/browse/browse_module.hpp"
-#include "app/care/care_module.hpp"
-#include "app/explore/explore_module.hpp"
-#include "app/lab/lab_module.hpp"
-#include "app/mend/mend_module.hpp"
-#include "app/print/print_module.hpp"
-#include "app/settings/settings_module.hpp"
+#include "app/pages/browse/browse_module.hpp"
+#include "app/pages/care/care_module.hpp"
+#include "app/pages/explore/explore_module.hpp"
+#include "app/pages/lab/lab_module.hpp"
+#include "app/pages/mend/mend_module.hpp"
+#include "app/pages/print/print_module.hpp"
+#include "app/pages/settings/settings_module.hpp"
+#include "app/pages/start/start_module.hpp"
 #include "app/shell/focus_words.hpp"
 #include "app/shell/own_resources.hpp"
-#include "app/start/start_module.hpp"
 
 #include <QAccessible>
 #include <QColor>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/narration/narrator.hpp"
+#include "app/parts/narration/narrator.hpp"
 
 #include <QObject>
 #include <QString>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/album/keeper/name_languages.hpp"
-#include "app/preferences/preferences.hpp"
+#include "app/parts/preferences/preferences.hpp"
 #include "audio/speech/voice.hpp"
 
 #include <QObject>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is weighed against time must be weighed rightly. No time is asserted.
-#include "app/bench/accuracy_bench.hpp"
+#include "app/figures/bench/accuracy_bench.hpp"
 
 #include <QFile>
 #include <QImage>

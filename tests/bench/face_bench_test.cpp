@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is weighed against time must be weighed rightly. No time is asserted.
-#include "app/bench/face_bench.hpp"
+#include "app/figures/bench/face_bench.hpp"
 #include "drawn_facemark.hpp"
 #include "faces/model_catalog.hpp"
 #include "places.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nearest contour, every method at every size: guidance_bench --benchmark_filter='hand_path/.*/1000$'
-#include "app/bench/bench_scene.hpp"
-#include "app/bench/nearest_method.hpp"
+#include "app/figures/bench/bench_scene.hpp"
+#include "app/figures/bench/nearest_method.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The methods that are timed against each other must answer the same question. No time is asserted.
-#include "app/bench/bench_scene.hpp"
-#include "app/bench/nearest_bench.hpp"
-#include "app/bench/nearest_method.hpp"
+#include "app/figures/bench/bench_scene.hpp"
+#include "app/figures/bench/nearest_bench.hpp"
+#include "app/figures/bench/nearest_method.hpp"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 // How long a person waits for the next photograph: next_photo_bench [FOLDER]. Twenty-four JPEGs of 12 megapixel are made
 // in FOLDER (default: a temporary one) and shown at 1080p one after the other, with reading ahead and without, at
 // several paces. The time is that from the wish to the picture in memory, ready to be drawn.
-#include "app/picture/picture_ahead.hpp"
+#include "app/photo/picture/picture_ahead.hpp"
 
 #include <QCoreApplication>
 #include <QEventLoop>

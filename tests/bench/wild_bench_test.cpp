@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Photographs without truth: what is found, compared, counted and drawn. No time is asserted.
-#include "app/bench/wild_bench.hpp"
+#include "app/figures/bench/wild_bench.hpp"
 #include "places.hpp"
 
 #include <QColor>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/report/hard_cases.hpp"
+#include "app/figures/report/hard_cases.hpp"
 
 #include <QTest>
 

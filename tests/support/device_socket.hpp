@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/devices/device_access.hpp"
+#include "app/parts/devices/device_access.hpp"
 #include "core/servo/force_device.hpp"
 #include "device/registry.hpp"
 

@@ -6,7 +6,7 @@
 #include "app/album/index/album_watcher.hpp"
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/open/album_worker.hpp"
-#include "app/preferences/preferences.hpp"
+#include "app/parts/preferences/preferences.hpp"
 
 #include <QObject>
 #include <QString>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/controls/recording_announcer.hpp"
+#include "app/parts/controls/recording_announcer.hpp"
 #include "app/shell/shell.hpp"
 #include "audio/speech/recording_voice.hpp"
 

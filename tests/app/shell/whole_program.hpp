@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/devices/device_access.hpp"
+#include "app/parts/devices/device_access.hpp"
 #include "app/shell/program_window.hpp"
 #include "audio/speech/recording_voice.hpp"
 #include "fake_loudspeaker.hpp"

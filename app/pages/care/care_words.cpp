@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pages/care/care_words.hpp"
+
+#include "app/pages/care/described_in.hpp"
+#include "audio/sentences/sentences.hpp"
+#include "audio/sound/sound_words.hpp"
+#include "core/files/file_words.hpp"
+
+#include <QDateTime>
+#include <QHash>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tp {
+
+QString CareWords::text(const std::string& text) { return QString::fromStdString(readable(text)); }
+
+QString CareWords::file_name(const std::filesystem::path& file) { return text(file.filename().string()); }
+
+QString CareWords::kind(RecordingKind kind) {
+    switch (kind) {
+    case RecordingKind::memo:
+        return tr("Memo");
+    case RecordingKind::person:
+        return tr("Who it is");
+    case RecordingKind::place:
+        return tr("Place");
+    case RecordingKind::story:
+        return tr("Story");
+    case RecordingKind::ambient:
+        return tr("Sounds around");
+    }
+    return {};
+}
+
+QStringList CareWords::kinds() {
+    QStringList all;
+    for (const RecordingKind one : {RecordingKind::memo, RecordingKind::person, RecordingKind::place,
+                                    RecordingKind::story, RecordingKind::ambient})
+        all << kind(one);
+    return all;
+}
+
+QString CareWords::recording(const RecordingLabel& label) {
+    return label.person.empty() ? kind(label.kind) : tr("%1, about %2").arg(kind(label.kind), text(label.person));
+}
+
+QString CareWords::recording_details(const Tag& tag) {
+    QStringList details{duration_words(tag.duration_s)};
+    if (!tag.label.speaker.empty())
+        details << tr("spoken by %1").arg(text(tag.label.speaker));
+    if (const QDateTime when = QDateTime::fromString(QString::fromStdString(tag.label.recorded), Qt::ISODate);
+        when.isValid())
+        details << QLocale().toString(when.date(), QLocale::LongFormat);
+    return details.join(", ");
+}
+
+QString CareWords::language(const QString& tag) {
+    // Where Qt takes a tag without a country for one with it.
+    static const QHash<QString, QString> plain{{"en", "English"}, {"es", "español"}, {"pt", "português"}, {"zh", "中文"}};
+    if (const auto name = plain.constFind(tag); name != plain.constEnd())
+        return *name;
+    const QLocale locale(tag);
+    return locale == QLocale::c() || locale.nativeLanguageName().isEmpty() ? tag : locale.nativeLanguageName();
+}
+
+QString CareWords::seconds(double seconds) { return tr("%1 seconds").arg(QLocale().toString(seconds, 'f', 1)); }
+
+QString CareWords::clock(double seconds) {
+    const auto whole = static_cast<long long>(std::floor(std::max(seconds, 0.0)));
+    return QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
+}
+
+QString CareWords::photo_details(const PhotoRecord& record, const QString& language) {
+    QStringList people, sentences;
+    for (const std::string& person : record.persons)
+        people << text(person);
+    if (!people.isEmpty())
+        sentences << tr("%1.").arg(people.join(", "));
+    if (!record.tags.empty())
+        sentences << tr("%n recording(s).", nullptr, static_cast<int>(record.tags.size()));
+    const std::string key = described_in(record, language);
+    if (text_in(record.alt_text, key).isEmpty() && text_in(record.description, key).isEmpty())
+        sentences << tr("No description.");
+    return sentences.join(' ');
+}
+
+QString CareWords::import_progress(const ImportProgress& progress) {
+    const auto megabytes = [](std::uintmax_t bytes) {
+        return QLocale().toString(static_cast<double>(bytes) / 1e6, 'f', 1);
+    };
+    const QString count = tr("%1 of %2 photographs, %3 of %4 megabytes")
+                              .arg(progress.done)
+                              .arg(progress.total)
+                              .arg(megabytes(progress.bytes_done), megabytes(progress.bytes_total));
+    return progress.seconds_left && progress.done < progress.total
+               ? tr("%1, about %2 left").arg(count, duration_words(*progress.seconds_left))
+               : count;
+}
+
+QString CareWords::import_report(const ImportReport& report) {
+    const auto number = [&](ImportedPhoto::Fate fate) { return static_cast<int>(report.count(fate)); };
+    const int imported = number(ImportedPhoto::Fate::imported);
+    const int there = number(ImportedPhoto::Fate::duplicate);
+    const int failed = number(ImportedPhoto::Fate::failed);
+    if (report.photos.empty())
+        return report.stopped ? tr("The import was stopped before the first photograph.")
+                              : tr("There is no photograph among what was chosen.");
+    QStringList parts;
+    if (imported > 0 || (there == 0 && failed == 0))
+        parts << tr("%n photograph(s) imported", nullptr, imported);
+    if (there > 0)
+        parts << tr("%n of them there already", nullptr, there);
+    if (failed > 0)
+        parts << tr("%n failed", nullptr, failed);
+    QString words = tr("%1.").arg(parts.join(", "));
+    if (failed > 0) {
+        const auto first = std::find_if(report.photos.begin(), report.photos.end(), [](const ImportedPhoto& photo) {
+            return photo.fate == ImportedPhoto::Fate::failed;
+        });
+        words = tr("%1: %2").arg(parts.join(", "), in_persons_language(first->problem));
+    }
+    if (report.stopped)
+        words = tr("%1 The import was stopped; it can go on later.").arg(words);
+    return words;
+}
+
+} // namespace tp

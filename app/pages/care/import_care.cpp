@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pages/care/import_care.hpp"
+
+#include "app/album/index/album_queries.hpp"
+#include "app/pages/care/care_words.hpp"
+#include "audio/sentences/sentences.hpp"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QMetaObject>
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path path_of_file(const QUrl& url) { return QFile::encodeName(url.toLocalFile()).toStdString(); }
+
+/// Where the album has a photograph of these bytes, by an index of the calling thread.
+std::function<std::optional<fs::path>(const std::string&)> known_in(const AlbumIndex& index) {
+    const auto own = std::make_shared<Result<AlbumIndex>>(index.another());
+    return [own](const std::string& hash) -> std::optional<fs::path> {
+        if (!*own)
+            return std::nullopt; // what was imported before is then told by its name and bytes in the folder
+        const auto entry = AlbumQueries(**own).with_content(hash);
+        return entry && *entry ? std::optional((*entry)->path) : std::nullopt;
+    };
+}
+
+} // namespace
+
+ImportCare::ImportCare(OpenAlbum& album, Preferences& preferences, CareTeller& teller)
+    : album_(album), preferences_(preferences), teller_(teller) {
+    pool_.setMaxThreadCount(1);
+    connect(&album_, &OpenAlbum::folders_changed, this, [this] {
+        if (folder_ >= static_cast<int>(album_.folders().size()))
+            folder_ = 0;
+        look();
+        emit foldersChanged();
+    });
+    look();
+}
+
+ImportCare::~ImportCare() {
+    stop_.request_stop();
+    pool_.waitForDone();
+}
+
+double ImportCare::fraction() const {
+    return progress_.bytes_total == 0
+               ? 0.0
+               : static_cast<double>(progress_.bytes_done) / static_cast<double>(progress_.bytes_total);
+}
+
+QString ImportCare::progressText() const {
+    return running_ && progress_.total == 0 ? tr("Looking for photographs…") : CareWords::import_progress(progress_);
+}
+
+QStringList ImportCare::folders() const {
+    QStringList names;
+    for (const fs::path& folder : album_.folders())
+        names << CareWords::text(folder.string());
+    return names;
+}
+
+void ImportCare::setFolder(int folder) {
+    if (folder < 0 || folder >= static_cast<int>(album_.folders().size()) || folder == folder_ || running_)
+        return;
+    folder_ = folder;
+    look();
+    emit foldersChanged();
+}
+
+fs::path ImportCare::album_folder() const {
+    return album_.folders().empty() ? fs::path() : album_.folders()[static_cast<std::size_t>(folder_)];
+}
+
+void ImportCare::look() {
+    if (running_)
+        return;
+    unfinished_ = album_.folders().empty() ? std::vector<std::string>{} : unfinished_imports(album_folder());
+    emit changed();
+}
+
+void ImportCare::import(const QList<QUrl>& sources) {
+    if (running_) {
+        teller_.problem(tr("An import is under way. Wait for its end, or stop it first."));
+        return;
+    }
+    std::vector<fs::path> paths;
+    for (const QUrl& source : sources)
+        if (source.isLocalFile())
+            paths.push_back(path_of_file(source));
+    if (paths.empty()) {
+        teller_.problem(tr("Only photographs and folders on this computer can be imported."));
+        return;
+    }
+    if (album_.folders().empty()) {
+        wish_ = sources;
+        teller_.tell(tr("Choose the folder in which the album is to lie. The photographs are copied into it."));
+        emit folderWanted();
+        return;
+    }
+    run(tr("Importing…"), [folder = album_folder(), paths = std::move(paths)](const ImportTools& tools) {
+        return import_photos(folder, {}, paths, tools);
+    });
+}
+
+void ImportCare::chooseFolder(const QUrl& folder) {
+    if (!folder.isLocalFile() || !QFileInfo(folder.toLocalFile()).isDir()) {
+        teller_.problem(tr("The album needs a folder on this computer."));
+        return;
+    }
+    preferences_.change([&](Choices& choices) {
+        if (!choices.folders.contains(folder.toLocalFile()))
+            choices.folders << folder.toLocalFile();
+    });
+    if (!wish_.isEmpty())
+        import(std::exchange(wish_, {}));
+    else
+        teller_.tell(tr("The album has the folder %1 now.").arg(folder.toLocalFile()));
+}
+
+void ImportCare::stop() {
+    if (!running_)
+        return;
+    stop_.request_stop();
+    teller_.answer(tr("Stopping after this photograph."));
+}
+
+void ImportCare::goOn() {
+    if (!unfinished())
+        return;
+    run(tr("The import goes on."), [folder = album_folder(), id = unfinished_.front()](const ImportTools& tools) {
+        return go_on_importing(folder, id, tools);
+    });
+}
+
+void ImportCare::giveUp() {
+    if (!unfinished())
+        return;
+    if (const std::string problem = give_up_import(album_folder(), unfinished_.front()); !problem.empty())
+        teller_.problem(in_persons_language(problem));
+    else
+        teller_.tell(tr("The import is not gone on with. What it brought stays."));
+    look();
+}
+
+void ImportCare::run(const QString& told, Work work) {
+    running_ = true;
+    progress_ = {};
+    report_.clear();
+    problems_.clear();
+    pace_ = {};
+    clock_.start();
+    stop_ = std::stop_source();
+    teller_.tell(told);
+    emit changed();
+    emit progressed();
+    pool_.start([this, work = std::move(work), stop = stop_.get_token()] {
+        ImportTools tools;
+        tools.stop = stop;
+        tools.progress = [this](const ImportProgress& progress) {
+            QMetaObject::invokeMethod(this, [this, progress] { show(progress); }, Qt::QueuedConnection);
+        };
+        std::optional<Result<ImportReport>> report;
+        try {
+            tools.known = known_in(album_.index());
+            report = work(tools);
+        } catch (const std::exception& fault) { // out of memory, mostly
+            report = Error{std::string("The import ended, because the computer reports: ") + fault.what()};
+        }
+        tools.known = {}; // its index belongs to this thread
+        QMetaObject::invokeMethod(this, [this, report = *report] { finish(report); }, Qt::QueuedConnection);
+    });
+}
+
+void ImportCare::show(const ImportProgress& progress) {
+    progress_ = progress;
+    emit progressed();
+    if (pace_.due(fraction(), static_cast<double>(clock_.elapsed()) / 1000.0))
+        teller_.tell(CareWords::import_progress(progress_));
+}
+
+void ImportCare::finish(const Result<ImportReport>& report) {
+    running_ = false;
+    report_ = report ? CareWords::import_report(*report) : in_persons_language(report.error());
+    if (report)
+        for (const ImportedPhoto& photo : report->photos)
+            if (!photo.problem.empty())
+                problems_ << in_persons_language(photo.problem);
+    look();
+    emit progressed();
+    album_.rescan();
+    const bool all_well = report && report->count(ImportedPhoto::Fate::failed) == 0;
+    teller_.did(all_well ? Earcon::saved : Earcon::error, report_);
+}
+
+} // namespace tp

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/parts/devices/device_drive.hpp"
+#include "app/photo/scene/scene_builder.hpp"
+#include "core/servo/servo_loop.hpp"
+#include "device/simulated/simulated_device.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace tp {
+
+/// Settings for a finger that is only drawn: it hurts nobody, and an ordinary desktop is late by times at
+/// which a real device must be switched off.
+ServoSettings settings_for_a_drawn_finger();
+
+/// The device that moves the finger, the loop that serves it on a thread of its own, and the scene that is felt. It is
+/// the simulated device until `use` brings another. Called from the page's thread only. Places in the surface frame, mm.
+class FingerServo {
+public:
+    /// `settings` and `plant` are the simulated device's.
+    FingerServo(const SurfaceSize& surface, const ServoSettings& settings, const SimulatedPlant& plant);
+
+    /// An open device moves the finger from now on, without force until `engage`. Returns what moved it before, to be
+    /// ended where that may wait.
+    std::unique_ptr<DeviceDrive> use(std::unique_ptr<DeviceDrive> real);
+    /// The simulated one again, its finger where the other has left it; without force until `engage`.
+    std::unique_ptr<DeviceDrive> use_simulated();
+    /// A device moves a real finger; place and move do nothing then.
+    bool real() const { return simulated_ == nullptr; }
+    /// Why the device's own motors are off, in its words; empty where they are not.
+    std::string complaint() const { return drive_->device().complaint(); }
+
+    /// Renders `scene` from now on; the sentence that says why not, or empty.
+    std::string show(Scene scene);
+    /// Nothing is felt any more.
+    void clear();
+    /// What is felt; empty where nothing is.
+    const FlatScene& felt() const { return felt_; }
+
+    /// The finger is lifted and set down there.
+    void place(Vec2 pointer);
+    /// The hand moves there.
+    void move(Vec2 pointer);
+    /// The hand; a real device's is where its finger is.
+    Vec2 pointer() const { return real() ? finger() : pointer_; }
+    /// Where the finger is, mm; where it was set down until the servo has seen that.
+    Vec2 finger() const;
+
+    /// Leads the relaxed finger along that contour.
+    void lead_along(std::size_t contour);
+    /// The hand takes hold again where the finger is; the whole scene is felt again.
+    void let_go();
+    bool leads() const { return tour_number_ != 0; }
+    /// The lead has come to its end; let_go() is due.
+    bool has_led() const;
+
+    void engage();
+    void disengage();
+    bool engaged() const { return engaged_; }
+    void set_max_force(double newtons);
+
+    ServoSnapshot snapshot() const { return drive_->loop().snapshot(); }
+
+private:
+    std::unique_ptr<DeviceDrive> simulated_drive();
+    std::unique_ptr<DeviceDrive> exchange(std::unique_ptr<DeviceDrive> drive);
+    Vec2 inside(Vec2 p) const;
+    void relax(bool relaxed);
+
+    SurfaceSize size_;
+    Rect surface_;
+    ServoSettings settings_;
+    SimulatedPlant plant_;
+    SimulatedDevice* simulated_ = nullptr; ///< drive_'s, where it is that
+    std::unique_ptr<DeviceDrive> drive_;
+    Scene scene_;
+    FlatScene felt_;
+    Vec2 pointer_{0.0};
+    std::uint64_t seen_from_ = 0;   ///< tick from which on the servo knows where the finger was set down
+    std::uint64_t tour_number_ = 0; ///< of the scene that leads; 0: none
+    double max_force_;              ///< N
+    bool engaged_ = false;
+};
+
+} // namespace tp

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pages/lab/lab_files.hpp"
+
+#include "core/files/durable_file.hpp"
+
+#include <QDateTime>
+#include <QDir>
+
+#include <algorithm>
+
+namespace tp {
+
+std::string LabFiles::make_folder() const { return tp::make_folder(folder_); }
+
+QString LabFiles::path_words(const std::filesystem::path& file) {
+    return QDir::toNativeSeparators(QString::fromStdString(file.string()));
+}
+
+QStringList LabFiles::recordings() const {
+    QStringList names =
+        QDir(QString::fromStdString(folder_.string())).entryList({"*.touch"}, QDir::Files, QDir::Name);
+    std::reverse(names.begin(), names.end());
+    return names;
+}
+
+std::filesystem::path LabFiles::new_file(const char* ending) const {
+    const QString stamp = QDateTime::currentDateTime().toString("'lab-'yyyyMMdd'-'HHmmss");
+    for (int i = 1;; ++i) {
+        const QString name = i == 1 ? stamp : QString("%1-%2").arg(stamp).arg(i);
+        const auto taken = [&](const char* kind) { return name_taken(recording(name + kind)); };
+        if (!taken(".touch") && !taken(".csv") && !taken(".json"))
+            return recording(name + ending);
+    }
+}
+
+} // namespace tp

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pages/settings/device_settings.hpp"
+
+#include "app/parts/devices/fault_words.hpp"
+#include "audio/sentences/sentences.hpp"
+#include "core/geometry/calibration.hpp"
+#include "core/guidance/haptic_scene.hpp"
+#include "device/calibration_file.hpp"
+#include "device/hid_pid/stick_scale_file.hpp"
+
+#include <QLocale>
+
+#include <utility>
+
+namespace tp {
+
+namespace {
+
+constexpr int device_poll_ms = 16;
+constexpr double fault_lasts_s = 0.5; ///< one that heals sooner is not told
+constexpr double pull_mm = 4.0;       ///< from the finger to the line that pulls it: where the tent is strongest
+
+QString in_millimetres(double mm) { return QLocale().toString(mm, 'f', 1); }
+
+} // namespace
+
+DeviceSettings::DeviceSettings(Narrator& narrator, Preferences& preferences, Setup setup)
+    : narrator_(narrator), preferences_(preferences), setup_(std::move(setup)), desk_(setup_.access) {
+    clock_.start();
+    timer_.setInterval(device_poll_ms);
+    connect(&timer_, &QTimer::timeout, this, &DeviceSettings::poll);
+    connect(&preferences_, &Preferences::changed, this, &DeviceSettings::changed);
+    connect(&desk_, &DeviceDesk::looked, this, &DeviceSettings::changed);
+    connect(&desk_, &DeviceDesk::opened, this, [this](const std::shared_ptr<OpenDevice>& open) { opened(*open); });
+    connect(&desk_, &DeviceDesk::homed, this, [this] { end(tr("The device is homed: it knows where its handle is.")); });
+    connect(&desk_, &DeviceDesk::refused, this,
+            [this](const QString& sentence) { end(sentence, Priority::fault); });
+}
+
+double DeviceSettings::now() const {
+    return setup_.now ? setup_.now() : 1e-9 * static_cast<double>(clock_.nsecsElapsed());
+}
+
+// --- which there are ---
+
+const ListedDevice* DeviceSettings::serving() const {
+    return device_for(desk_.there(), preferences_.choices().device);
+}
+
+QString DeviceSettings::name_of(const ListedDevice& device) const {
+    const QString name = (in_persons_language(device.about) + ' ' + QString::fromStdString(device.serial_number)).trimmed();
+    if (device.interface == "hid")
+        return tr("%1, over USB (HID)").arg(name);
+    if (device.interface == "bulk")
+        return tr("%1, over USB (bulk)").arg(name);
+    return name;
+}
+
+QStringList DeviceSettings::names() const {
+    QStringList names{tr("None: sound, and a drawn finger")};
+    for (const ListedDevice& one : desk_.there())
+        names << name_of(one);
+    const QString& chosen = preferences_.choices().device;
+    if (!chosen.isEmpty() && key_at(current()) != chosen)
+        names << tr("%1, not plugged in").arg(chosen);
+    return names;
+}
+
+int DeviceSettings::current() const {
+    const ListedDevice* device = serving();
+    return device == nullptr ? 0 : static_cast<int>(device - desk_.there().data()) + 1;
+}
+
+std::optional<QString> DeviceSettings::key_at(int index) const {
+    if (index == 0)
+        return no_device_key;
+    const auto place = static_cast<std::size_t>(index) - 1;
+    return index > 0 && place < desk_.there().size() ? std::optional(key_of(desk_.there()[place])) : std::nullopt;
+}
+
+QString DeviceSettings::calibration() const {
+    const ListedDevice* device = serving();
+    if (device == nullptr)
+        return {};
+    const auto kept = setup_.access.calibrations.empty()
+                          ? std::nullopt
+                          : kept_calibration(setup_.access.calibrations, key_of(*device).toStdString());
+    return kept ? tr("Calibrated: misses by %1 millimetres on average.").arg(in_millimetres(kept->residual_mm))
+                : tr("Not calibrated. It may stand beside the screen; to lie on it, it must be calibrated.");
+}
+
+void DeviceSettings::enter() { desk_.watch(true); }
+
+void DeviceSettings::leave() {
+    end({});
+    desk_.watch(false);
+}
+
+// --- what is done with one ---
+
+void DeviceSettings::begin(Doing what) {
+    if (doing_ != Doing::nothing)
+        return;
+    const ListedDevice* device = serving();
+    if (device == nullptr)
+        return narrator_.tell(desk_.there().empty()
+                                  ? tr("No force device is plugged in. Plug one in; it is found by itself.")
+                                  : tr("No force device is chosen. Choose one above."),
+                              Priority::touch);
+    wanted_ = what;
+    doing_ = Doing::opening;
+    key_ = key_of(*device);
+    scale_key_ = device->scale_key;
+    const ListedDevice wish = *device;
+    desk_.watch(false);
+    if (what == Doing::homing)
+        desk_.home(wish);
+    else
+        desk_.open(wish);
+}
+
+void DeviceSettings::tryForce() { begin(Doing::trying); }
+void DeviceSettings::calibrate() { begin(Doing::calibrating); }
+void DeviceSettings::home() { begin(Doing::homing); }
+void DeviceSettings::measure() {
+    if (serving() != nullptr && !measurable())
+        return narrator_.tell(tr("This device knows its newtons itself; only force sticks are measured."), Priority::touch);
+    begin(Doing::measuring);
+}
+
+void DeviceSettings::opened(OpenDevice& open) {
+    drive_ = std::make_unique<DeviceDrive>(std::move(open.device), open.can,
+                                           wanted_ == Doing::calibrating ? settings_for_reading(setup_.servo) : setup_.servo);
+    drive_->loop().set_max_force(wanted_ == Doing::measuring ? StickTrial::pull_n : preferences_.choices().max_force_n);
+    drive_->loop().start();
+    doing_ = wanted_;
+    pull_from_.reset();
+    pulls_ = 0;
+    faulty_from_ = -1.0;
+    steps_.reset();
+    touch_.reset();
+    if (doing_ == Doing::measuring)
+        measuring_.emplace(drive_->device(), drive_->loop());
+    timer_.start();
+    emit changed();
+    if (doing_ == Doing::measuring)
+        narrator_.tell_then(tr("%1 Escape ends it.").arg(instruction()), [this] { told_ = true; });
+    else if (doing_ == Doing::trying)
+        narrator_.tell_then(tr("The strongest force, %1 newtons: to the right, then to the left. Escape ends it.")
+                                .arg(QLocale().toString(preferences_.choices().max_force_n, 'f', 1)),
+                            [this] {
+                                if (doing_ == Doing::trying)
+                                    pull_from_ = now();
+                            });
+    else
+        narrator_.tell(tr("Calibration. The device lies on the screen; put a finger into it, so that it touches the screen. "
+                          "Escape ends it. %1")
+                           .arg(instruction()),
+                       Priority::message);
+}
+
+void DeviceSettings::poll() {
+    const ServoSnapshot seen = drive_->loop().snapshot();
+    if (seen.ticks == 0)
+        return;
+    const double time = now();
+    if (seen.fault == Fault::none)
+        faulty_from_ = -1.0;
+    else if (faulty_from_ < 0.0)
+        faulty_from_ = time;
+    if (seen.fault != Fault::none && (disables(seen.fault) || time - faulty_from_ >= fault_lasts_s)) {
+        const QString why = seen.fault == Fault::motors_off ? in_persons_language(drive_->device().complaint()) : QString();
+        return end(why.isEmpty() ? fault_words(seen.fault) : why, Priority::fault);
+    }
+    if (doing_ == Doing::calibrating && seen.fault == Fault::none)
+        return sample(seen.finger());
+    if (doing_ == Doing::measuring && told_)
+        return poll_measuring();
+    if (doing_ != Doing::trying || !pull_from_)
+        return;
+    if (time - *pull_from_ >= 2.0 * pull_s)
+        return end(tr("That was the strongest force."));
+    const int due = time - *pull_from_ >= pull_s ? 2 : 1;
+    if (pulls_ < due) {
+        pulls_ = due;
+        pull(due == 1 ? 1.0 : -1.0);
+    }
+}
+
+void DeviceSettings::pull(double toward) {
+    drive_->loop().render(line_that_pulls(drive_->loop().snapshot().finger(), Vec2(toward, 0.0),
+                                          preferences_.choices().max_force_n, pull_mm));
+    drive_->loop().engage();
+}
+
+// --- calibration ---
+
+QString DeviceSettings::instruction() const {
+    if (measuring_)
+        return measuring_->words();
+    switch (mark()) {
+    case CalibrationSteps::top_left: return tr("Touch the top left corner and keep still until I speak.");
+    case CalibrationSteps::top_right: return tr("Now the top right corner.");
+    case CalibrationSteps::bottom_right: return tr("Now the bottom right corner.");
+    case CalibrationSteps::bottom_left: return tr("Now the bottom left corner.");
+    default: return {};
+    }
+}
+
+void DeviceSettings::areaLies(double left, double top, double width, double height) {
+    if (doing_ == Doing::calibrating && (!steps_ || steps_->pairs().empty()))
+        steps_.emplace(Rect{{left, -top - height}, {left + width, -top}});
+}
+
+void DeviceSettings::touched(double x, double y) { touch_ = Vec2(x, -y); }
+
+void DeviceSettings::lifted() {
+    touch_.reset();
+    if (steps_)
+        steps_->lift();
+}
+
+void DeviceSettings::sample(Vec2 device) {
+    if (!steps_ || !touch_ || !steps_->sample(*touch_, device, now()))
+        return;
+    if (steps_->mark() == CalibrationSteps::all_touched)
+        return finish();
+    emit changed();
+    narrator_.tell(instruction(), Priority::message);
+}
+
+void DeviceSettings::finish() { end(result()); }
+
+/// Keeps it where it is good; what came of it.
+QString DeviceSettings::result() {
+    const Result<Calibration> found = steps_->calibration();
+    const QString as_before = tr("Nothing was changed.");
+    if (!found)
+        return in_persons_language(found.error()) + ' ' + as_before;
+    if (found->residual_mm > most_residual_mm)
+        return tr("The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that "
+                  "the device does not slip on the screen, keep still at each corner, and calibrate again.")
+                   .arg(in_millimetres(found->residual_mm), in_millimetres(most_residual_mm)) +
+               ' ' + as_before;
+    if (!is_plausible(found->device_to_surface))
+        return tr("The device and the screen do not move alike. Calibrate again with the finger in the device, and no other "
+                  "on the screen.") +
+               ' ' + as_before;
+    if (const std::string why = keep_calibration(setup_.access.calibrations, key_.toStdString(), *found); !why.empty())
+        return in_persons_language(why);
+    return tr("Calibrated. It misses by %1 millimetres on average, and is kept for this device.")
+        .arg(in_millimetres(found->residual_mm));
+}
+
+// --- measuring ---
+
+void DeviceSettings::poll_measuring() {
+    if (!measuring_->poll(now()))
+        return;
+    if (measuring_->trial().step() == StickTrial::Step::failed)
+        return end(instruction() + ' ' + tr("Nothing was changed."), Priority::fault);
+    emit changed();
+    if (weighing())
+        narrator_.tell(instruction(), Priority::message);
+}
+
+void DeviceSettings::weighed(const QString& text) {
+    if (!weighing())
+        return;
+    bool number = false;
+    double grams = QLocale().toDouble(text.trimmed(), &number);
+    if (!number)
+        grams = text.trimmed().toDouble(&number);
+    const Result<bool> done = measuring_->weighed(number ? grams : -1.0, now());
+    if (!done)
+        return narrator_.tell(in_persons_language(done.error()), Priority::touch);
+    if (!*done)
+        return narrator_.tell(tr("That is too little to be read well. The stick pulls twice as strongly now: weigh again."),
+                              Priority::message);
+    const StickScale found = measuring_->trial().assumed();
+    const std::string why = keep_stick_scale(setup_.access.stick_scales, scale_key_, found);
+    end(why.empty() ? tr("The stick is measured: %1 newtons at most. That is kept for this stick.")
+                          .arg(QLocale().toString(found.newtons_at_full, 'f', 1))
+                    : in_persons_language(why));
+}
+
+// --- its end ---
+
+bool DeviceSettings::stop() {
+    if (doing_ == Doing::nothing)
+        return false;
+    narrator_.stop();
+    end(doing_ == Doing::calibrating ? tr("Calibration ended. Nothing was changed.")
+        : doing_ == Doing::measuring ? tr("Measurement ended. The force is off. Nothing was changed.")
+                                     : tr("Stopped. The force is off."),
+        Priority::touch);
+    return true;
+}
+
+void DeviceSettings::end(const QString& sentence, Priority priority) {
+    const bool was_doing = std::exchange(doing_, Doing::nothing) != Doing::nothing;
+    timer_.stop();
+    desk_.cancel();
+    measuring_.reset();
+    told_ = false;
+    if (drive_) {
+        drive_->loop().disengage();
+        desk_.release(std::move(drive_));
+    }
+    steps_.reset();
+    touch_.reset();
+    if (!was_doing)
+        return;
+    desk_.watch(true);
+    emit changed();
+    narrator_.tell(sentence, priority);
+}
+
+} // namespace tp

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "album_parts.hpp"
+#include "app/pages/care/care_session.hpp"
+#include "app/parts/controls/notification_announcer.hpp"
+#include "audio/speech/recording_voice.hpp"
+#include "fake_loudspeaker.hpp"
+#include "fake_microphone.hpp"
+#include "inline_filler.hpp"
+
+#include <QTest>
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// A drawn picture of 240 × 160 px as a PNG; another `number`, other colours.
+std::filesystem::path a_picture(const tp::AlbumFolder& folder, const std::filesystem::path& name, int number);
+
+/// An album of a person with everything that a care page needs; the microphone and the loudspeakers are the test's.
+struct CareBench {
+    /// `names` of the photographs, 1 × 1 px unless `pictures`; the album's folder is "album" in `folder`.
+    explicit CareBench(const std::vector<std::string>& names = {"a.jpg"}, bool with_folder = true, bool pictures = false);
+    ~CareBench();
+
+    /// The program begins: album, session.
+    void start();
+    /// Opens a photograph and waits until its record is read.
+    void open(const std::string& name);
+    std::filesystem::path photo(const std::string& name) const { return root() / name; }
+    std::filesystem::path root() const { return std::filesystem::canonical(folder / "album"); }
+    /// The record as it is on the disk.
+    tp::PhotoRecord record(const std::string& name = "a.jpg") const;
+    /// A sound of so many seconds becomes a recording of the photograph.
+    std::string add_sound(const std::string& name, double seconds, double hertz, tp::RecordingKind kind = tp::RecordingKind::memo);
+    /// The microphone hears a tone.
+    void hear(double seconds);
+    /// All steps asked for are done.
+    bool rests();
+    /// Of the sounds that were begun since the last call, whether this one is among them; all of them are forgotten.
+    bool sounded(tp::Earcon earcon);
+    QString last_said() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
+
+    tp::AlbumFolder folder;
+    tp::Preferences preferences;
+    tp::RecordingVoice voice;
+    tp::NotificationAnnouncer announcer;
+    tp::Narrator narrator{voice, announcer};
+    tp::testing::FakeLoudspeaker loudspeaker, earcon_loudspeaker;
+    tp::testing::InlineFiller filler;
+    tp::EarconPlayer earcons{earcon_loudspeaker};
+    tp::Player player{loudspeaker, filler};
+    std::atomic<tp::testing::FakeMicrophone*> microphone{nullptr};
+    tp::Recorder recorder;
+    std::unique_ptr<tp::OpenAlbum> album;
+    std::unique_ptr<tp::CareSession> session;
+};
+
+/// Waits, however busy the machine is.
+#define CARE_TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, 60'000)
+#define CARE_TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, 60'000)

@@ -1,0 +1,654 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/name_languages.hpp"
+#include "app/album/keeper/photo_files.hpp"
+#include "app/pages/care/care_module.hpp"
+#include "care_bench.hpp"
+#include "places.hpp"
+
+#include <QAccessible>
+#include <QCoreApplication>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QPoint>
+#include <QPointF>
+#include <QPointingDevice>
+#include <QQmlComponent>
+#include <QQmlEngine>
+#include <QQuickItem>
+#include <QQuickView>
+#include <QRectF>
+#include <QSet>
+#include <QtGlobal>
+
+using namespace tp;
+namespace fs = std::filesystem;
+
+namespace {
+
+QStringList warnings;
+
+void remember_warnings(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    // The last is Qt 6.4's own, where a window closes on a busy machine while something in it is being drawn.
+    const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("Using QCharRef") ||
+                                     text.startsWith("QUnifiedTimer::stopAnimationDriver");
+    if ((type == QtWarningMsg || type == QtCriticalMsg) && !of_the_test_machine)
+        warnings << text;
+}
+
+struct Page {
+    CareBench bench;
+    QQuickView window;
+
+    explicit Page(const std::vector<std::string>& names = {"a.png", "b.png", "c.png"}, QSize size = {1280, 800},
+                  bool with_folder = true)
+        : bench(names, with_folder, true) {
+        register_care();
+        window.setResizeMode(QQuickView::SizeRootObjectToView);
+        window.resize(size);
+        window.setInitialProperties({{"session", QVariant::fromValue(bench.session.get())}});
+        window.setSource(QUrl("qrc:/qt-project.org/imports/TouchPhoto/Care/CarePage.qml"));
+        window.show();
+        window.requestActivate();
+        CARE_TRY_VERIFY(window.isExposed() && window.isActive());
+        window.rootObject()->forceActiveFocus();
+    }
+    CareSession& session() const { return *bench.session; }
+    QQuickItem* item(const char* name) const { return window.rootObject()->findChild<QQuickItem*>(name); }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) { QTest::keyClick(&window, key, modifiers); }
+    QString focused() const {
+        QAccessibleInterface* const one = QAccessible::queryAccessibleInterface(window.activeFocusItem());
+        return one == nullptr ? QString() : one->text(QAccessible::Name);
+    }
+    /// Goes on by Tab until the control of that name has the keyboard.
+    bool tab_to(const QString& name) {
+        for (int i = 0; i < 80; ++i) {
+            if (focused() == name)
+                return true;
+            key(Qt::Key_Tab);
+        }
+        return false;
+    }
+    void set_text_scale(double scale) const {
+        QQmlComponent setter(window.engine());
+        setter.setData("import QtQml; import TouchPhoto.Controls; QtObject { property real scale; "
+                       "onScaleChanged: Theme.textScale = scale }",
+                       QUrl());
+        const std::unique_ptr<QObject> made(setter.createWithInitialProperties({{"scale", scale}}));
+        QVERIFY2(made != nullptr, qPrintable(setter.errorString()));
+    }
+};
+
+void collect(QAccessibleInterface* root, QList<QAccessibleInterface*>& into) {
+    if (root == nullptr || root->state().invisible)
+        return;
+    into << root;
+    for (int i = 0; i < root->childCount(); ++i)
+        collect(root->child(i), into);
+}
+
+QList<QAccessibleInterface*> everything(Page& page) {
+    QList<QAccessibleInterface*> all;
+    collect(QAccessible::queryAccessibleInterface(&page.window), all);
+    return all;
+}
+
+QAccessibleInterface* named(Page& page, const QString& name) {
+    for (QAccessibleInterface* one : everything(page))
+        if (one->text(QAccessible::Name) == name)
+            return one;
+    return nullptr;
+}
+
+QAccessibleInterface* beginning(Page& page, const QString& name) {
+    for (QAccessibleInterface* one : everything(page))
+        if (one->text(QAccessible::Name).startsWith(name))
+            return one;
+    return nullptr;
+}
+
+bool press(QAccessibleInterface* one) {
+    if (one == nullptr || one->actionInterface() == nullptr)
+        return false;
+    one->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+    return true;
+}
+
+bool is_operable(QAccessibleInterface* one) {
+    const QStringList actions = one->actionInterface() ? one->actionInterface()->actionNames() : QStringList();
+    const bool counts = one->state().focusable || actions.contains(QAccessibleActionInterface::pressAction());
+    static const QSet<QAccessible::Role> words{QAccessible::Window, QAccessible::Client, QAccessible::StaticText,
+                                               QAccessible::Heading};
+    return counts && !words.contains(one->role());
+}
+
+/// Everything that can be operated has a name, a role of its own and at least 48 px each way; none lies outside of the
+/// window's width.
+void check_operable(Page& page) {
+    page.window.grabWindow(); // everything has its place
+    int operable = 0;
+    for (QAccessibleInterface* one : everything(page)) {
+        auto* const item = qobject_cast<QQuickItem*>(one->object());
+        if (!is_operable(one) || item == nullptr)
+            continue;
+        ++operable;
+        const QString words = QString("%1 (role %2)").arg(one->text(QAccessible::Name)).arg(one->role());
+        QVERIFY2(!one->text(QAccessible::Name).isEmpty(), qPrintable(words));
+        QVERIFY2(one->role() != QAccessible::NoRole && one->role() != QAccessible::Client, qPrintable(words));
+        const QRectF place = item->mapRectToScene(item->boundingRect());
+        QVERIFY2(item->width() >= 48.0 && item->height() >= 48.0,
+                 qPrintable(words + QString(" %1x%2").arg(item->width()).arg(item->height())));
+        QVERIFY2(place.left() >= -1.0 && place.right() <= page.window.width() + 1.0,
+                 qPrintable(words + QString(" %1 … %2").arg(place.left()).arg(place.right())));
+    }
+    QVERIFY(operable >= 5);
+}
+
+} // namespace
+
+class CarePageTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() {
+        QAccessible::setActive(true);
+        qInstallMessageHandler(remember_warnings);
+    }
+    void init() { warnings.clear(); }
+    void cleanup() { QVERIFY2(warnings.isEmpty(), qPrintable(warnings.join('\n'))); } // QML warnings above all
+
+    void it_loads_with_the_photographs_and_a_word_on_what_to_do() {
+        Page page;
+        QCOMPARE(page.window.status(), QQuickView::Ready);
+        QVERIFY(named(page, "Photographs of the album") != nullptr);
+        QVERIFY(named(page, "Choose a photograph to care for it.") != nullptr);
+        QVERIFY(beginning(page, "a.png") != nullptr);
+        QVERIFY(beginning(page, "c.png")->text(QAccessible::Name).endsWith(" of 3"));
+    }
+
+    void an_album_without_a_folder_says_so() {
+        Page page({}, {1280, 800}, false);
+        QVERIFY(named(page, "The album has no folder yet. You are asked for one when you import.") != nullptr);
+        page.key(Qt::Key_Tab);
+        QVERIFY(!page.focused().isEmpty());
+    }
+
+    void sections_are_headings() {
+        Page page;
+        page.session().openRow(0);
+        QVERIFY(page.bench.rests());
+        QStringList headings;
+        for (QAccessibleInterface* one : everything(page))
+            if (one->role() == QAccessible::Heading)
+                headings << one->text(QAccessible::Name);
+        QCOMPARE(headings, QStringList({"Photographs of the album", page.session().photoName(), "Faces", "Recordings",
+                                        "Description", "The photograph"}));
+    }
+
+    void everything_can_be_named_found_and_hit() {
+        for (const QSize size : {QSize(1280, 800), QSize(600, 1000), QSize(480, 560)})
+            for (const double scale : {1.0, 2.0}) {
+                Page page({"a.png", "b.png", "c.png"}, size);
+                page.set_text_scale(scale);
+                check_operable(page);
+                page.session().openRow(0);
+                QVERIFY(page.bench.rests());
+                page.bench.add_sound("a.png", 1.0, 300.0);
+                page.session().open_photo(page.bench.photo("a.png"));
+                QVERIFY(page.bench.rests());
+                QCOMPARE(page.session().recordings()->count(), 1);
+                check_operable(page);
+                press(named(page, "Label…"));
+                check_operable(page);
+            }
+    }
+
+    void what_the_keyboard_comes_to_is_in_view_and_nothing_traps_it() {
+        for (const QSize size : {QSize(1280, 800), QSize(600, 700)}) {
+            Page page({"a.png", "b.png", "c.png"}, size);
+            page.bench.add_sound("a.png", 1.0, 300.0);
+            page.session().open_photo(page.bench.photo("a.png"));
+            QVERIFY(page.bench.rests());
+            QVERIFY(page.tab_to("Back to the photographs"));
+            QSet<QQuickItem*> seen;
+            QQuickItem* const first = page.window.activeFocusItem();
+            bool round = false;
+            for (int i = 0; i < 100 && !round; ++i) {
+                page.key(Qt::Key_Tab);
+                const QQuickItem* focused = page.window.activeFocusItem();
+                seen << page.window.activeFocusItem();
+                const QRectF place = focused->mapRectToScene(focused->boundingRect());
+                QVERIFY2(place.top() >= -1.0 && place.top() + std::min(place.height(), 300.0) <= page.window.height() + 1.0,
+                         qPrintable(page.focused() + QString(" at %1 … %2").arg(place.top()).arg(place.bottom())));
+                round = page.window.activeFocusItem() == first;
+            }
+            QVERIFY(round);
+            QVERIFY(seen.size() > 20);
+        }
+    }
+
+    void arrow_keys_go_through_the_photographs_and_return_opens_one() {
+        Page page;
+        while (!page.focused().endsWith(" of 3"))
+            page.key(Qt::Key_Tab);
+        QVERIFY(page.focused().endsWith("1 of 3"));
+        page.key(Qt::Key_Down);
+        QVERIFY(page.focused().endsWith("2 of 3"));
+        page.key(Qt::Key_End);
+        QVERIFY(page.focused().endsWith("3 of 3"));
+        page.key(Qt::Key_Up);
+        const QString name = page.focused().section(',', 0, 0);
+        page.key(Qt::Key_Return);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.session().photoName(), name);
+        QCOMPARE(page.focused(), QString("Back to the photographs"));
+    }
+
+    void on_a_tall_window_one_comes_after_the_other_and_back_again() {
+        Page page({"a.png", "b.png", "c.png"}, {600, 1000});
+        while (!page.focused().endsWith(" of 3"))
+            page.key(Qt::Key_Tab);
+        page.key(Qt::Key_Down);
+        page.key(Qt::Key_Space);
+        QVERIFY(page.bench.rests());
+        QVERIFY(named(page, "Photographs of the album") == nullptr);
+        QCOMPARE(page.focused(), QString("Back to the photographs"));
+        page.key(Qt::Key_Return);
+        QVERIFY(!page.session().photoOpen());
+        QVERIFY(named(page, "Photographs of the album") != nullptr);
+        QVERIFY(page.focused().endsWith("2 of 3"));
+    }
+
+    void by_keys_alone_one_records_trims_deletes_and_undoes() {
+        Page page({"a.png"});
+        QVERIFY(page.tab_to("a.png, No description., 1 of 1"));
+        page.key(Qt::Key_Return);
+        QVERIFY(page.bench.rests());
+        QVERIFY(page.tab_to("What to record: Story"));
+        page.key(Qt::Key_Space);
+        QVERIFY(page.tab_to("Record"));
+        page.key(Qt::Key_Return);
+        page.bench.hear(2.0);
+        QCOMPARE(page.focused(), QString("Finish the recording"));
+        page.key(Qt::Key_Return);
+        CARE_TRY_VERIFY(!page.session().take()->running());
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.focused(), QString("Record"));
+        QCOMPARE(page.bench.last_said(), QString("Recorded: 2 seconds. It is saved."));
+
+        QVERIFY(page.tab_to("Begin of what stays"));
+        page.key(Qt::Key_Right);
+        QCOMPARE(page.bench.last_said(), QString("From 0.1 seconds"));
+        page.key(Qt::Key_Left);
+        page.key(Qt::Key_Right, Qt::ShiftModifier);
+        QCOMPARE(page.bench.last_said(), QString("From 1.0 seconds"));
+        page.key(Qt::Key_Tab);
+        QCOMPARE(page.focused(), QString("End of what stays"));
+        page.key(Qt::Key_Left);
+        QCOMPARE(page.bench.last_said(), QString("To 1.9 seconds"));
+        QVERIFY(page.tab_to("Trim to what stays"));
+        page.key(Qt::Key_Space);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.bench.last_said(), QString("Trimmed: 0.9 seconds stay. Undo brings the rest back."));
+        QCOMPARE(page.bench.record("a.png").tags.at(0).duration_s, 0.9);
+
+        QVERIFY(page.tab_to("Delete the recording"));
+        page.key(Qt::Key_Return);
+        QVERIFY(page.bench.rests());
+        QVERIFY(page.bench.record("a.png").tags.empty());
+        QCOMPARE(page.focused(), QString("Record")); // with the last recording its buttons are gone
+        page.key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.bench.last_said(), QString("Undone: the story was deleted."));
+        page.key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.bench.record("a.png").tags.at(0).duration_s, 2.0);
+        page.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.bench.record("a.png").tags.at(0).duration_s, 0.9);
+    }
+
+    void by_a_screen_readers_actions_alone_one_records_trims_deletes_and_undoes() {
+        Page page({"a.png"}, {600, 1000});
+        QVERIFY(press(beginning(page, "a.png")));
+        QVERIFY(page.bench.rests());
+        QVERIFY(press(named(page, "What to record: Place")));
+        QVERIFY(press(named(page, "Record")));
+        page.bench.hear(2.0);
+        CARE_TRY_VERIFY(beginning(page, "Recording 0:0") != nullptr);
+        QVERIFY(press(named(page, "Pause")));
+        CARE_TRY_VERIFY(named(page, "Go on") != nullptr);
+        QVERIFY(press(named(page, "Finish the recording")));
+        CARE_TRY_VERIFY(!page.session().take()->running());
+        QVERIFY(page.bench.rests());
+        QVERIFY(beginning(page, "Place, 2 seconds") != nullptr);
+
+        QAccessibleInterface* const begin = named(page, "Begin of what stays");
+        QVERIFY(begin != nullptr && begin->valueInterface() != nullptr);
+        QCOMPARE(begin->valueInterface()->maximumValue().toDouble(), 2.0);
+        begin->valueInterface()->setCurrentValue(0.5);
+        QCOMPARE(page.session().trimming()->begin(), 0.5);
+        QCOMPARE(begin->valueInterface()->currentValue().toDouble(), 0.5);
+        QAccessibleInterface* const end = named(page, "End of what stays");
+        end->actionInterface()->doAction(QAccessibleActionInterface::decreaseAction());
+        QVERIFY(std::abs(page.session().trimming()->end() - 1.9) < 1e-9);
+        end->valueInterface()->setCurrentValue(0.0); // not before the begin
+        QVERIFY(std::abs(end->valueInterface()->currentValue().toDouble() - 0.6) < 1e-9);
+        QVERIFY(press(named(page, "Trim to what stays")));
+        QVERIFY(page.bench.rests());
+        QVERIFY(std::abs(page.bench.record("a.png").tags.at(0).duration_s - 0.1) < 1e-9);
+
+        QVERIFY(press(named(page, "Delete the recording")));
+        QVERIFY(page.bench.rests());
+        QVERIFY(page.bench.record("a.png").tags.empty());
+        QVERIFY(press(named(page, "Undo: the place was deleted")));
+        QVERIFY(page.bench.rests());
+        QVERIFY(press(named(page, "Undo: the place was trimmed")));
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.bench.record("a.png").tags.at(0).duration_s, 2.0);
+        QVERIFY(beginning(page, "Do again: ") != nullptr);
+    }
+
+    void nothing_recorded_is_thrown_away_by_one_press() {
+        Page page({"a.png"});
+        QVERIFY(press(beginning(page, "a.png")));
+        QVERIFY(press(named(page, "Record")));
+        page.bench.hear(1.0);
+        QVERIFY(press(named(page, "Throw away…")));
+        QCOMPARE(page.focused(), QString("Keep it"));
+        QVERIFY(press(named(page, "Keep it")));
+        QCOMPARE(page.focused(), QString("Finish the recording"));
+        QVERIFY(press(named(page, "Throw away…")));
+        QVERIFY(press(named(page, "Yes, throw it away")));
+        QVERIFY(!page.session().take()->running());
+        QCOMPARE(page.focused(), QString("Record"));
+        CARE_TRY_COMPARE(page.bench.recorder.state(), RecorderState::idle);
+    }
+
+    void a_handle_is_dragged_by_a_finger_too() {
+        Page page({"a.png"});
+        page.bench.add_sound("a.png", 4.0, 300.0);
+        page.session().open_photo(page.bench.photo("a.png"));
+        QVERIFY(page.bench.rests());
+        QVERIFY(page.tab_to("End of what stays")); // and so in view
+        QQuickItem* const handle = page.item("trimEnd");
+        QTRY_VERIFY(handle->x() > 100.0);
+        const QPoint grip = handle->mapToScene({20.0, 0.5 * handle->height()}).toPoint();
+        QPointingDevice* const screen = QTest::createTouchDevice();
+        QTest::touchEvent(&page.window, screen).press(0, grip, &page.window);
+        for (int moved = 10; moved <= 100; moved += 10)
+            QTest::touchEvent(&page.window, screen).move(0, grip - QPoint(moved, 0), &page.window);
+        QTest::touchEvent(&page.window, screen).release(0, grip - QPoint(100, 0), &page.window);
+        const double span = handle->parentItem()->property("span").toDouble();
+        QVERIFY2(std::abs(page.session().trimming()->end() - (4.0 - 400.0 / span)) < 0.06,
+                 qPrintable(QString::number(page.session().trimming()->end())));
+    }
+
+    void faces_are_named_by_keys_and_by_choosing() {
+        Page page({"a.png"});
+        const fs::path portrait = page.bench.photo("anna.jpg");
+        if (!fs::exists(tp::test::in_source("resources/samples/anna_smiling.jpg")))
+            QSKIP("The sample portrait is not there.");
+        fs::copy_file(tp::test::in_source("resources/samples/anna_smiling.jpg"), portrait);
+        SidecarChanges changes;
+        changes.persons = {"Anna"};
+        QCOMPARE(write_sidecar(page.bench.photo("a.png"), changes), std::string());
+        page.bench.album->rescan();
+        CARE_TRY_COMPARE(page.session().people(""), QStringList{"Anna"});
+        page.session().open_photo(portrait);
+        CARE_TRY_VERIFY(page.bench.rests() && !page.session().faces()->looking());
+        QCOMPARE(page.session().faces()->count(), 1);
+        QVERIFY(page.tab_to("Face without a name, Press to name it, 1 of 1"));
+        page.key(Qt::Key_Return);
+        QCOMPARE(page.focused(), QString("Who is face 1?"));
+        for (const char letter : std::string("Tom"))
+            QTest::keyClick(&page.window, letter);
+        QVERIFY(named(page, "Anna, 1 of 1") == nullptr); // only who may be meant
+        page.key(Qt::Key_Return);
+        QVERIFY(page.bench.rests());
+        CARE_TRY_COMPARE(page.bench.record("anna.jpg").persons, std::vector<std::string>{"Tom"});
+        CARE_TRY_COMPARE(page.focused(), QString("Tom, 1 of 1"));
+        QVERIFY(press(named(page, "Tom, 1 of 1"))); // and by a screen reader's actions
+        QVERIFY(press(named(page, "Anna, 1 of 2")) || press(named(page, "Anna, 1 of 1")));
+        QVERIFY(page.bench.rests());
+        CARE_TRY_COMPARE(page.bench.record("anna.jpg").persons, std::vector<std::string>{"Anna"});
+        QVERIFY(press(named(page, "Anna, 1 of 1")));
+        QVERIFY(press(named(page, "Nobody I know")));
+        QVERIFY(page.bench.rests());
+        CARE_TRY_COMPARE(page.bench.record("anna.jpg").persons, std::vector<std::string>{});
+        page.session().closePhoto(); // with its faces
+        QCOMPARE(page.session().faces()->count(), 0);
+    }
+
+    void the_language_of_a_name_is_chosen_by_keys_by_touch_and_by_a_screen_reader() {
+        Page page({"a.png"});
+        SidecarChanges changes;
+        changes.faces = {{0.5, 0.5, 0.2, 0.2, "Giulia"}, {0.2, 0.5, 0.2, 0.2, ""}};
+        QCOMPARE(write_sidecar(page.bench.photo("a.png"), changes), std::string());
+        page.session().openRow(0);
+        CARE_TRY_VERIFY(page.bench.rests() && !page.session().faces()->looking());
+        const auto language = [&] {
+            AlbumKeeper keeper(page.bench.root());
+            const auto tag = NameLanguages(keeper).of("Giulia");
+            return tag ? *tag : tag.error();
+        };
+        const auto option = [](const char* words) { return QString("Its name is read as: ") + words; };
+        page.session().faces()->choose(0);
+        QVERIFY(named(page, option("italiano")) == nullptr); // this face has no name
+        QVERIFY(page.tab_to("Giulia, 2 of 2"));
+        page.key(Qt::Key_Return);
+        QVERIFY(named(page, option("As the page"))->state().checked);
+        QVERIFY(page.tab_to(option("italiano")));
+        page.key(Qt::Key_Space);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(language(), std::string("it"));
+        QCOMPARE(page.focused(), option("italiano")); // the keyboard stays
+        QVERIFY(named(page, option("italiano"))->state().checked);
+        QVERIFY(!named(page, option("As the page"))->state().checked);
+        QCOMPARE(page.bench.last_said(), QString("Saved: Giulia. The name is read as italiano."));
+        QVERIFY(press(named(page, option("polski"))));
+        QVERIFY(page.bench.rests());
+        QCOMPARE(language(), std::string("pl"));
+        QVERIFY(page.tab_to(option("Türkçe"))); // and so in view
+        QQuickItem* const turkish = page.window.activeFocusItem();
+        const QPoint place = turkish->mapToScene({0.5 * turkish->width(), 0.5 * turkish->height()}).toPoint();
+        QPointingDevice* const finger = QTest::createTouchDevice();
+        QTest::touchEvent(&page.window, finger).press(0, place, &page.window);
+        QTest::touchEvent(&page.window, finger).release(0, place, &page.window);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(language(), std::string("tr"));
+        page.session().undo();
+        QVERIFY(page.bench.rests());
+        QCOMPARE(language(), std::string("pl"));
+        CARE_TRY_VERIFY(named(page, option("polski"))->state().checked);
+        QVERIFY(page.bench.last_said().startsWith("Undone: "));
+        QVERIFY(press(named(page, option("As the page"))));
+        QVERIFY(page.bench.rests());
+        QCOMPARE(language(), std::string());
+    }
+
+    void a_description_is_saved_when_its_field_is_left() {
+        Page page({"a.png"});
+        page.session().openRow(0);
+        QVERIFY(page.bench.rests());
+        QVERIFY(page.tab_to("In one sentence (English)"));
+        for (const char letter : std::string("a garden"))
+            QTest::keyClick(&page.window, letter);
+        QVERIFY(named(page, "8 of 250 characters") != nullptr);
+        QVERIFY(named(page, "Save the description") != nullptr);
+        page.key(Qt::Key_Tab);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.bench.last_said(), QString("The description is saved."));
+        QCOMPARE(page.bench.record("a.png").alt_text.at("en"), std::string("a garden"));
+        QVERIFY(named(page, "The description is saved") != nullptr);
+        page.session().undo();
+        QVERIFY(page.bench.rests());
+        QVERIFY(named(page, "0 of 250 characters") != nullptr);
+    }
+
+    void a_label_is_given_by_choosing_and_by_typing() {
+        Page page({"a.png"});
+        page.bench.add_sound("a.png", 1.0, 300.0);
+        SidecarChanges changes;
+        changes.persons = {"Anna"};
+        QCOMPARE(write_sidecar(page.bench.photo("a.png"), changes), std::string());
+        page.bench.album->touched(page.bench.photo("a.png"));
+        CARE_TRY_COMPARE(page.session().people(""), QStringList{"Anna"});
+        page.session().open_photo(page.bench.photo("a.png"));
+        QVERIFY(page.bench.rests());
+        QVERIFY(press(named(page, "Label…")));
+        QVERIFY(press(named(page, "Anna, 1 of 1")));
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.bench.record("a.png").tags.at(0).label.person, std::string("Anna"));
+        QCOMPARE(page.focused(), QString("About whom"));
+        QVERIFY(page.tab_to("Who speaks"));
+        for (const char letter : std::string("Tom"))
+            QTest::keyClick(&page.window, letter);
+        page.key(Qt::Key_Tab); // leaving it alone gives no name
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.bench.record("a.png").tags.at(0).label.speaker, std::string());
+        page.key(Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(page.focused(), QString("Who speaks"));
+        page.key(Qt::Key_Return);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.bench.record("a.png").tags.at(0).label.speaker, std::string("Tom"));
+        QVERIFY(press(named(page, "Language: Deutsch")));
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.bench.record("a.png").tags.at(0).label.language, std::string("de"));
+    }
+
+    void the_keyboard_stays_on_undo_and_redo_as_long_as_there_is_one() {
+        Page page({"a.png"});
+        page.session().openRow(0);
+        QVERIFY(page.bench.rests());
+        page.session().descriptions()->typeAltText("A garden");
+        page.session().descriptions()->save();
+        QVERIFY(page.bench.rests());
+        page.item("back")->forceActiveFocus();
+        QVERIFY(page.tab_to("Undo: a.png was described"));
+        page.key(Qt::Key_Return);
+        QVERIFY(page.bench.rests());
+        CARE_TRY_COMPARE(page.focused(), QString("Do again: a.png was described"));
+        page.key(Qt::Key_Space);
+        QVERIFY(page.bench.rests());
+        CARE_TRY_COMPARE(page.focused(), QString("Undo: a.png was described"));
+    }
+
+    void an_unfinished_import_goes_on_and_the_keyboard_is_on_its_stop() {
+        Page page({"a.png"});
+        for (int i = 0; i < 20; ++i)
+            a_photo(page.bench.folder, "card/" + std::to_string(i) + ".jpg", 50 + i);
+        page.session().importing()->import({QUrl::fromLocalFile(QString::fromStdString((page.bench.folder / "card").string()))});
+        QVERIFY(named(page, "Stop the import") != nullptr);
+        QVERIFY(press(named(page, "Stop the import")));
+        CARE_TRY_VERIFY(named(page, "Go on with the unfinished import") != nullptr);
+        QVERIFY(page.tab_to("Go on with the unfinished import"));
+        page.key(Qt::Key_Return);
+        QVERIFY(page.focused() == "Stop the import" || page.focused() == "Import photographs…");
+        CARE_TRY_VERIFY(!page.session().importing()->running());
+        CARE_TRY_COMPARE(page.session().photos()->total(), 21);
+        QCOMPARE(page.focused(), QString("Import photographs…"));
+    }
+
+    void a_deleted_photograph_leaves_the_keyboard_in_the_list_and_undo_opens_it_again() {
+        Page page({"a.png", "b.png"});
+        page.session().open_photo(page.bench.photo("a.png"));
+        QVERIFY(page.bench.rests());
+        QVERIFY(page.tab_to("Delete the photograph"));
+        page.key(Qt::Key_Return);
+        QVERIFY(page.bench.rests());
+        CARE_TRY_VERIFY(page.focused().startsWith("b.png"));
+        QVERIFY(named(page, "Undo: a.png was deleted") != nullptr);
+        page.key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(page.bench.rests());
+        QCOMPARE(page.session().photoName(), QString("a.png"));
+        QCOMPARE(page.focused(), QString("Back to the photographs"));
+    }
+
+    void escape_stops_what_sounds_and_is_else_left_to_the_program() {
+        Page page({"a.png"});
+        page.bench.add_sound("a.png", 4.0, 300.0);
+        page.session().open_photo(page.bench.photo("a.png"));
+        QVERIFY(page.bench.rests());
+        QVERIFY(press(named(page, "Play")));
+        QVERIFY(page.session().trimming()->playing());
+        page.window.rootObject()->forceActiveFocus();
+        QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QCoreApplication::sendEvent(&page.window, &escape);
+        QVERIFY(escape.isAccepted());
+        QVERIFY(!page.session().trimming()->playing());
+        QKeyEvent again(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QCoreApplication::sendEvent(&page.window, &again);
+        QVERIFY(!again.isAccepted());
+    }
+
+    void photographs_dropped_on_the_window_are_imported() {
+        Page page({"a.png"});
+        const fs::path dropped = a_picture(page.bench.folder, "card/new.png", 5);
+        QMimeData mime;
+        mime.setUrls({QUrl::fromLocalFile(QString::fromStdString(dropped.string()))});
+        const QPointF middle(page.window.width() / 2.0, page.window.height() / 2.0);
+        QDragEnterEvent enter(middle.toPoint(), Qt::CopyAction, &mime, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&page.window, &enter);
+        QDropEvent drop(middle, Qt::CopyAction, &mime, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&page.window, &drop);
+        CARE_TRY_VERIFY(named(page, "1 photograph(s) imported.") != nullptr);
+        CARE_TRY_VERIFY(beginning(page, "new.png") != nullptr);
+    }
+
+    void each_dialog_opens_and_closes() {
+        Page page({"a.png"});
+        page.session().openRow(0);
+        QVERIFY(page.bench.rests());
+        const std::pair<const char*, const char*> dialogs[] = {{"Import photographs…", "photosDialog"},
+                                                               {"Add a sound file…", "soundsDialog"}};
+        for (const auto& [button, name] : dialogs) {
+            QVERIFY2(press(named(page, button)), button);
+            auto* const dialog = page.item(name)->property("item").value<QObject*>();
+            QVERIFY2(dialog != nullptr, name);
+            CARE_TRY_VERIFY(dialog->property("visible").toBool());
+            QMetaObject::invokeMethod(dialog, "reject");
+            CARE_TRY_VERIFY(!dialog->property("visible").toBool());
+        }
+    }
+
+    void a_folder_is_imported_by_a_screen_readers_actions_alone() {
+        Page page({"a.png"});
+        a_picture(page.bench.folder, "card/new.png", 5);
+        QVERIFY(press(named(page, "Import a folder…")));
+        page.session().chooser()->begin_in(QString::fromStdString(page.bench.folder.path().string()));
+        CARE_TRY_VERIFY(beginning(page, "card") != nullptr);
+        QVERIFY(press(beginning(page, "card")));
+        QVERIFY(press(named(page, "Take this folder")));
+        QVERIFY(!page.session().choosing());
+        CARE_TRY_VERIFY(named(page, "1 photograph(s) imported.") != nullptr);
+        CARE_TRY_VERIFY(beginning(page, "new.png") != nullptr);
+    }
+
+    void a_folder_for_the_album_is_chosen_on_the_page_and_escape_ends_that() {
+        Page page({"a.png"});
+        emit page.session().importing()->folderWanted();
+        CARE_TRY_VERIFY(named(page, "Take this folder") != nullptr);
+        QVERIFY(page.window.activeFocusItem() != nullptr);
+        page.key(Qt::Key_Escape);
+        QVERIFY(!page.session().choosing());
+        CARE_TRY_VERIFY(named(page, "Take this folder") == nullptr);
+    }
+
+    void mending_and_printing_are_asked_for() {
+        Page page({"a.png"});
+        page.session().openRow(0);
+        QVERIFY(page.bench.rests());
+        QStringList asked;
+        QObject::connect(&page.session(), &CareSession::mendAsked, &page.window, [&](const QString& photo) { asked << photo; });
+        QObject::connect(&page.session(), &CareSession::printAsked, &page.window, [&](const QString& photo) { asked << photo; });
+        QVERIFY(press(named(page, "Mend the contours…")));
+        QVERIFY(press(named(page, "Print a tactile sheet…")));
+        const QString photo = QString::fromStdString(page.bench.photo("a.png").string());
+        QCOMPARE(asked, QStringList({photo, photo}));
+    }
+};
+
+QTEST_MAIN(CarePageTest)
+#include "care_page_test.moc"

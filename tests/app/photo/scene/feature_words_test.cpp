@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/photo/scene/feature_words.hpp"
+
+#include <QTest>
+
+class FeatureWordsTest : public QObject {
+    Q_OBJECT
+private slots:
+    void says_what_a_person_would_say() {
+        const auto said = [](const char* name) { return QString::fromStdString(tp::spoken_feature(name)); };
+        QCOMPARE(said("left_eye"), QString("left eye"));
+        QCOMPARE(said("outer_lip"), QString("lips"));
+        QCOMPARE(said("inner_lip"), QString("mouth opening"));
+        QCOMPARE(said("outline"), QString("face outline"));
+        QCOMPARE(said("face 2 outer_lip"), QString("lips of face 2"));
+        QCOMPARE(said("a garden_gate"), QString("a garden gate"));
+        QCOMPARE(said("face "), QString("face "));
+        QCOMPARE(said(""), QString());
+    }
+};
+
+QTEST_APPLESS_MAIN(FeatureWordsTest)
+#include "feature_words_test.moc"

@@ -27,8 +27,10 @@ FocusScope {
         list.itemAtIndex(pane.row).focusRow()
     }
 
-    // What the keyboard comes to above the rows is brought into view.
-    onFocusedChanged: {
+    // What the keyboard comes to above the rows is brought into view; when it has come to rest, for a list that moves lets
+    // go of rows, and with a row that was just taken away the keyboard moves once more.
+    onFocusedChanged: Qt.callLater(pane.showFocused)
+    function showFocused() {
         for (let item = focused; item; item = item.parent)
             if (item === list.headerItem) {
                 const top = focused.mapToItem(list.contentItem, 0, 0).y

@@ -245,6 +245,30 @@ private slots:
         QCOMPARE(page.focused(), QString("Back to the photographs"));
     }
 
+    void back_from_a_far_row_the_controls_above_are_in_view_again() {
+        std::vector<std::string> names;
+        for (char letter = 'a'; letter <= 'z'; ++letter)
+            names.push_back(std::string(1, letter) + ".png");
+        Page page(names, {1280, 500});
+        while (!page.focused().endsWith(" of 26"))
+            page.key(Qt::Key_Tab);
+        page.key(Qt::Key_End);
+        QVERIFY2(page.focused().endsWith("26 of 26"), qPrintable(page.focused()));
+        QVERIFY(page.item("photoList")->property("contentY").toDouble() > 500.0);
+        page.key(Qt::Key_Tab, Qt::ShiftModifier);
+        const auto in_view = [&page] {
+            const QQuickItem* const focused = page.window.activeFocusItem();
+            const QRectF place = focused->mapRectToScene(focused->boundingRect());
+            return place.top() >= 0.0 && place.bottom() <= page.window.height();
+        };
+        QTRY_VERIFY(in_view());
+        QVERIFY(!page.focused().contains(" of 26"));
+        while (page.focused() != "Import a folder…") {
+            page.key(Qt::Key_Tab, Qt::ShiftModifier);
+            QTRY_VERIFY2(in_view(), qPrintable(page.focused()));
+        }
+    }
+
     void on_a_tall_window_one_comes_after_the_other_and_back_again() {
         Page page({"a.png", "b.png", "c.png"}, {600, 1000});
         while (!page.focused().endsWith(" of 3"))

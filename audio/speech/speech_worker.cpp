@@ -60,6 +60,7 @@ void SpeechWorker::begun(quint64 id) {
         return;
     begun_ = true;
     failures_ = 0;
+    emit spoke();
 }
 
 void SpeechWorker::not_begun(quint64 id) {

@@ -30,6 +30,8 @@ signals:
     /// There is no such engine, or it has gone, or it is mute: without a sound card one calls itself ready until it must
     /// speak.
     void failed();
+    /// It has begun to speak a text: it is no engine that only pretends.
+    void spoke();
     void finished(quint64 id);
 
 protected:

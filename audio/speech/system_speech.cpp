@@ -65,7 +65,12 @@ void SystemSpeech::try_next() {
         too_long_.stop();
         emit found();
     });
-    connect(worker_, &SpeechWorker::failed, this, &SystemSpeech::try_next);
+    connect(worker_, &SpeechWorker::spoke, this, [this] { spoke_ = true; });
+    connect(worker_, &SpeechWorker::failed, this, [this] {
+        if (std::exchange(spoke_, false))
+            next_ = 0;
+        try_next();
+    });
     set_rate(rate_);
     set_language(language_);
     set_name_languages(names_);

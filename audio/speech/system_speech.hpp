@@ -15,7 +15,8 @@ class SpeechWorker;
 
 /// The speech engine of this system (speech-dispatcher, then Qt TextToSpeech's flite), each tried on a thread
 /// of its own, because finding one takes seconds and one that hangs may hang for ever. An engine that does
-/// not answer in time, or turns out to be mute, is left behind and the next one tried.
+/// not answer in time, or turns out to be mute, is left behind and the next one tried. When one goes that has
+/// spoken, they are all tried again: a speech server that died can be started anew.
 class SystemSpeech final : public QObject, public SpeechEngine {
     Q_OBJECT
 public:
@@ -47,6 +48,7 @@ private:
     QThread* thread_ = nullptr;
     SpeechWorker* worker_ = nullptr; ///< lives on thread_, whose end deletes it
     int next_ = 0;                   ///< engine to be tried when this one fails
+    bool spoke_ = false;             ///< this one has
     QTimer too_long_;
     double rate_ = 0.0;
     QString language_;

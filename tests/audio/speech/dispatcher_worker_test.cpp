@@ -24,6 +24,7 @@ public:
         server_.listen(path());
         connect(&server_, &QLocalServer::newConnection, this, [this] {
             line_ = server_.nextPendingConnection();
+            ++callers;
             connect(line_, &QLocalSocket::readyRead, this, [this] { hear(); });
         });
     }
@@ -39,6 +40,7 @@ public:
     void hang_up() { line_->disconnectFromServer(); }
     bool connected() const { return line_ != nullptr; }
 
+    int callers = 0; ///< until now
     QStringList commands, texts;
     QString refused;
 
@@ -143,6 +145,24 @@ private slots:
             voice.set_name_languages({{"Luca", "it"}});
             voice.say("Giulia, Luca", Priority::fault);
             QTRY_COMPARE(dispatcher.texts, QStringList({"Giulia ", "lacht.", "Giulia, ", "Luca"}));
+        }
+        qunsetenv("SPEECHD_ADDRESS");
+    }
+
+    void one_that_spoke_and_went_away_is_looked_for_again() {
+        FakeDispatcher dispatcher;
+        qputenv("SPEECHD_ADDRESS", "unix_socket:" + QFile::encodeName(dispatcher.path()));
+        {
+            SpokenVoice voice;
+            voice.say("left eye", Priority::message);
+            QTRY_COMPARE(dispatcher.texts, QStringList{"left eye"});
+            dispatcher.tell(1, 701, "BEGIN");
+            dispatcher.tell(1, 702, "END");
+            QTRY_VERIFY(!voice.busy());
+            dispatcher.hang_up();
+            QTRY_COMPARE(dispatcher.callers, 2);
+            voice.say("lips", Priority::message);
+            QTRY_COMPARE(dispatcher.texts, QStringList({"left eye", "lips"}));
         }
         qunsetenv("SPEECHD_ADDRESS");
     }

@@ -45,7 +45,7 @@ enum EdgeKind : std::size_t {
 inline constexpr std::array<double, edge_kind_count> edge_grain_percent{0.0, 0.0, 0.9, 0.9, 0.0, 0.0, 0.0, 0.0};
 using EdgeLooks = std::array<EdgeLook, edge_kind_count>;
 
-/// Weights and prices by learn_edge_look, those of the outer lip by an earlier fit; see the README.
+/// Weights and prices by learn_edge_look, those of the outer lip by an earlier fit; see faces/LEARNING.md.
 inline constexpr EdgeLooks edge_looks{{
 #include "faces/edge_look_weights.inc"
 }};

@@ -34,7 +34,7 @@ constexpr int longest_turned_px = 1280;
 /// What a photograph keeps of its longest side where its decoder shrinks it: the detector looks at 1280 px.
 constexpr int longest_shrunk_px = 1600;
 /// Of faces for which the shrunk pixels are enough: eyes that are 150 px apart, outer corner to outer corner.
-/// Contours are as exact from there on (faces/README.md, errors over the size of the picture).
+/// Contours are as exact from there on (faces/FIGURES.md, errors over the size of the picture).
 constexpr double least_shrunk_face_px = 300.0;
 
 Result<std::unique_ptr<Detector>> load_detector(const ChosenModel& model) {

@@ -22,7 +22,7 @@ constexpr double window_margin = 1.5;    ///< window per extent of the box, then
 constexpr std::size_t skin_points = 468; ///< of 478; the others are the irises
 constexpr std::size_t all_points = 478;
 constexpr std::size_t mesh_outline_points = 33;
-/// Presence on faces is above 12, on false alarms below -2 (faces/README.md): a half of confidence in
+/// Presence on faces is above 12, on false alarms below -2: a half of confidence in
 /// between.
 constexpr double presence_of_half = 5.0;
 

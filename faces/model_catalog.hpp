@@ -15,7 +15,7 @@
 
 namespace tp {
 
-/// The nets that are part of the program (resources/models/README.md says where each comes from).
+/// The nets that are part of the program (resources/models/ORIGINS.md says where each comes from).
 enum class EmbeddedModel { detector, contours, eye, mouth, outline, mesh, yunet };
 
 /// A fresh copy of an embedded net, ready to run on the CPU. Throws cv::Exception where the program was built

@@ -13,7 +13,8 @@ namespace tp {
 /// across it within 0.15 `unit_px` to either side, as a fraction of `unit_px` (the distance between the outer
 /// corners of the eyes). 0 where the outline lies on the step everywhere, or has fewer than five points.
 /// Hair, beards and shadows make it large, and there outlines err: the line itself is not moved by it
-/// (README.md). `picture` is 8-bit BGR; what lies outside counts as its border.
+/// (docs/decisions/0008-edges-for-lids-and-lips.md). `picture` is 8-bit BGR; what lies outside counts as its
+/// border.
 double outline_off_step(const cv::Mat& picture, const std::vector<Vec2>& outline, double unit_px);
 
 } // namespace tp

@@ -35,7 +35,7 @@ inline constexpr std::size_t predictor_count = 14;
 std::array<double, predictor_count> predictors(const QualitySigns& signs, FeatureIndex feature);
 
 /// What the signs say about a contour: the error that portraits with such signs had (log-linear in the
-/// predictors, least squares on degraded portraits of people whom no training saw: faces/README.md), and what
+/// predictors, least squares on degraded portraits of people whom no training saw: faces/LEARNING.md), and what
 /// is unusual about them.
 ContourQuality quality_of(const QualitySigns& signs, FeatureIndex feature);
 

@@ -42,7 +42,7 @@ QByteArray json_line(const JudgedFace& face, const ExpressionChoices& choices);
 std::string words_for(const ExpressionTable& table, const ExpressionChoices& choices,
                       const std::string& title);
 
-/// Writes expressions.csv, the tables, and cues.csv, the faces; columns stand in app/cli/README.md.
+/// Writes expressions.csv, the tables, and cues.csv, the faces; columns stand in app/cli/VERBS.md.
 Result<std::filesystem::path> write_expressions(const std::filesystem::path& folder,
                                                 const ExpressionReport& report);
 

@@ -8,7 +8,7 @@ namespace tp {
 /// What softens or marks the places where the direction of the exact force jumps: the lines between contours,
 /// where the nearest one changes. At a distance r and with an angle α between the two pulls the jump is
 /// 2K·min(r, 2d−r)·sin(α/2), at most 2K·d. All of it off is the exact law. What each costs in accuracy stands
-/// in app/figures/report/README.md.
+/// in app/figures/report/FIGURES.md.
 struct Continuity {
     /// mm; the finger stays with the stretch of contour that pulls it until another is nearer by this much
     /// (BranchHold); 0: off. 0.3–0.5 keeps a trembling finger from clicking to and fro.

@@ -199,7 +199,7 @@ int main(int argc, char** argv) {
     tell(*pupils, settings);
     std::puts("// SPDX-License-Identifier: Apache-2.0");
     std::puts(
-        "// By learn_edge_look (faces/README.md): slopes and bends of brightness, of redness; stray, bend.");
+        "// By learn_edge_look (faces/LEARNING.md): slopes and bends of brightness, of redness; stray, bend.");
     for (std::size_t kind = 0; kind < edge_kind_count; ++kind) {
         const GroupIndex group = group_of(kind);
         EdgeLook look = edge_looks[kind];

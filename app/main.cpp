@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
     options.addPositionalArgument("photo", "A photograph to feel at once; without one the start page opens.", "[photo]");
     const QCommandLineOption voice_option("voice", "Whether the program speaks: on, off, or as it was chosen (default).",
                                           "on|off");
-    const QCommandLineOption page_option("page", "The page to begin with: start, browse, explore, care, lab, settings.", "name");
+    const QCommandLineOption page_option("page", "The page to begin with: start, browse, explore, care, mend, print, settings, lab.", "name");
     const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.", "file");
     const QCommandLineOption size_option("size", "The window's size in pixels, such as 1280x800.", "WxH");
     const QCommandLineOption with_option("with", "Adds features to eyes, lips and outline: brows, nose, irises.", "list");

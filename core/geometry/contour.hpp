@@ -44,12 +44,7 @@ Contour contour_through(std::string name, const std::vector<Vec2>& points, bool 
 
 /// The same curve with every defining point mapped by `map`, which must be affine for Béziers to stay exact.
 template <typename Map>
-Contour mapped(const Contour& contour, const Map& map);
-
-} // namespace tp
-
-template <typename Map>
-tp::Contour tp::mapped(const Contour& contour, const Map& map) {
+Contour mapped(const Contour& contour, const Map& map) {
     struct Mapper {
         const Map& map;
         Piece operator()(const Line& p) const { return Line{map(p.a), map(p.b)}; }
@@ -64,3 +59,5 @@ tp::Contour tp::mapped(const Contour& contour, const Map& map) {
         result.pieces.push_back(std::visit(Mapper{map}, piece));
     return result;
 }
+
+} // namespace tp

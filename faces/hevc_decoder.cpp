@@ -18,7 +18,7 @@ constexpr int hevc_priority = 200; ///< libde265's is 100
 constexpr std::int64_t most_hevc_px =
     210'000'000;                        ///< a picture's, with what fills up its blocks; picture.hpp's most
 constexpr std::size_t length_bytes = 4; ///< before each of the units that libheif hands over
-constexpr const char* refusal = "libavcodec does not decode this picture";
+constexpr const char* refusal = "libavcodec_refuses";
 
 alignas(64) thread_local int without_hevc_decoder = 0; // why aligned: cmake/Compiler.cmake, mold
 
@@ -177,7 +177,7 @@ heif_error heif_image_of(const AVFrame& frame, heif_image** out) {
 heif_error new_hevc(void** out) {
     auto coded = std::unique_ptr<CodedHevc>(new (std::nothrow) CodedHevc);
     if (coded == nullptr || coded->packet == nullptr)
-        return {heif_error_Memory_allocation_error, heif_suberror_Unspecified, "No memory"};
+        return {heif_error_Memory_allocation_error, heif_suberror_Unspecified, "no_memory"};
     *out = coded.release();
     return no_heif_error();
 }
@@ -185,7 +185,7 @@ heif_error new_hevc(void** out) {
 heif_error push_hevc(void* coded, const void* data, std::size_t size) {
     AVPacket& packet = *static_cast<CodedHevc*>(coded)->packet;
     if (!are_whole_units(static_cast<const std::uint8_t*>(data), size))
-        return {heif_error_Decoder_plugin_error, heif_suberror_End_of_data, "A unit is cut short"};
+        return {heif_error_Decoder_plugin_error, heif_suberror_End_of_data, "cut_short"};
     if (size == 0)
         return no_heif_error();
     const auto before = static_cast<std::size_t>(packet.size);

@@ -6,6 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/Rooms.cmake)
 # core: what the project exists for
 tp_may(tp_base)
 tp_may(tp_files        tp_base)
+tp_may(tp_libraries)
 tp_may(tp_geometry     tp_base  USES glm::glm)
 tp_may(tp_guidance     tp_base tp_geometry)
 tp_may(tp_svg          tp_base tp_files tp_geometry tp_guidance  USES PkgConfig::pugixml PkgConfig::2geom)
@@ -23,7 +24,7 @@ tp_may(tp_device         ${core} tp_pad_protocol tp_pad_firmware tp_haply_protoc
 
 # faces: from a photograph to contours
 tp_may(tp_exiv2        USES PkgConfig::exiv2)
-tp_may(tp_faces        ${core} tp_exiv2
+tp_may(tp_faces        ${core} tp_libraries tp_exiv2
                        USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc opencv_dnn opencv_objdetect
                             opencv_face Threads::Threads)
 tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_faces  USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
@@ -32,7 +33,7 @@ tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_faces  USES opencv_cor
 tp_may(tp_speech       tp_base  USES Qt6::Core Qt6::TextToSpeech)
 tp_may(tp_sentences    USES Qt6::Core)
 tp_may(tp_recordings   tp_base tp_files  USES PkgConfig::sndfile PkgConfig::ebur128)
-tp_may(tp_video        tp_base tp_files tp_recordings)
+tp_may(tp_video        tp_base tp_files tp_libraries tp_recordings)
 tp_may(tp_sound        tp_base tp_files tp_sentences tp_recordings  USES Qt6::Core Qt6::Multimedia PkgConfig::soundtouch)
 tp_may(tp_guide        tp_base tp_sound  USES Qt6::Core)
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/heif_picture.hpp"
 
+#include "faces/hevc_decoder.hpp"
 #include "faces/libheif.hpp"
 
 #include <opencv2/imgproc.hpp>
@@ -157,7 +158,7 @@ std::shared_ptr<const heif_image_handle> HeifPicture::thumbnail(cv::Size least) 
     return nullptr;
 }
 
-Result<HeifPixels> HeifPicture::pixels_of(const heif_image_handle& picture) const {
+Result<std::shared_ptr<const heif_image>> HeifPicture::decoded_image(const heif_image_handle& picture) const {
     const LibHeif& heif = *load_libheif();
     const std::unique_ptr<heif_decoding_options, decltype(heif.heif_decoding_options_free)> options(
         heif.heif_decoding_options_alloc(), heif.heif_decoding_options_free);
@@ -166,11 +167,25 @@ Result<HeifPixels> HeifPicture::pixels_of(const heif_image_handle& picture) cons
     heif_image* decoded = nullptr;
     // In planes, as libheif 1.15 decodes all pictures: what it converts them to costs another 50 ms at 12
     // megapixel.
-    const heif_error error =
-        heif.heif_decode_image(&picture, &decoded, heif_colorspace_RGB, heif_chroma_444, options.get());
+    const auto decode = [&] {
+        return heif.heif_decode_image(&picture, &decoded, heif_colorspace_RGB, heif_chroma_444, options.get());
+    };
+    heif_error error = decode();
+    if (is_hevc_refused(error.message)) {
+        heif.heif_context_set_max_decoding_threads(context_.get(), 0); // so that this thread does all of it
+        const WithoutHevcDecoder without;
+        error = decode();
+    }
     if (error.code != heif_error_Ok)
         return sentence_of(error, format_);
-    const auto pixels = HeifPixels::of({decoded, heif.heif_image_release});
+    return std::shared_ptr<const heif_image>(decoded, heif.heif_image_release);
+}
+
+Result<HeifPixels> HeifPicture::pixels_of(const heif_image_handle& picture) const {
+    const Result<std::shared_ptr<const heif_image>> decoded = decoded_image(picture);
+    if (!decoded)
+        return Error{decoded.error()};
+    const auto pixels = HeifPixels::of(*decoded);
     // Some encoders fill up to whole blocks and say so only here.
     const double most = (stored_size().width + 64.0) * (stored_size().height + 64.0);
     if (!pixels || static_cast<double>(pixels->size().width) * pixels->size().height > most)

@@ -34,7 +34,7 @@ private:
 };
 
 /// The primary picture of a HEIC or AVIF file (ISO/IEC 23008-12), by libheif, which is loaded at the first
-/// such file. Depth maps, alpha and the file's other pictures are left out. EXIF's orientation does not count
+/// such file, and hevc_decoder.hpp. Depth maps, alpha and the file's other pictures are left out. EXIF's orientation does not count
 /// here: the file's own properties irot and imir say how the picture is turned, and EXIF's only repeats them
 /// (23008-12, annex A).
 class HeifPicture {
@@ -56,6 +56,7 @@ public:
 private:
     HeifPicture(const char* format, std::shared_ptr<heif_context> context,
                 std::shared_ptr<const heif_image_handle> primary);
+    Result<std::shared_ptr<const heif_image>> decoded_image(const heif_image_handle& picture) const;
     Result<HeifPixels> pixels_of(const heif_image_handle& picture) const;
     std::shared_ptr<const heif_image_handle> thumbnail(cv::Size least) const;
 

@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/other_formats.hpp"
 
+#include "core/libraries/loaded_library.hpp"
 #include "faces/quiet_opencv.hpp"
 
 #include <opencv2/imgcodecs.hpp>
 
-#include <dlfcn.h>
-
 namespace tp {
 namespace {
 
-using Decode = cv::Mat (*)(cv::InputArray bytes, int flags);
+using Decode = cv::Mat(cv::InputArray bytes, int flags);
 
 /// cv::imdecode; null where its library cannot be loaded.
-Decode find_decoder() {
-    void* const library = dlopen(TP_OPENCV_CODECS, RTLD_NOW | RTLD_LOCAL);
-    return library ? reinterpret_cast<Decode>(dlsym(library, "_ZN2cv8imdecodeERKNS_11_InputArrayEi"))
-                   : nullptr;
+Decode* find_decoder() {
+    Decode* decode = nullptr;
+    LoadedLibrary(TP_OPENCV_CODECS).find(decode, "_ZN2cv8imdecodeERKNS_11_InputArrayEi");
+    return decode;
 }
 
 } // namespace
 
 Result<cv::Mat> decode_other_format(const Bytes& bytes) {
     const HushedThread hushed;
-    static const Decode decode = find_decoder();
+    static Decode* const decode = find_decoder();
     if (!decode)
         return Error{"Pictures other than JPEG need the library " TP_OPENCV_CODECS
                      " (Debian: libopencv-imgcodecs406), which is not here: install it or save the picture "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/libraries/loaded_library.hpp"
+
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
@@ -25,9 +27,7 @@ struct LibAv {
     each(avcodec_free_context) each(avcodec_get_name) each(avcodec_open2) each(avcodec_parameters_to_context)      \
     each(avcodec_receive_frame) each(avcodec_send_packet) each(avformat_alloc_context)                             \
     each(avformat_close_input) each(avformat_open_input) each(avio_alloc_context) each(avio_context_free)
-#define TP_MEMBER(name) decltype(&::name) name = nullptr;
-    TP_FUNCTIONS_OF_LIBAV(TP_MEMBER)
-#undef TP_MEMBER
+    TP_LIBRARY_FUNCTIONS(TP_FUNCTIONS_OF_LIBAV)
 };
 
 /// The file name of the library that is loaded, of the version that this program was built for.

@@ -9,7 +9,7 @@ import sys
 PLACES = re.compile(r"`([\w.+-]+(?:/[\w.+-]+)*/?)`")
 LINKS = re.compile(r"\]\(([^)#:]+)\)")
 NAMES = re.compile(r"\btp::(\w+)")
-STANDS_FOR = re.compile(r"NAME|FOLDER|LANGUAGE|Name|name_|^\.\w+$")  # what a reader puts another word for
+STANDS_FOR = re.compile(r"NAME|FOLDER|LANGUAGE|Name|name_|^\.\w+$|/all$")  # a word for another, an ending, a target
 ENDINGS = (".md", ".txt", ".cpp", ".hpp", ".qml", ".cmake", ".json", ".py", ".ts")
 TOPS = ("app", "audio", "cmake", "core", "device", "docs", "faces", "packaging", "resources", "tests")
 THREADS = re.compile(r"std::j?thread\s*[>{(]|std::(?:j?thread|vector<std::j?thread>) \w+|std::async\(|"

@@ -106,7 +106,7 @@ private slots:
               double(listed) / double(asked), double(needed) / double(asked), without, asked);
         QVERIFY(asked > 800);
         QVERIFY(without * 100 < asked);
-        QVERIFY(double(listed) < 1.6 * double(needed));
+        QVERIFY(double(listed) < 1.42 * double(needed));
     }
 
     void far_from_all_lines_a_cell_says_that_nothing_pulls() {

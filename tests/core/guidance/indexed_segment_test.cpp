@@ -149,6 +149,13 @@ private slots:
         }
     }
 
+    void what_it_holds_is_counted_in_full() {
+        std::mt19937 random(26);
+        const SegmentSet set = random_set(random, 100, 60.0);
+        QVERIFY(set.bytes() >= 101 * sizeof(IndexedSegment) + 100 * (sizeof(int) + sizeof(std::uint32_t)));
+        QCOMPARE(SegmentSet().bytes(), std::size_t(0));
+    }
+
     /// Lines that meet in one vertex are equally near from beyond it, and so are twins.
     void of_equals_the_same_one_is_found_in_any_order() {
         std::mt19937 random(25);

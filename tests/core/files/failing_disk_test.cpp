@@ -92,7 +92,9 @@ class FailingDiskTest : public QObject {
 
 private slots:
     void init() {
-        root_ = fs::path(dir_.path().toStdString()) / QTest::currentTestFunction();
+        root_ = fs::path(dir_.path().toStdString()) /
+                (std::string(QTest::currentTestFunction()) +
+                 (QTest::currentDataTag() != nullptr ? QTest::currentDataTag() : ""));
         fs::create_directory(root_);
         lay_out();
     }

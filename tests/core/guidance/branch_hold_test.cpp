@@ -82,6 +82,9 @@ private slots:
         QVERIFY(hold.hold({-0.1, -0.1}, law.at({-0.1, -0.1})).nearest.y > 0.0);
         QVERIFY(hold.hold({-0.1, -0.4}, law.at({-0.1, -0.4})).nearest.y < 0.0);
         QCOMPARE(hold.switches(), std::uint64_t(1));
+        QVERIFY(hold.hold({-0.1, 0.1}, law.at({-0.1, 0.1})).nearest.y < 0.0); // and back from its last end
+        QVERIFY(hold.hold({-0.1, 0.4}, law.at({-0.1, 0.4})).nearest.y > 0.0);
+        QCOMPARE(hold.switches(), std::uint64_t(2));
     }
 
     void a_trembling_finger_clicks_no_more() {

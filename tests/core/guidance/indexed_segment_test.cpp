@@ -137,7 +137,7 @@ private slots:
     void of_a_list_the_nearest_is_found_wherever_it_stands() {
         std::mt19937 random(24);
         for (int round = 0; round < 3000; ++round) {
-            const SegmentSet set = random_set(random, 1 + round % 14, 20.0);
+            const SegmentSet set = random_set(random, static_cast<std::size_t>(1 + round % 14), 20.0);
             const Vec2 p = random_point(random, 30.0);
             const Closest<double> all = closest_of_all(set, p);
             const Closest<double> found = closest_of(set, shuffled_list(set, random), p);

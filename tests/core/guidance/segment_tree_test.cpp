@@ -139,9 +139,9 @@ private slots:
         std::mt19937 random(36);
         std::uniform_real_distribution<double> unit(0.0, 1.0);
         std::size_t told = 0, unbeaten = 0;
-        const SegmentSet set = set_of(many_curves(3000, 60.0));
+        const SegmentSet set = set_of(many_curves(2000, 60.0));
         const SegmentTree tree(set);
-        for (int k = 0; k < 400; ++k) {
+        for (int k = 0; k < 250; ++k) {
             const Vec2 centre = random_point(random, 70.0);
             const double half = 0.05 + 2.0 * unit(random);
             const std::array<Vec2, 4> corners{centre + Vec2(-half, -half), centre + Vec2(half, -half),

@@ -63,6 +63,8 @@ private slots:
             QCOMPARE(tent.force(r), 0.0);
         QVERIFY(!(TentProfile{0.0, 4.0}.valid()));
         QVERIFY(!(TentProfile{0.2, std::nan("")}.valid()));
+        for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+            QVERIFY(!(TentProfile{0.2, bad}.valid()) && !(TentProfile{bad, 4.0}.valid()));
         QVERIFY((TentProfile{0.2, 4.0}.valid()));
     }
 };

@@ -218,11 +218,11 @@ private slots:
         const auto shown = [](char32_t code) {
             return QString::fromStdString(readable(QString::fromUcs4(&code, 1).toStdString()));
         };
-        for (const char32_t hidden : {U'\x00', U'\x1F', U'\x7F', U'\x80', U'\x9F', U'\u061C', U'\u200E', U'\u200F',
-                                      U'\u2028', U'\u202E', U'\u2066', U'\u2069'})
+        for (const char32_t hidden : {U'\x00', U'\x1F', U'\x7F', U'\x80', U'\x9F', U'\u061C', U'\u200E',
+                                      U'\u200F', U'\u2028', U'\u202E', U'\u2066', U'\u2069'})
             QCOMPARE(shown(hidden), QString(" "));
-        for (const char32_t seen : {U'\x20', U'\x7E', U'\xA0', U'\u061B', U'\u061D', U'\u200D', U'\u2010', U'\u2027',
-                                    U'\u202F', U'\u2065', U'\u206A'})
+        for (const char32_t seen : {U'\x20', U'\x7E', U'\xA0', U'\u061B', U'\u061D', U'\u200D', U'\u2010',
+                                    U'\u2027', U'\u202F', U'\u2065', U'\u206A'})
             QCOMPARE(shown(seen), QString::fromUcs4(&seen, 1));
     }
 

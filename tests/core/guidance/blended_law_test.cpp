@@ -97,7 +97,8 @@ private slots:
                 QVERIFY(std::abs(lost - promised) < 0.1 * promised);
                 mean += lost / directions;
             }
-            QVERIFY2(std::abs(mean - promised) < 0.025 * promised, qPrintable(QString::number(mean / promised)));
+            QVERIFY2(std::abs(mean - promised) < 0.025 * promised,
+                     qPrintable(QString::number(mean / promised)));
         }
     }
 

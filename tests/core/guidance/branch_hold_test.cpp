@@ -75,7 +75,8 @@ private slots:
     /// The tip of an open line is where its branch ends: nothing leads from one end to the other.
     void an_open_line_does_not_go_on_at_its_other_end() {
         // A bracket whose ends lie 1 mm apart.
-        const FlatScene scene{{"bracket"}, {{{{0, 0.5}, {20, 0.5}, {20, 20}, {-20, 20}, {-20, -0.5}, {0, -0.5}}, false}}};
+        const FlatScene scene{{"bracket"},
+                              {{{{0, 0.5}, {20, 0.5}, {20, 20}, {-20, 20}, {-20, -0.5}, {0, -0.5}}, false}}};
         const ExactLaw law(scene, {});
         BranchHold hold(scene, {}, 0.4);
         QVERIFY(hold.hold({-0.1, 0.2}, law.at({-0.1, 0.2})).nearest.y > 0.0);

@@ -108,14 +108,17 @@ private slots:
             QCOMPARE(law.reach(), 0.5 * tent.range);
             const double depth = plain.at({0, 0}).energy - law.at({0, 0}).energy;
             // its steepest slope, 8E/(3√3·R), is a fifth of the peak
-            QVERIFY(std::abs(depth * 8.0 / (3.0 * std::numbers::sqrt3 * law.reach()) - 0.2 * tent.peak()) < 1e-12);
+            QVERIFY(std::abs(depth * 8.0 / (3.0 * std::numbers::sqrt3 * law.reach()) - 0.2 * tent.peak()) <
+                    1e-12);
             for (const double share : {0.25, 0.5, 0.75}) {
                 const Vec2 place(0.0, share * law.reach());
                 const double left = 1.0 - share * share;
-                QVERIFY(std::abs(plain.at(place).energy - law.at(place).energy - depth * left * left) < 1e-12);
+                QVERIFY(std::abs(plain.at(place).energy - law.at(place).energy - depth * left * left) <
+                        1e-12);
             }
             const Vec2 beyond(0.0, 1.001 * law.reach());
-            QVERIFY(law.at(beyond).force == plain.at(beyond).force && law.at(beyond).energy == plain.at(beyond).energy);
+            QVERIFY(law.at(beyond).force == plain.at(beyond).force &&
+                    law.at(beyond).energy == plain.at(beyond).energy);
         }
     }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/guidance/segment_tree.hpp"
 #include "core/guidance/scene.hpp"
+#include "core/guidance/segment_tree.hpp"
 
 #include <cmath>
 

@@ -163,7 +163,8 @@ private slots:
             const Vec2 vertex = random_point(random, 20.0);
             SegmentSet set;
             for (int i = 0; i < 2 + round % 9; ++i) {
-                const Vec2 end = vertex + Vec2(1.0 + (round + i) % 3, 1.0 - i % 3) * (i % 4 == 3 ? 50.0 : 1.0);
+                const Vec2 end =
+                    vertex + Vec2(1.0 + (round + i) % 3, 1.0 - i % 3) * (i % 4 == 3 ? 50.0 : 1.0);
                 set.segments.emplace_back(vertex, end);
                 set.owners.push_back((7 * i + round) % 11);
                 set.numbers.push_back(0);

@@ -123,8 +123,10 @@ private slots:
     void cut_into_vertices_a_line_stays_where_it_is() {
         FlatScene scene;
         scene.names = {"ring", "line", "short", "nothing"};
-        scene.lines = {ellipse({0, 0}, 30, 20, 400), {{{0, 0}, {10, 0}, {10, 7}}, false},
-                       {{{0, 0}, {0.1, 0}}, false}, {{}, true}};
+        scene.lines = {ellipse({0, 0}, 30, 20, 400),
+                       {{{0, 0}, {10, 0}, {10, 7}}, false},
+                       {{{0, 0}, {0.1, 0}}, false},
+                       {{}, true}};
         for (const double spacing : {0.5, 3.0, 4.25}) {
             const FlatScene cut = with_vertex_spacing(scene, spacing);
             QVERIFY(cut.names == scene.names && cut.lines.size() == 4);

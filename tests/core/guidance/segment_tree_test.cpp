@@ -71,7 +71,8 @@ private slots:
 
     void lines_of_any_length_are_found_near_and_far() {
         std::mt19937 random(32);
-        for (const FlatScene& scene : {face_scene(60), many_curves(1000, 50.0), random_scene(random, 300.0)}) {
+        for (const FlatScene& scene :
+             {face_scene(60), many_curves(1000, 50.0), random_scene(random, 300.0)}) {
             const SegmentSet set = set_of(scene);
             const SegmentTree tree(set);
             for (int k = 0; k < 400; ++k)

@@ -185,8 +185,8 @@ private slots:
                                            CalibrateFrame{0xFFFF, CalibrateAction::scale, 3, 1500}}) {
             CalibrateFrame back;
             QVERIFY(decode(encode(sent), back));
-            QVERIFY(back.sequence == sent.sequence && back.action == sent.action && back.motor == sent.motor &&
-                    back.permille == sent.permille);
+            QVERIFY(back.sequence == sent.sequence && back.action == sent.action &&
+                    back.motor == sent.motor && back.permille == sent.permille);
         }
         for (std::uint8_t corners = 0; corners <= corners_per_page; ++corners) {
             OutlineFrame sent{0x1234, 250, corners, {-1, 70000, -70001}, {2, -80000, 80001}};
@@ -230,9 +230,9 @@ private slots:
             QVERIFY(decode(encode(sent), back));
             QCOMPARE(back.status, sent.status);
         }
-        const uint16_t told[] = {status::armed, status::not_homed,    status::watchdog, status::hot,
-                                 status::over_current, status::unsure, status::singular, status::limited,
-                                 status::outside, status::bad_frame};
+        const uint16_t told[] = {status::armed,        status::not_homed, status::watchdog, status::hot,
+                                 status::over_current, status::unsure,    status::singular, status::limited,
+                                 status::outside,      status::bad_frame};
         for (unsigned bit = 0; bit < 10; ++bit)
             QCOMPARE(told[bit], uint16_t(1u << bit)); // as PROTOCOL.md numbers them
         QCOMPARE(status::all, uint16_t(0x03FF));
@@ -246,8 +246,8 @@ private slots:
         }()));
         const StateFrame state;
         QVERIFY(state.sequence == 0 && state.time_us == 0 && state.x_um == 0 && state.y_um == 0 &&
-                state.force_x_mn == 0 && state.force_y_mn == 0 && state.residual_um == 0 && state.status == 0 &&
-                state.heard == 0 && state.celsius == 0 && state.buttons == 0);
+                state.force_x_mn == 0 && state.force_y_mn == 0 && state.residual_um == 0 &&
+                state.status == 0 && state.heard == 0 && state.celsius == 0 && state.buttons == 0);
         const ForceFrame force;
         QVERIFY(force.sequence == 0 && force.x_mn == 0 && force.y_mn == 0 && !force.motors);
         const CapabilitiesFrame can;

@@ -233,9 +233,9 @@ private slots:
                 for (const std::uint8_t byte : resynchronisation(set_up, round))
                     board.receive(byte);
                 const std::vector<std::uint8_t> sent(board.sent().begin(), board.sent().end());
-                in_step = sent.size() >= reply_size && strongest(board) == 0.0 &&
-                          hex(std::span(sent).last(reply_size)) ==
-                              hex(encode(arms.reply_of(arms.reference_deg())));
+                in_step =
+                    sent.size() >= reply_size && strongest(board) == 0.0 &&
+                    hex(std::span(sent).last(reply_size)) == hex(encode(arms.reply_of(arms.reference_deg())));
             }
             QVERIFY2(in_step, qPrintable(QString("cut after %1").arg(cut)));
         }

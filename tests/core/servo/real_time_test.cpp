@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/servo/real_time.hpp"
+
+#include <QFile>
+#include <QTest>
+
+#include <sys/mman.h>
+#include <vector>
+
+using namespace tp;
+
+namespace {
+
+/// What of this process is kept in memory, KiB.
+long locked_kib() {
+    QFile status("/proc/self/status");
+    if (!status.open(QIODevice::ReadOnly))
+        return -1;
+    for (const QByteArray& line : status.readAll().split('\n'))
+        if (line.startsWith("VmLck:"))
+            return line.simplified().split(' ').value(1).toLong();
+    return -1;
+}
+
+} // namespace
+
+class RealTimeTest : public QObject {
+    Q_OBJECT
+private slots:
+    /// No tick waits for a disk: the loop's own data and 64 KiB of its stack stay where they are.
+    void what_is_locked_stays_in_memory_until_it_is_forgotten() {
+        std::vector<char> probe(256 * 1024, 'p');
+        if (mlock(probe.data(), probe.size()) != 0)
+            QSKIP("The system lets nothing be locked in memory here.");
+        munlock(probe.data(), probe.size());
+        std::vector<char> data(128 * 1024, 'd');
+        const long before = locked_kib();
+        QVERIFY(lock_memory(data.data(), data.size()));
+        const long locked = locked_kib() - before;
+        QVERIFY2(locked >= 128 + 64, qPrintable(QString::number(locked)));
+        QVERIFY2(locked <= 128 + 64 + 16, qPrintable(QString::number(locked))); // whole pages
+        forget_memory(data.data(), data.size());
+        QVERIFY(locked_kib() - before <= 64 + 8); // the stack goes with the thread
+    }
+
+    void memory_that_is_not_there_is_not_locked() {
+        const auto nowhere = reinterpret_cast<const void*>(std::uintptr_t(4096)); // no process has that page
+        QVERIFY(!lock_memory(nowhere, 4096));
+    }
+};
+
+QTEST_APPLESS_MAIN(RealTimeTest)
+#include "real_time_test.moc"

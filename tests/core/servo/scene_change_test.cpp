@@ -109,6 +109,23 @@ private slots:
         QVERIFY(std::abs(felt(true) - felt(false)) > 0.1);
     }
 
+    /// A computer that slept in the middle of a tour: the leading place waits where it was.
+    void a_tour_does_not_run_ahead_while_the_loop_stands_still() {
+        const Scene line{200.0, 150.0, {contour_through("line", {{-80, 0}, {80, 0}}, false)}};
+        std::unique_ptr<HapticScene> scene = std::move(make_haptic_scene(line)).value();
+        scene->tour = scene->flat.lines.front();
+        Bench bench;
+        bench.device.place = [&](double) { return Vec2(-79.0, 0.0); };
+        bench.loop.render(std::move(scene));
+        bench.loop.engage();
+        bench.run(0.15);
+        const double before = bench.loop.snapshot().tour_progress;
+        QVERIFY(before > 0.01);
+        bench.clock.sleep_until(bench.clock.now() + 5.0);
+        bench.loop.tick();
+        QVERIFY(bench.loop.snapshot().tour_progress < before + 0.0021); // ten periods at 30 mm/s
+    }
+
     /// The fastest that hands move is felt; what no hand does is not (SafetyLimits' own numbers).
     void the_limits_are_those_of_the_product() {
         const auto fault_at = [](const SafetyInput& input) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/servo/force_device.hpp"
 #include "core/servo/fault.hpp"
+#include "core/servo/force_device.hpp"
 
 #include <QTest>
 
@@ -46,8 +46,9 @@ private slots:
 
     /// Only what a person must put right keeps the device off.
     void a_fault_of_a_moment_heals_and_a_grave_one_does_not() {
-        for (const Fault light : {Fault::none, Fault::not_a_number, Fault::outside_workspace, Fault::over_speed,
-                                  Fault::motors_off, Fault::stale_input, Fault::late_ticks})
+        for (const Fault light :
+             {Fault::none, Fault::not_a_number, Fault::outside_workspace, Fault::over_speed,
+              Fault::motors_off, Fault::stale_input, Fault::late_ticks})
             QVERIFY(!disables(light));
         QVERIFY(disables(Fault::stalled) && disables(Fault::device_lost));
     }

@@ -4,7 +4,9 @@
 #include <QFile>
 #include <QTest>
 
+#include <sched.h>
 #include <sys/mman.h>
+#include <thread>
 #include <vector>
 
 using namespace tp;
@@ -41,6 +43,25 @@ private slots:
         QVERIFY2(locked <= 128 + 64 + 16, qPrintable(QString::number(locked))); // whole pages
         forget_memory(data.data(), data.size());
         QVERIFY(locked_kib() - before <= 64 + 8); // the stack goes with the thread
+    }
+
+    /// Where the system gives the priority, it is the one that was asked for, and it is said.
+    void the_priority_asked_for_is_the_one_given() {
+        bool possible = false, said = false;
+        int given = 0;
+        std::thread([&] {
+            sched_param lowest{};
+            lowest.sched_priority = 1;
+            possible = sched_setscheduler(0, SCHED_FIFO, &lowest) == 0;
+        }).join();
+        std::thread([&] {
+            said = prefer_real_time(3);
+            sched_param now{};
+            sched_getparam(0, &now);
+            given = now.sched_priority;
+        }).join();
+        QCOMPARE(said, possible);
+        QCOMPARE(given, possible ? 3 : 0);
     }
 
     void memory_that_is_not_there_is_not_locked() {

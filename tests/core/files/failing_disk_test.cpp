@@ -225,6 +225,28 @@ private slots:
         QCOMPARE(files_here(), 2L);
     }
 
+    /// An album of ten thousand photos is written file by file: none of them is left open.
+    void no_file_and_no_folder_is_left_open() {
+        const auto open_files = [] {
+            return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
+        };
+        const auto before = open_files();
+        QCOMPARE(replace_file(root_ / "a", "new"), std::string());
+        QCOMPARE(copy_whole(root_ / "a", root_ / "copy"), std::string());
+        QCOMPARE(move_file(root_ / "copy", root_ / "moved"), std::string());
+        QVERIFY(!copy_whole(root_, root_ / "copy").empty());
+        static_cast<void>(NewFile::beside(root_ / "b"));
+        static_cast<void>(FolderLock(root_).held());
+        QCOMPARE(open_files(), before);
+    }
+
+    void where_no_file_can_be_made_none_is_begun() {
+        QVERIFY(!NewFile::beside("/proc/touchphoto").ok());
+        QVERIFY(FolderLock(root_ / "a").held() && FolderLock(root_ / "a").held());
+        const FolderLock no_folder(root_ / "a"); // is a file, which nobody locks
+        QVERIFY(FolderLock(root_ / "a", std::chrono::milliseconds(0)).held());
+    }
+
     /// What an earlier process of the same number left behind is in nobody's way.
     void names_left_behind_are_stepped_over() {
         const std::string first = NewFile::beside(root_ / "a")->temporary().filename().string();

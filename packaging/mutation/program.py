@@ -87,15 +87,25 @@ class Program:
                 files.add(path)
         return sorted(files)
 
+    def tests_folder(self, room: str) -> str:
+        """tests/ROOM; a room within a room, such as a device's protocol, is tested with the one around it."""
+        folder = room
+        while folder and not (self.root / "tests" / folder / "CMakeLists.txt").is_file():
+            folder = os.path.dirname(folder)
+        if not folder:
+            raise NoSuchRoom(f"{room} has no tests in tests/{room}.")
+        return f"tests/{folder}"
+
     def tests(self, room: str) -> list[Test]:
-        """The room's own: those below tests/ROOM."""
+        """The room's own."""
+        folder = self.tests_folder(room)
         shown = subprocess.run(["ctest", "--test-dir", self.build, "--show-only=json-v1"], check=True,
                                capture_output=True, text=True)
         found = []
         for test in json.loads(shown.stdout)["tests"]:
             command = test.get("command", [])
             executable = pathlib.Path(command[-1]) if command else pathlib.Path()
-            if executable.parent != self.build / "tests" / room or not command[0].endswith("/run_test"):
+            if executable.parent != self.build / folder or not command[0].endswith("/run_test"):
                 continue
             properties = {entry["name"]: entry["value"] for entry in test["properties"]}
             environment = dict(entry.split("=", 1) for entry in properties.get("ENVIRONMENT", []))
@@ -103,7 +113,7 @@ class Program:
             objects = {word: self.build / word for word in link if word.startswith("tests/") and word.endswith(".o")}
             found.append(Test(test["name"], objects, link, environment))
         if not found:
-            raise NoSuchRoom(f"{room} has no tests in tests/{room}.")
+            raise NoSuchRoom(f"{room} has no tests in {folder}.")
         return found
 
     def target(self, test: Test) -> str:

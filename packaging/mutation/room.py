@@ -28,7 +28,7 @@ class Room:
             self.mutants += mutants_of(str(program.root / file), file, content, program.parse_flags(file))
         self.stale = equivalents.stale(listed, self.mutants, self.contents)
         self.work = program.root / "build/mutants" / name.replace("/", ".")
-        self.record = Record(self.work.with_name(self.work.name + ".jsonl"), _digest(program.root / "tests" / name))
+        self.record = Record(self.work.with_name(self.work.name + ".jsonl"), _digest(program.root / program.tests_folder(name)))
         self.entries: list[dict] = []
         self.not_tried = 0
 

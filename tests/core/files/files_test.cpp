@@ -2,6 +2,7 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/folder_lock.hpp"
+#include "core/files/photo_endings.hpp"
 #include "core/files/whole_file.hpp"
 
 #include <QTemporaryDir>
@@ -210,6 +211,56 @@ private slots:
         QFETCH(QByteArray, shown);
         QCOMPARE(QByteArray::fromStdString(readable(name.toStdString())), shown);
         QCOMPARE(QByteArray::fromStdString(quoted(fs::path(name.toStdString()))), "\"" + shown + "\"");
+    }
+
+    /// The first and the last of each kind, and their neighbours.
+    void what_hides_or_turns_a_name_is_a_space_and_nothing_else_is() {
+        const auto shown = [](char32_t code) {
+            return QString::fromStdString(readable(QString::fromUcs4(&code, 1).toStdString()));
+        };
+        for (const char32_t hidden : {U'\x00', U'\x1F', U'\x7F', U'\x80', U'\x9F', U'\u061C', U'\u200E',
+                                      U'\u200F', U'\u2028', U'\u202E', U'\u2066', U'\u2069'})
+            QCOMPARE(shown(hidden), QString(" "));
+        for (const char32_t seen : {U'\x20', U'\x7E', U'\xA0', U'\u061B', U'\u061D', U'\u200D', U'\u2010',
+                                    U'\u2027', U'\u202F', U'\u2065', U'\u206A'})
+            QCOMPARE(shown(seen), QString::fromUcs4(&seen, 1));
+    }
+
+    void each_common_reason_has_words_of_its_own() {
+        for (const int error : {EACCES, EPERM, EROFS})
+            QCOMPARE(reason_of(error), std::string("you are not allowed to write there."));
+        for (const int error : {ENOSPC, EDQUOT})
+            QCOMPARE(reason_of(error), std::string("the disk is full."));
+        QCOMPARE(reason_of(EIO), std::string("the disk reports a fault."));
+        QCOMPARE(reason_of(ENAMETOOLONG), std::string("its name is too long."));
+        QCOMPARE(reason_of(ENOENT), std::string("its folder is gone."));
+        QCOMPARE(reason_of(EEXIST), std::string("there is a file of that name already."));
+    }
+
+    void what_cannot_be_read_is_told_apart() {
+        fs::create_directory(root_ / "folder");
+        QCOMPARE(::mkfifo((root_ / "pipe").c_str(), 0600), 0);
+        const auto said = [&](const char* name, const char* words) {
+            return read_whole(root_ / name, 100).error().find(words) != std::string::npos;
+        };
+        QVERIFY(said("folder", "is a folder, not a file."));
+        QVERIFY(said("pipe", "is not a file."));
+        QVERIFY(said("missing", "There is no file"));
+        QCOMPARE(replace_file(root_ / "large", std::string(3 << 20, 'x')), std::string());
+        QVERIFY(read_whole(root_ / "large", 2 << 20).error().find("larger than 2 MB") != std::string::npos);
+        QVERIFY(copy_whole(root_ / "pipe", root_ / "copy").find("is not a file.") != std::string::npos);
+        QVERIFY(replace_file(root_ / "folder", "x").find("is a folder.") != std::string::npos);
+        QVERIFY(replace_file(root_ / "no" / "a", "x").find("there is no folder") != std::string::npos);
+        QVERIFY(name_taken(root_ / "pipe") && !name_taken(root_ / "missing"));
+        fs::create_symlink("nowhere", root_ / "broken");
+        QVERIFY(name_taken(root_ / "broken"));
+    }
+
+    void a_photo_is_told_by_its_ending() {
+        for (const char* name : {"a.jpg", "a.JPG", "a.b.HeIc", "x.rw2", "a.tiff"})
+            QVERIFY2(has_photo_ending(name), name);
+        for (const char* name : {"a", "jpg", ".jpg", "a.jpg.txt", "a.gif", "a."})
+            QVERIFY2(!has_photo_ending(name), name);
     }
 
     void reasons_end_a_sentence() {

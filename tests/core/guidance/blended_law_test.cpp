@@ -80,6 +80,38 @@ private slots:
         QVERIFY(compared > 3500);
     }
 
+    /// 4/(3π)·K·radius, the mean distance from a line through the middle of a disc of even weight; the places
+    /// of the disc come close to it, in the mean over the line's directions closer still.
+    void the_top_of_the_tent_loses_what_an_even_disc_takes_from_it() {
+        const TentProfile tent;
+        for (const double radius : {0.25, 1.0}) {
+            const double promised = 4.0 / (3.0 * std::numbers::pi) * tent.stiffness * radius;
+            constexpr int directions = 12;
+            double mean = 0.0;
+            for (int i = 0; i < directions; ++i) {
+                const double angle = std::numbers::pi * i / directions;
+                const Vec2 along(std::cos(angle), std::sin(angle));
+                const Vec2 beside(-along.y, along.x);
+                const BlendedLaw law({{"line"}, {{{-50.0 * along, 50.0 * along}, false}}}, tent, radius);
+                const double lost = tent.peak() - length(law.at(tent.range * beside).force);
+                QVERIFY(std::abs(lost - promised) < 0.1 * promised);
+                mean += lost / directions;
+            }
+            QVERIFY2(std::abs(mean - promised) < 0.025 * promised,
+                     qPrintable(QString::number(mean / promised)));
+        }
+    }
+
+    void at_a_pull_s_end_the_disc_still_feels_what_reaches_into_it() {
+        const TentProfile tent;
+        const BlendedLaw law(two_level_lines(60.0), tent, 1.0);
+        for (const double r : {8.0, 8.5, 8.9}) {
+            QVERIFY(law.at({3.0, 30.0 + r}).force.y < 0.0);
+            QVERIFY(law.force_at({3.0, 30.0 + r}) == law.at({3.0, 30.0 + r}).force);
+        }
+        QVERIFY(law.at({3.0, 39.1}).force == Vec2(0.0));
+    }
+
     void out_of_reach_there_is_no_force_but_a_distance() {
         const TentProfile tent;
         const BlendedLaw law(two_level_lines(8.0), tent, 0.5);

@@ -35,6 +35,59 @@ private slots:
         QCOMPARE(hold.switches(), std::uint64_t(2));
     }
 
+    /// A finger that has just come down holds nothing yet, nor does one that has left all pulls.
+    void what_is_touched_first_is_the_nearest_and_no_switch() {
+        const FlatScene scene = two_level_lines();
+        const ExactLaw law(scene, {});
+        BranchHold hold(scene, {}, 0.4);
+        const auto contour_at = [&](double y) { return hold.hold({1.0, y}, law.at({1.0, y})).contour; };
+        QCOMPARE(contour_at(-0.1), 1);
+        QCOMPARE(hold.switches(), std::uint64_t(0));
+        contour_at(12.0); // out of reach
+        QCOMPARE(contour_at(0.1), 0);
+        contour_at(11.0); // where the pull ends
+        QCOMPARE(contour_at(-0.1), 1);
+        QCOMPARE(hold.switches(), std::uint64_t(0));
+        BranchHold exactly(scene, {}, 0.5);
+        exactly.hold({1.0, 1.0}, law.at({1.0, 1.0}));
+        QCOMPARE(exactly.hold({1.0, -0.25}, law.at({1.0, -0.25})).contour, 0); // nearer by just the margin
+    }
+
+    /// What the corner cue adds to the tent is felt on the branch that is held too.
+    void what_a_law_adds_is_kept_on_the_branch_held() {
+        const FlatScene scene = two_level_lines();
+        const ExactLaw law(scene, {});
+        BranchHold hold(scene, {}, 0.4);
+        hold.hold({1.0, 0.5}, law.at({1.0, 0.5}));
+        const Vec2 finger(1.0, -0.1);
+        const Guidance alone = hold.hold(finger, law.at(finger));
+        Guidance more = law.at(finger);
+        more.force += Vec2(0.01, -0.02);
+        more.energy -= 0.125;
+        const Guidance both = hold.hold(finger, more);
+        QVERIFY(length(both.force - alone.force - Vec2(0.01, -0.02)) < 1e-12);
+        QVERIFY(std::abs(both.energy - alone.energy + 0.125) < 1e-12);
+        QCOMPARE(both.contour, 0);
+        QVERIFY(std::abs(both.distance - 3.1) < 1e-12 && both.nearest == Vec2(1.0, 3.0));
+        QVERIFY(std::abs(alone.energy - TentProfile{}.energy(3.1)) < 1e-12);
+    }
+
+    /// The tip of an open line is where its branch ends: nothing leads from one end to the other.
+    void an_open_line_does_not_go_on_at_its_other_end() {
+        // A bracket whose ends lie 1 mm apart.
+        const FlatScene scene{{"bracket"},
+                              {{{{0, 0.5}, {20, 0.5}, {20, 20}, {-20, 20}, {-20, -0.5}, {0, -0.5}}, false}}};
+        const ExactLaw law(scene, {});
+        BranchHold hold(scene, {}, 0.4);
+        QVERIFY(hold.hold({-0.1, 0.2}, law.at({-0.1, 0.2})).nearest.y > 0.0);
+        QVERIFY(hold.hold({-0.1, -0.1}, law.at({-0.1, -0.1})).nearest.y > 0.0);
+        QVERIFY(hold.hold({-0.1, -0.4}, law.at({-0.1, -0.4})).nearest.y < 0.0);
+        QCOMPARE(hold.switches(), std::uint64_t(1));
+        QVERIFY(hold.hold({-0.1, 0.1}, law.at({-0.1, 0.1})).nearest.y < 0.0); // and back from its last end
+        QVERIFY(hold.hold({-0.1, 0.4}, law.at({-0.1, 0.4})).nearest.y > 0.0);
+        QCOMPARE(hold.switches(), std::uint64_t(2));
+    }
+
     void a_trembling_finger_clicks_no_more() {
         const FlatScene scene = two_level_lines();
         const ExactLaw law(scene, {});

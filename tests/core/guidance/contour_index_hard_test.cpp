@@ -251,6 +251,21 @@ private slots:
         QVERIFY(index.nearest_within({1, 0}, 0.0).found());
     }
 
+    /// Where the tree answers: far from the cells, and in extended precision where lines are long.
+    void far_from_the_cells_the_edge_of_the_reach_is_found_too() {
+        for (const double half : {50.0, 2e5})
+            for (const double away : {200.0, 3e5}) {
+                const ContourIndex index(one_line({{-half, 0}, {half, 0}}));
+                for (const double y : {away, -away}) {
+                    QVERIFY(index.nearest_within({1, y}, away).found());
+                    QVERIFY(!index.nearest_within({1, y}, std::nextafter(away, 0.0)).found());
+                    QCOMPARE(index.nearest_within({1, y}, 2.0 * away).distance, away);
+                    QCOMPARE(index.nearest({1, y}).distance, away);
+                    QVERIFY(!index.nearest_within({1, y}, 0.5 * away).found());
+                }
+            }
+    }
+
     void hostile_questions_end_well() {
         const double values[] = {0.0,     -0.0,         1e-300,
                                  1e154,   1e155,        -1e308,

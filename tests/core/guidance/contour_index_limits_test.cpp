@@ -56,12 +56,16 @@ private slots:
     void memory_is_as_promised() {
         std::mt19937 random(16);
         QVERIFY(ContourIndex(face_scene(200)).bytes() < (std::size_t(1) << 20));
+        // A face has its cells; what is too wide for cells has none.
+        QVERIFY(ContourIndex(face_scene(200)).bytes() >
+                ContourIndex(enlarged(face_scene(200), 1e7)).bytes() + 4096 * sizeof(std::uint32_t));
         const FlatScene map = many_curves(1'000'000, 100.0);
         const long before = allocations.load();
         const ContourIndex index(map);
         QVERIFY(allocations.load() > before);
         qInfo("a million segments: %.1f MiB", double(index.bytes()) / (1 << 20));
         QVERIFY(index.bytes() < (std::size_t(100) << 20));
+        QVERIFY(index.bytes() > std::size_t(1'000'000) * (sizeof(IndexedSegment) + 2 * sizeof(int)));
         QCOMPARE(index.segment_count(), std::size_t(1'000'000));
         for (int k = 0; k < 8; ++k) {
             const Vec2 p = random_point(random, 110.0);

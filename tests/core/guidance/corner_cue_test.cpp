@@ -70,6 +70,58 @@ private slots:
             QCOMPARE(corners_of({{"line"}, {line}}).size(), std::size_t(0));
     }
 
+    /// Of two bends closer than two windows only the sharper is a corner, round the end of a closed line too.
+    void of_bends_close_to_one_another_the_sharpest_is_the_corner() {
+        const auto corners = [](std::vector<Vec2> points, bool closed) {
+            return corners_of({{"line"}, {{std::move(points), closed}}});
+        };
+        // 45° at (10, 0), 90° `apart` mm farther
+        const auto two_bends = [&](double apart) {
+            const Vec2 second = Vec2(10, 0) + apart * std::numbers::sqrt2 * Vec2(0.5, 0.5);
+            return corners({{0, 0}, {10, 0}, second, second + Vec2(-7, 7)}, false);
+        };
+        QCOMPARE(two_bends(1.9).size(), std::size_t(1));
+        QVERIFY(length(two_bends(1.9)[0] - Vec2(10, 0)) > 1.0);
+        QCOMPARE(two_bends(2.1).size(), std::size_t(2));
+        // A chamfered square that begins in the middle of its chamfer: one corner there, not two.
+        const std::vector<Vec2> square{{0.5, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0.5}};
+        QCOMPARE(corners(square, true).size(), std::size_t(4));
+    }
+
+    void a_corner_is_more_than_30_degrees() {
+        for (const double degrees : {29.0, 31.0, -29.0, -31.0, 150.0}) {
+            const double angle = degrees * std::numbers::pi / 180.0;
+            const Vec2 end = Vec2(10, 0) + 10.0 * Vec2(std::cos(angle), std::sin(angle));
+            const auto found = corners_of({{"bent"}, {{{{0, 0}, {10, 0}, end}, false}}});
+            QCOMPARE(found.size(), std::size_t(std::abs(degrees) > 30.0 ? 1 : 0));
+            if (!found.empty())
+                QVERIFY(found[0] == Vec2(10, 0));
+        }
+    }
+
+    void a_well_is_as_deep_and_wide_as_promised() {
+        const FlatScene bent{{"bent"}, {{{{-30, 0}, {0, 0}, {0, 30}}, false}}};
+        for (const TentProfile tent : {TentProfile{0.2, 4.0}, TentProfile{0.5, 3.0}}) {
+            const CornerCueLaw law = cued(bent, tent);
+            const ExactLaw plain(bent, tent);
+            QCOMPARE(law.corner_count(), std::size_t(1));
+            QCOMPARE(law.reach(), 0.5 * tent.range);
+            const double depth = plain.at({0, 0}).energy - law.at({0, 0}).energy;
+            // its steepest slope, 8E/(3√3·R), is a fifth of the peak
+            QVERIFY(std::abs(depth * 8.0 / (3.0 * std::numbers::sqrt3 * law.reach()) - 0.2 * tent.peak()) <
+                    1e-12);
+            for (const double share : {0.25, 0.5, 0.75}) {
+                const Vec2 place(0.0, share * law.reach());
+                const double left = 1.0 - share * share;
+                QVERIFY(std::abs(plain.at(place).energy - law.at(place).energy - depth * left * left) <
+                        1e-12);
+            }
+            const Vec2 beyond(0.0, 1.001 * law.reach());
+            QVERIFY(law.at(beyond).force == plain.at(beyond).force &&
+                    law.at(beyond).energy == plain.at(beyond).energy);
+        }
+    }
+
     void the_tick_pulls_on_and_then_back() {
         const FlatScene bent{{"bent"}, {{{{-30, 0}, {0, 0}, {0, 30}}, false}}};
         const TentProfile tent;

@@ -57,6 +57,16 @@ private slots:
         QVERIFY(length(last - Vec2(0, 0)) < 2.5);
     }
 
+    void an_open_feature_is_begun_at_an_end_from_anywhere() {
+        const Polyline line{{{0, 0}, {50, 0}}, false};
+        GuidedTour tour(line, {20, 0});
+        tour.step({20, 0}, 0.1);
+        QVERIFY(length(tour.leader() - Vec2(17, 0)) < 1e-9);
+        GuidedTour back(line, {30, 0});
+        back.step({30, 0}, 0.1);
+        QVERIFY(length(back.leader() - Vec2(33, 0)) < 1e-9);
+    }
+
     void waits_for_a_finger_that_is_held_back() {
         const Polyline line{{{0, 0}, {100, 0}}, false};
         const TourManner manner;
@@ -83,6 +93,15 @@ private slots:
         QVERIFY(length(tour.leader() - Vec2(6, 0)) < 1e-9);
         QVERIFY(tour.step(tour.leader(), 0.0) == Vec2(0.0)); // where the finger is, nothing pulls
         QVERIFY(!tour.finished());
+    }
+
+    void of_a_feature_of_half_a_millimetre_half_is_half() {
+        const Polyline line{{{0, 0}, {0.5, 0}}, false};
+        GuidedTour tour(line, {0, 0});
+        tour.step({0, 0}, 0.25 / 30.0);
+        QVERIFY(std::abs(tour.progress() - 0.5) < 1e-9);
+        const Polyline dot{{{3, 3}}, true};
+        QCOMPARE(GuidedTour(dot, {0, 0}).progress(), 0.0);
     }
 
     void it_ends_when_the_finger_has_come_to_the_end_too() {

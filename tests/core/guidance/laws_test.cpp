@@ -67,6 +67,49 @@ private slots:
         }
     }
 
+    void each_choice_is_the_law_it_names() {
+        const Scene face = scene_of(face_scene(60));
+        const auto made = [&](LawKind kind, const Continuity& continuity) {
+            return std::move(make_haptic_scene(face, {}, kind, continuity)).value();
+        };
+        const Vec2 place(-32.0, 33.0); // in an eye, where the laws differ
+        const auto exact = made(LawKind::exact, {});
+        const auto published = made(LawKind::published, {});
+        const auto blended = made(LawKind::exact, {0.0, 0.5, false});
+        const auto held = made(LawKind::exact, {0.5, 0.0, false});
+        QVERIFY(std::isfinite(exact->law->at(place).energy) && std::isnan(published->law->at(place).energy));
+        QVERIFY(blended->law->at({-32, 30}).force != exact->law->at({-32, 30}).force);
+        QVERIFY(exact->hold_mm == 0.0 && blended->hold_mm == 0.0 && held->hold_mm == 0.5);
+        QVERIFY(held->law->at(place).force == exact->law->at(place).force);
+        QVERIFY(exact->flat.names == face_scene(60).names && exact->flat.lines.size() == 5);
+        QVERIFY(!exact->tour);
+        const auto cued = made(LawKind::exact, {0.0, 0.0, true});
+        const auto* cue = dynamic_cast<const CornerCueLaw*>(cued->law.get());
+        QVERIFY(cue != nullptr && cue->corner_count() >= 4);
+        const TentProfile firm{0.4, 2.0};
+        const auto other = std::move(make_haptic_scene(face, firm)).value();
+        QVERIFY(other->profile.stiffness == 0.4 && other->profile.range == 2.0);
+        QVERIFY(std::abs(length(other->law->at(Vec2(-32.0, 33.5)).force) -
+                         firm.force(other->law->at(Vec2(-32.0, 33.5)).distance)) < 1e-12);
+    }
+
+    void a_scene_of_which_one_line_can_be_felt_is_felt() {
+        Scene scene{200.0, 100.0, {Contour{"nothing", {}, false}}};
+        QVERIFY(make_haptic_scene(scene).error().ends_with('.'));
+        scene.contours.push_back(contour_through("line", {{-10, 0}, {10, 0}}, false));
+        const auto made = make_haptic_scene(scene);
+        QVERIFY(made.ok());
+        QCOMPARE((*made)->law->at({0, 1}).contour, 1);
+        QVERIFY(scene.surface().min == Vec2(-100, -50) && scene.surface().max == Vec2(100, 50));
+        QVERIFY(Scene{}.surface().min == Vec2(0.0) && Scene{}.surface().max == Vec2(0.0));
+    }
+
+    void an_answer_of_nothing_pulls_nowhere() {
+        const Guidance nothing;
+        QVERIFY(nothing.force == Vec2(0.0) && nothing.nearest == Vec2(0.0) && nothing.contour == -1);
+        QVERIFY(std::isinf(nothing.distance) && std::isnan(nothing.energy) && nothing.segment == 0);
+    }
+
     void bad_parameters_and_empty_scenes_are_refused_in_a_sentence() {
         const Scene face = scene_of(face_scene(20));
         QVERIFY(!make_haptic_scene(face, {-1.0, 4.0}).error().empty());
@@ -75,7 +118,10 @@ private slots:
         for (const Continuity& bad : {Continuity{-1.0, 0.0, false}, Continuity{0.0, 6.0, false},
                                       Continuity{std::nan(""), 0.0, false}, Continuity{0.3, 0.3, false}})
             QVERIFY(make_haptic_scene(face, {}, LawKind::exact, bad).error().ends_with('.'));
-        for (const Continuity& other : {Continuity{0.3, 0.0, false}, Continuity{0.0, 0.0, true}}) {
+        for (const Continuity& widest : {Continuity{5.0, 0.0, false}, Continuity{0.0, 5.0, false}})
+            QVERIFY(make_haptic_scene(face, {}, LawKind::exact, widest).ok());
+        for (const Continuity& other :
+             {Continuity{0.3, 0.0, false}, Continuity{0.0, 0.3, false}, Continuity{0.0, 0.0, true}}) {
             QVERIFY(make_haptic_scene(face, {}, LawKind::exact, other).ok());
             QVERIFY(make_haptic_scene(face, {}, LawKind::published, other).error().ends_with('.'));
         }

@@ -103,6 +103,50 @@ private slots:
         QVERIFY(length(published.force - Vec2(-0.1, 0)) < 1e-12);
     }
 
+    void what_it_says_of_the_place_is_the_foot_on_its_line() {
+        const FlatScene scene{{"other", "corner"}, {{{{90, 90}, {95, 90}}, false}, {corner, false}}};
+        const PublishedLaw law(scene, {0.2, 4.0});
+        const Guidance at = law.at({3, 2});
+        QCOMPARE(at.contour, 1);
+        QVERIFY(std::abs(at.distance - 2.0) < 1e-12 && length(at.nearest - Vec2(3, 0)) < 1e-12);
+        QVERIFY(length(at.force - Vec2(0, -0.4)) < 1e-12);
+        QVERIFY(std::isnan(at.energy)); // it has no potential
+        QVERIFY(law.force_at({3, 2}) == at.force);
+        QVERIFY(std::isnan(law.at({3, -20}).energy) && law.at({3, -20}).force == Vec2(0.0));
+        const Guidance twin = PublishedLaw(FlatScene{{"twins"}, {{{{1, 1}, {1, 1}}, false}}}, {}).at({4, 5});
+        QVERIFY(twin.contour == 0 && twin.distance == 5.0 && twin.nearest == Vec2(1, 1));
+        const double nan = std::nan("");
+        const FlatScene broken{{"a"}, {{{{nan, 0}, {0, 0}, {0, nan}, {10, 0}}, false}}};
+        QVERIFY(length(PublishedLaw(broken, {0.2, 4.0}).at({3, 2}).force - Vec2(0, -0.4)) < 1e-12);
+    }
+
+    void cut_into_vertices_a_line_stays_where_it_is() {
+        FlatScene scene;
+        scene.names = {"ring", "line", "short", "nothing"};
+        scene.lines = {ellipse({0, 0}, 30, 20, 400),
+                       {{{0, 0}, {10, 0}, {10, 7}}, false},
+                       {{{0, 0}, {0.1, 0}}, false},
+                       {{}, true}};
+        for (const double spacing : {0.5, 3.0, 4.25}) {
+            const FlatScene cut = with_vertex_spacing(scene, spacing);
+            QVERIFY(cut.names == scene.names && cut.lines.size() == 4);
+            for (std::size_t c = 0; c < 3; ++c) {
+                const Polyline& line = cut.lines[c];
+                QCOMPARE(line.closed, scene.lines[c].closed);
+                double longest = 0.0;
+                for (std::size_t i = 0; i < line.segment_count(); ++i)
+                    longest = std::max(longest, length(line.segment_end(i) - line.segment_start(i)));
+                QVERIFY(longest <= spacing + 1e-9);
+                QVERIFY(c == 2 || double(line.segment_count()) < length_of(scene.lines[c]) / spacing + 1.0);
+                for (const Vec2 p : line.points)
+                    QVERIFY(distance_to(scene.lines[c], p) < 1e-9);
+            }
+            QVERIFY(cut.lines[1].points.front() == Vec2(0, 0) && cut.lines[1].points.back() == Vec2(10, 7));
+            QCOMPARE(cut.lines[2].points.size(), std::size_t(2));
+            QVERIFY(cut.lines[3].points.empty());
+        }
+    }
+
     void its_error_grows_with_the_vertex_spacing() {
         std::mt19937 random(7);
         const FlatScene scene = face_scene(2000);

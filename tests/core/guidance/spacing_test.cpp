@@ -76,6 +76,42 @@ private slots:
         }
     }
 
+    /// Wherever on the two lines they come closest: at an end, at a vertex, in the middle.
+    void the_narrowest_place_is_found_wherever_it_is() {
+        const std::vector<Vec2> still{{-10, 0}, {10, 0}};
+        for (const bool first : {true, false})
+            for (const bool turned : {true, false})
+                for (const double x : {-4.0, 0.0, 7.0}) {
+                    std::vector<Vec2> tip{{x, 1.5}, {x - 1.0, 12.0}};
+                    if (turned)
+                        std::swap(tip[0], tip[1]);
+                    FlatScene scene{{"a", "b"}, {{first ? still : tip, false}, {first ? tip : still, false}}};
+                    const auto pairs = closeness(scene, {0.2, 4.0});
+                    QCOMPARE(pairs.size(), std::size_t(1));
+                    QVERIFY(pairs[0].first == 0 && pairs[0].second == 1);
+                    QCOMPARE(pairs[0].gap, 1.5);
+                    QVERIFY(length(pairs[0].where - (first ? Vec2(x, 0) : Vec2(x, 1.5))) < 1e-12);
+                    QVERIFY(std::abs(pairs[0].peak - 0.15) < 1e-12);
+                }
+        // No pull is left over that is stronger than one line's own.
+        QVERIFY(std::abs(closeness(two_lines(11.0), {0.2, 6.0})[0].peak - 1.1) < 1e-12);
+        QVERIFY(closeness(two_lines(1.0), {})[0].tellable);
+    }
+
+    void lines_that_cross_off_their_middles_cross_where_they_do() {
+        const FlatScene cross{{"a", "b"}, {{{{0, 0}, {8, 4}}, false}, {{{5, -1}, {3, 4}}, false}}};
+        const auto pairs = closeness(cross, {});
+        QCOMPARE(pairs[0].gap, 0.0);
+        QVERIFY(distance_to(cross.lines[0], pairs[0].where) < 1e-12);
+        QVERIFY(distance_to(cross.lines[1], pairs[0].where) < 1e-12);
+        QCOMPARE(pairs[0].peak, 0.0);
+        // Their endless lines cross, they do not.
+        const FlatScene apart{{"a", "b"}, {{{{0, 0}, {8, 0}}, false}, {{{9, 1}, {10, -1}}, false}}};
+        QVERIFY(closeness(apart, {})[0].gap > 1.0);
+        const FlatScene other{{"a", "b"}, {{{{9, 1}, {10, -1}}, false}, {{{0, 0}, {8, 0}}, false}}};
+        QVERIFY(closeness(other, {})[0].gap == closeness(apart, {})[0].gap);
+    }
+
     void crossing_contours_have_no_gap() {
         const FlatScene cross{{"a", "b"}, {{{{-5, -5}, {5, 5}}, false}, {{{-5, 5}, {5, -5}}, false}}};
         const auto pairs = closeness(cross, {});
@@ -110,9 +146,8 @@ private slots:
     }
 
     void a_sliver_of_three_points_becomes_one_line() {
-        Contour sliver{"eye", {}, true};
         const Vec2 corners[] = {{-10, 0}, {10, 0}, {0, 0.4}};
-        sliver = contour_through("eye", {std::begin(corners), std::end(corners)}, true);
+        const Contour sliver = contour_through("eye", {std::begin(corners), std::end(corners)}, true);
         QVERIFY(thinned(sliver).has_value());
     }
 

@@ -43,12 +43,28 @@ private slots:
         QCOMPARE(tent.energy(100.0), 0.2 * 16.0); // K·d² = 3.2 mJ
     }
 
+    void the_energy_is_what_it_takes_to_pull_the_finger_there() {
+        for (const TentProfile tent : {TentProfile{0.2, 4.0}, TentProfile{0.5, 3.0}}) {
+            double taken = 0.0;
+            const double step = 1e-3;
+            for (int i = 0; i < 12000; ++i) {
+                taken += tent.force((i + 0.5) * step) * step;
+                if (i % 100 == 99)
+                    QVERIFY(std::abs(tent.energy((i + 1) * step) - taken) < 1e-5);
+            }
+            for (const double r : {std::nan(""), -1.0, 0.0})
+                QCOMPARE(tent.energy(r), 0.0);
+        }
+    }
+
     void what_is_not_a_distance_gives_no_force() {
         const TentProfile tent;
         for (const double r : {std::nan(""), -1.0, std::numeric_limits<double>::infinity()})
             QCOMPARE(tent.force(r), 0.0);
         QVERIFY(!(TentProfile{0.0, 4.0}.valid()));
         QVERIFY(!(TentProfile{0.2, std::nan("")}.valid()));
+        for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+            QVERIFY(!(TentProfile{0.2, bad}.valid()) && !(TentProfile{bad, 4.0}.valid()));
         QVERIFY((TentProfile{0.2, 4.0}.valid()));
     }
 };

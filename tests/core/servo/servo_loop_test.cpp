@@ -33,7 +33,9 @@ public:
     double now() noexcept override { return now_.load(); }
     void sleep_until(double time) noexcept override {
         const bool loop = std::this_thread::get_id() == loop_.load();
-        if (loop)
+        if (!loop) // time may have moved on since it was looked at
+            watch_pause_.store(std::max(time - now_.load(), watch_pause_.load()));
+        else
             now_.store(std::max(time, now_.load()));
         sched_param priority{};
         sched_getparam(0, &priority);
@@ -50,6 +52,7 @@ public:
     int loop_priority() const { return loop_priority_; }
     int slack() const { return slack_; }                   ///< ns by which the system may wake the loop later
     int watch_priority() const { return watch_priority_; } ///< -1 before it has slept
+    double watch_pause() const { return watch_pause_; }    ///< s, the watchdog's longest
 
 private:
     std::atomic<double> now_{0.0};
@@ -57,6 +60,7 @@ private:
     std::atomic<int> loop_priority_{-1};
     std::atomic<int> watch_priority_{-1};
     std::atomic<int> slack_{-1};
+    std::atomic<double> watch_pause_{0.0};
 };
 
 struct Bench {
@@ -268,13 +272,14 @@ private slots:
             return Vec2(0.0);
         };
         ServoLoop loop(device, DeviceDouble::capabilities(), clock, ServoSettings{});
-        QVERIFY(!loop.real_time() && !loop.memory_locked() &&
-                !loop.running()); // not before there is a thread
+        QVERIFY(!loop.real_time() && !loop.memory_locked() && !loop.running() &&
+                loop.missed_periods() == 0); // not before there is a thread
         loop.start();
         QVERIFY(loop.running());
         QTRY_VERIFY_WITH_TIMEOUT(loop.snapshot().ticks > 0 && clock.watch_priority() >= 0, 20000);
         loop.stop();
         QVERIFY(clock.slack() <= 1);
+        QVERIFY(clock.watch_pause() < 0.00101); // it looks every millisecond
         QCOMPARE(loop.real_time(), clock.loop_priority() > 0);
         if (!loop.real_time())
             QSKIP("The system gives no real-time priority here.");
@@ -383,6 +388,28 @@ private slots:
             QVERIFY(std::abs(begun[i] - 0.001 * period_of[i]) < 1e-9);
         QVERIFY(loop.lateness().max() < 1e-6); // each begins when its own period does
         QVERIFY(std::abs(loop.compute().max() - 0.0034) < 1e-9);
+    }
+
+    /// In parts of a power of two, which add up exactly.
+    void a_tick_that_takes_its_whole_period_costs_no_other() {
+        DeviceDouble device;
+        LoopClock clock;
+        const double period = 1.0 / 1024.0;
+        std::vector<double> begun;
+        device.place = [&](double now) {
+            begun.push_back(now);
+            clock.work(begun.size() % 3 == 0 ? period : 0.25 * period);
+            return Vec2(0.0);
+        };
+        ServoSettings settings;
+        settings.rate = 1024.0;
+        ServoLoop loop(device, DeviceDouble::capabilities(), clock, settings);
+        loop.start();
+        QTRY_VERIFY_WITH_TIMEOUT(loop.snapshot().ticks > 20, 20000);
+        loop.stop();
+        QCOMPARE(loop.missed_periods(), std::uint64_t(0));
+        for (std::size_t i = 0; i < 20; ++i)
+            QCOMPARE(begun[i], period * static_cast<double>(i));
     }
 
     void unplugged_refusing_and_jumping_devices_end_in_zero_force() {

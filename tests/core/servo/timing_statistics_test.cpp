@@ -60,6 +60,9 @@ private slots:
         QVERIFY(statistics.quantile(0.8) > 16.0 &&
                 statistics.quantile(0.8) < 17.2); // as long as is told apart
         QVERIFY(std::isinf(statistics.max()));
+        for (const double beyond : {1.5, 2.0, 1e300}) // no share is more than all
+            QCOMPARE(statistics.quantile(beyond), statistics.quantile(1.0));
+        QCOMPARE(statistics.quantile(-1.0), statistics.quantile(0.0));
     }
 };
 

@@ -170,6 +170,100 @@ private slots:
         }
     }
 
+    /// Field by field, with the first and the last value of each that has bounds.
+    void what_is_asked_calibrated_outlined_and_told_comes_back_as_it_was() {
+        for (const FrameType what : {FrameType::state, FrameType::capabilities, FrameType::outline,
+                                     FrameType::identity, FrameType::calibration}) {
+            AskFrame ask;
+            QVERIFY(decode(encode(AskFrame{0xA1B2, what, 200}), ask));
+            QVERIFY(ask.sequence == 0xA1B2 && ask.what == what && ask.page == 200);
+        }
+        AskFrame ask;
+        for (const FrameType what : {FrameType::force, FrameType::ask, FrameType::calibrate})
+            QVERIFY(!decode(encode(AskFrame{1, what, 0}), ask)); // nobody answers that
+        for (const CalibrateFrame& sent : {CalibrateFrame{7, CalibrateAction::home, 0, 500},
+                                           CalibrateFrame{0xFFFF, CalibrateAction::scale, 3, 1500}}) {
+            CalibrateFrame back;
+            QVERIFY(decode(encode(sent), back));
+            QVERIFY(back.sequence == sent.sequence && back.action == sent.action &&
+                    back.motor == sent.motor && back.permille == sent.permille);
+        }
+        for (std::uint8_t corners = 0; corners <= corners_per_page; ++corners) {
+            OutlineFrame sent{0x1234, 250, corners, {-1, 70000, -70001}, {2, -80000, 80001}};
+            OutlineFrame back;
+            QVERIFY(decode(encode(sent), back));
+            QVERIFY(back.sequence == 0x1234 && back.page == 250 && back.corners == corners);
+            for (std::uint8_t i = 0; i < corners_per_page; ++i)
+                QVERIFY(back.x_um[i] == (i < corners ? sent.x_um[i] : 0) &&
+                        back.y_um[i] == (i < corners ? sent.y_um[i] : 0));
+        }
+        for (const char* serial : {"", "!", "TPC-0001~", "sixteen_letters_"}) {
+            IdentityFrame sent;
+            sent.sequence = 0x4321;
+            std::strcpy(sent.serial, serial);
+            IdentityFrame back;
+            QVERIFY(decode(encode(sent), back));
+            QVERIFY(back.sequence == 0x4321);
+            QCOMPARE(QByteArray(back.serial), QByteArray(serial));
+        }
+        for (const char letter : {' ', '\x7F', '\x1F'}) {
+            IdentityFrame sent;
+            sent.serial[0] = 'A';
+            sent.serial[1] = letter;
+            IdentityFrame back;
+            QVERIFY(!decode(encode(sent), back));
+        }
+        for (const bool homed : {true, false}) {
+            CalibrationFrame back;
+            QVERIFY(decode(encode(CalibrationFrame{0x8001, homed, {1, 256, 1500, 65535}}), back));
+            QVERIFY(back.sequence == 0x8001 && back.homed == homed && back.permille[0] == 1 &&
+                    back.permille[1] == 256 && back.permille[2] == 1500 && back.permille[3] == 65535);
+        }
+    }
+
+    /// Each bit of a status is a thing that a person is told of.
+    void every_status_bit_comes_back_alone() {
+        for (unsigned bit = 0; bit < 10; ++bit) {
+            StateFrame sent;
+            sent.status = static_cast<uint16_t>(1u << bit);
+            StateFrame back;
+            QVERIFY(decode(encode(sent), back));
+            QCOMPARE(back.status, sent.status);
+        }
+        const uint16_t told[] = {status::armed,        status::not_homed, status::watchdog, status::hot,
+                                 status::over_current, status::unsure,    status::singular, status::limited,
+                                 status::outside,      status::bad_frame};
+        for (unsigned bit = 0; bit < 10; ++bit)
+            QCOMPARE(told[bit], uint16_t(1u << bit)); // as PROTOCOL.md numbers them
+        QCOMPARE(status::all, uint16_t(0x03FF));
+    }
+
+    void what_is_not_said_of_a_pad_is_nothing() {
+        QVERIFY(same(StateFrame{}, [] {
+            StateFrame back;
+            decode(Frame{}, back);
+            return back;
+        }()));
+        const StateFrame state;
+        QVERIFY(state.sequence == 0 && state.time_us == 0 && state.x_um == 0 && state.y_um == 0 &&
+                state.force_x_mn == 0 && state.force_y_mn == 0 && state.residual_um == 0 &&
+                state.status == 0 && state.heard == 0 && state.celsius == 0 && state.buttons == 0);
+        const ForceFrame force;
+        QVERIFY(force.sequence == 0 && force.x_mn == 0 && force.y_mn == 0 && !force.motors);
+        const CapabilitiesFrame can;
+        QVERIFY(can.sequence == 0 && can.firmware_major == 0 && can.firmware_minor == 0 && can.corners == 0 &&
+                can.max_force_mn == 0 && can.continuous_force_mn == 0 && can.resolution_um == 0 &&
+                can.rate_hz == 0 && can.delay_us == 0 && can.watchdog_ms == 0);
+        const CalibrateFrame calibrate;
+        QVERIFY(calibrate.sequence == 0 && calibrate.motor == 0 && calibrate.permille == 1000);
+        const CalibrationFrame calibration;
+        QVERIFY(calibration.sequence == 0 && !calibration.homed);
+        for (const uint16_t permille : calibration.permille)
+            QCOMPARE(permille, uint16_t(1000));
+        QVERIFY(AskFrame{}.sequence == 0 && AskFrame{}.page == 0 && OutlineFrame{}.sequence == 0 &&
+                OutlineFrame{}.page == 0 && OutlineFrame{}.corners == 0 && IdentityFrame{}.sequence == 0);
+    }
+
     /// The CRC finds every error of up to three bits in 30 bytes; here all of one and of two.
     void no_flipped_bit_goes_unnoticed() {
         std::mt19937 random(8);

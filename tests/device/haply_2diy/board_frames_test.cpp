@@ -133,7 +133,10 @@ private slots:
         QVERIFY(can_follow(here, here, 0.0));
         QVERIFY(can_follow(here, Reply{5, {90.07f, 80.07f}}, 0.0)); // a step of the encoders
         QVERIFY(can_follow(here, Reply{5, {92.0f, 80.0f}}, 0.001));
+        QVERIFY(can_follow(here, Reply{5, {92.45f, 80.0f}}, 0.001)); // 2.29° and a step
+        QVERIFY(!can_follow(here, Reply{5, {92.55f, 80.0f}}, 0.001));
         QVERIFY(!can_follow(here, Reply{5, {93.0f, 80.0f}}, 0.001));
+        QVERIFY(can_follow(here, Reply{5, {90.0f, 77.55f}}, 0.001));
         QVERIFY(!can_follow(here, Reply{5, {90.0f, 77.0f}}, 0.001));
         QVERIFY(can_follow(here, Reply{5, {110.0f, 80.0f}}, 0.010));
         QVERIFY(!can_follow(here, Reply{5, {90.5f, 80.0f}}, -1.0)); // time does not go back
@@ -152,6 +155,8 @@ private slots:
         }
         for (const double odd : {std::nan(""), 1.1, -1e300, HUGE_VAL, 1e-40, 0.0})
             QCOMPARE(sendable(odd), 0.0f);
+        QCOMPARE(sendable(1.0), 1.0f);
+        QCOMPARE(sendable(-1.0), -1.0f);
     }
 
     /// Whichever one or two bytes of a command get lost, the board makes no torque of the rest: each motor
@@ -205,6 +210,34 @@ private slots:
             }
             QVERIFY2(in_step() && round == 1,
                      qPrintable(QString("cut after %1: %2 rounds").arg(cut).arg(round)));
+        }
+    }
+
+    /// Bytes out of step may tell the board of 255 pins, twice: it then waits for 556 bytes.
+    void a_board_that_waits_for_the_longest_frame_there_is_is_brought_back() {
+        const Pantograph arms(HaplyGeneration::third);
+        const SetUp set_up = arms.set_up(arms.reference_deg());
+        const std::vector<std::uint8_t> begun{1, 5, 0x0F, 0, 0, 0, 0, 0x0F, 0, 0, 0, 0, 255};
+        std::vector<std::uint8_t> longest = begun;
+        longest.insert(longest.end(), 255, 0);
+        longest.push_back(255);
+        longest.insert(longest.end(), 255 + 32, 0);
+        QCOMPARE(set_up_length(longest), std::optional<std::size_t>(556));
+        for (std::size_t cut = begun.size(); cut < longest.size(); cut += 3) {
+            ModelBoard board = pulling(arms.command_of({0.1, -0.1}));
+            for (std::size_t at = 0; at < cut; ++at)
+                board.receive(longest[at]);
+            bool in_step = false;
+            for (unsigned round = 0; round < 2 && !in_step; ++round) {
+                board.sent().clear();
+                for (const std::uint8_t byte : resynchronisation(set_up, round))
+                    board.receive(byte);
+                const std::vector<std::uint8_t> sent(board.sent().begin(), board.sent().end());
+                in_step =
+                    sent.size() >= reply_size && strongest(board) == 0.0 &&
+                    hex(std::span(sent).last(reply_size)) == hex(encode(arms.reply_of(arms.reference_deg())));
+            }
+            QVERIFY2(in_step, qPrintable(QString("cut after %1").arg(cut)));
         }
     }
 

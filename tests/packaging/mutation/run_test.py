@@ -69,8 +69,8 @@ class Run(unittest.TestCase):
         for command in (["cmake", "-G", "Ninja", "-S", self.root, "-B", build], ["cmake", "--build", build]):
             subprocess.run(command, check=True, capture_output=True)
 
-    def mutate(self, *options, status=0):
-        done = subprocess.run([sys.executable, MUTATE, "--root", self.root, "room", *options], capture_output=True, text=True)
+    def mutate(self, *options, room="room", status=0):
+        done = subprocess.run([sys.executable, MUTATE, "--root", self.root, room, *options], capture_output=True, text=True)
         self.assertEqual(done.returncode, status, done.stdout + done.stderr)
         return done.stdout
 
@@ -143,6 +143,12 @@ class Run(unittest.TestCase):
         self.assertEqual(self.counts(said), (0, of - 1))
         self.assertIn("1 listed as equivalent", said)
         self.assertIn("no such mutant any more", said)
+
+    def test_a_room_within_a_room_is_tried_with_the_tests_around_it(self):
+        self.write("CMakeLists.txt", HOUSE.replace("room/sum.cpp", "room/sum.cpp room/inner/twice.cpp"))
+        self.write("room/inner/twice.cpp", "double twice(double force) { return force + force; }\n")
+        self.build("double twice(double);\nint main() { return twice(3.0) == 6.0 ? 0 : 1; }\n")
+        self.assertIn("room/inner: 2 of 2 mutants noticed", self.mutate(room="room/inner"))
 
     def test_tests_that_fail_by_themselves_are_told(self):
         self.build("int main() { return 1; }\n")

@@ -12,8 +12,6 @@ constexpr double open_eye = 0.15;             ///< openness; what covers a less 
 
 #include "faces/covered_weights.inc"
 
-bool is_eye(FeatureIndex feature) { return feature == at_right_eye || feature == at_left_eye; }
-
 double of_feature(const std::array<double, feature_count>& percent, FeatureIndex feature) {
     const double value =
         is_eye(feature) ? percent[feature] : 0.5 * (percent[at_outer_lip] + percent[at_inner_lip]);
@@ -22,9 +20,6 @@ double of_feature(const std::array<double, feature_count>& percent, FeatureIndex
 
 double bounded(double clarity) { return std::clamp(clarity, -0.5, 1.0); }
 
-double clearest(const EdgeReports::Pair& pair) { return std::max(pair.lower.clarity, pair.upper.clarity); }
-double faintest(const EdgeReports::Pair& pair) { return std::min(pair.lower.clarity, pair.upper.clarity); }
-
 } // namespace
 
 std::array<double, cover_sign_count> cover_signs(const QualitySigns& signs, FeatureIndex feature) {
@@ -32,17 +27,17 @@ std::array<double, cover_sign_count> cover_signs(const QualitySigns& signs, Feat
     const EdgeReports::Pair& here = feature == at_right_eye  ? edges.right_eye
                                     : feature == at_left_eye ? edges.left_eye
                                                              : edges.inner_lip;
-    const double eyes = 0.5 * (clearest(edges.right_eye) + clearest(edges.left_eye));
-    const double elsewhere = feature == at_right_eye  ? clearest(edges.left_eye)
-                             : feature == at_left_eye ? clearest(edges.right_eye)
+    const double eyes = 0.5 * (edges.right_eye.clearest() + edges.left_eye.clearest());
+    const double elsewhere = feature == at_right_eye  ? edges.left_eye.clearest()
+                             : feature == at_left_eye ? edges.right_eye.clearest()
                                                       : eyes;
     return {1.0,
             of_feature(signs.between_models, feature),
             of_feature(signs.between_close, feature),
             of_feature(signs.between_nets, feature),
             of_feature(signs.between_mirrors, feature),
-            bounded(faintest(here)),
-            bounded(clearest(here)),
+            bounded(here.faintest()),
+            bounded(here.clearest()),
             bounded(elsewhere),
             std::abs(signs.turn),
             is_eye(feature) ? std::min(signs.eye_openness[feature], 0.3) : 0.0};

@@ -6,6 +6,8 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include <algorithm>
+
 namespace tp {
 
 /// What the fit of one edge has to say about it.
@@ -19,6 +21,8 @@ struct EdgeReport {
 struct EdgeReports {
     struct Pair {
         EdgeReport lower, upper;
+        double clearest() const { return std::max(lower.clarity, upper.clarity); } ///< clarity of the clearer
+        double faintest() const { return std::min(lower.clarity, upper.clarity); } ///< and of the other
     };
     Pair right_eye, left_eye, outer_lip, inner_lip;
 };

@@ -21,6 +21,7 @@ enum FeatureIndex : std::size_t {
     at_outline,
     feature_count
 };
+constexpr bool is_eye(FeatureIndex feature) { return feature == at_right_eye || feature == at_left_eye; }
 
 /// The coloured ring of an eye; radius 0 where it is not known.
 struct Iris {

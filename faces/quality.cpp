@@ -28,8 +28,6 @@ constexpr std::array<std::array<double, predictor_count>, feature_count> weights
 #include "faces/quality_weights.inc"
 }};
 
-bool is_eye(FeatureIndex feature) { return feature == at_right_eye || feature == at_left_eye; }
-
 double mean_of(const std::array<double, feature_count>& values) {
     double sum = 0.0;
     for (double v : values)
@@ -51,8 +49,6 @@ const EdgeReports::Pair* edges_of(const EdgeReports& edges, FeatureIndex feature
         return nullptr;
     }
 }
-
-double clearest(const EdgeReports::Pair& pair) { return std::max(pair.lower.clarity, pair.upper.clarity); }
 
 double mean_clarity(const EdgeReports& edges) {
     double sum = 0.0;
@@ -158,8 +154,8 @@ bool is_sure(const QualitySigns& signs) {
             return false;
     }
     const EdgeReports& edges = signs.edges;
-    return signs.confidence >= sure_confidence && clearest(edges.right_eye) >= sure_clarity &&
-           clearest(edges.left_eye) >= sure_clarity && clearest(edges.inner_lip) >= sure_clarity;
+    return signs.confidence >= sure_confidence && edges.right_eye.clearest() >= sure_clarity &&
+           edges.left_eye.clearest() >= sure_clarity && edges.inner_lip.clearest() >= sure_clarity;
 }
 
 } // namespace tp

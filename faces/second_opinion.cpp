@@ -70,11 +70,8 @@ LidEvidence lid_evidence(const cv::Mat& picture, const Landmarks& mesh, const La
     EdgeReports at_mesh, at_close;
     on_edges(picture, lines_through(mesh), &at_mesh);
     on_edges(picture, lines_through(close), &at_close);
-    const auto clearest = [](const EdgeReports::Pair& lids) {
-        return std::max(lids.lower.clarity, lids.upper.clarity);
-    };
-    return {clearest(at_close.right_eye) - clearest(at_mesh.right_eye),
-            clearest(at_close.left_eye) - clearest(at_mesh.left_eye)};
+    return {at_close.right_eye.clearest() - at_mesh.right_eye.clearest(),
+            at_close.left_eye.clearest() - at_mesh.left_eye.clearest()};
 }
 
 } // namespace

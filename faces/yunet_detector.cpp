@@ -30,7 +30,7 @@ struct Level {
     int cell;                ///< px
     std::vector<float> side; ///< px
 };
-const std::array<Level, 4> levels{
+const std::array<Level, 4> anchor_levels{
     {{8, {10.0F, 16.0F, 24.0F}}, {16, {32.0F, 48.0F}}, {32, {64.0F, 96.0F}}, {64, {128.0F, 192.0F, 256.0F}}}};
 
 struct Anchor {
@@ -41,7 +41,7 @@ std::vector<Anchor> anchors_in(cv::Size size) {
     std::vector<Anchor> anchors;
     const auto quarter = [](int px) { return (px + 1) / 2 / 2; };
     cv::Size cells(quarter(size.width), quarter(size.height));
-    for (const Level& level : levels) {
+    for (const Level& level : anchor_levels) {
         cells = {cells.width / 2, cells.height / 2};
         const auto cell = static_cast<float>(level.cell);
         for (int row = 0; row < cells.height; ++row)

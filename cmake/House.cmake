@@ -24,10 +24,11 @@ tp_may(tp_device         ${core} tp_pad_protocol tp_pad_firmware tp_haply_protoc
 
 # faces: from a photograph to contours
 tp_may(tp_exiv2        USES PkgConfig::exiv2)
-tp_may(tp_faces        ${core} tp_libraries tp_exiv2
-                       USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc opencv_dnn opencv_objdetect
-                            opencv_face Threads::Threads)
-tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_faces  USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
+tp_may(tp_decode       tp_base tp_libraries tp_exiv2
+                       USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc) # never the nets
+tp_may(tp_faces        ${core} tp_decode
+                       USES opencv_core opencv_imgproc opencv_dnn opencv_objdetect opencv_face Threads::Threads)
+tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_decode tp_faces  USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
 
 # audio: what is heard and recorded
 tp_may(tp_speech       tp_base  USES Qt6::Core Qt6::TextToSpeech)
@@ -37,7 +38,7 @@ tp_may(tp_video        tp_base tp_files tp_libraries tp_recordings)
 tp_may(tp_sound        tp_base tp_files tp_sentences tp_recordings  USES Qt6::Core Qt6::Multimedia PkgConfig::soundtouch)
 tp_may(tp_guide        tp_base tp_sound  USES Qt6::Core)
 
-set(below_app ${core} tp_device tp_faces tp_speech tp_sentences tp_recordings tp_sound)
+set(below_app ${core} tp_device tp_decode tp_faces tp_speech tp_sentences tp_recordings tp_sound)
 
 # app/album: photographs, people and recordings as files, and their index
 tp_may(tp_metadata     tp_base tp_files tp_recordings tp_exiv2  USES PkgConfig::exiv2 PkgConfig::pugixml)
@@ -61,7 +62,7 @@ tp_may(tp_open_album   tp_base tp_files tp_sentences tp_recordings tp_metadata t
 
 # app/figures: measurements that end in tables and plots
 tp_may(tp_report       ${below_app}  USES Qt6::Gui Qt6::Svg)
-tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_faces tp_evaluation tp_picture tp_report
+tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_faces tp_evaluation tp_picture tp_report
                        USES Boost::headers nanoflann::nanoflann)
 
 # app/pages: what a person meets; no page knows another

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/haar_detector.hpp"
 
+#include "faces/decode/picture.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/haar_file.hpp"
-#include "faces/picture.hpp"
-#include "faces/quiet_opencv.hpp"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/lbf_file.hpp"
 
-#include "faces/picture_file.hpp"
+#include "faces/decode/picture_file.hpp"
 
 #include <opencv2/core/persistence.hpp>
 #include <opencv2/core/utility.hpp>

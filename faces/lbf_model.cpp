@@ -3,9 +3,9 @@
 
 #include "core/geometry/polyline.hpp"
 #include "faces/crop.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/lbf_file.hpp"
 #include "faces/plausibility.hpp"
-#include "faces/quiet_opencv.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "core/geometry/polyline.hpp"
 #include "faces/crop.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/onnx_file.hpp"
-#include "faces/quiet_opencv.hpp"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/yunet_detector.hpp"
 
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/onnx_file.hpp"
-#include "faces/quiet_opencv.hpp"
 
 #include <opencv2/imgproc.hpp>
 

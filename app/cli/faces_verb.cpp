@@ -10,8 +10,8 @@
 #include "app/photo/scene/corrections.hpp"
 #include "app/photo/scene/extra_features.hpp"
 #include "faces/batch.hpp"
+#include "faces/decode/picture.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/picture.hpp"
 
 #include <QFileInfo>
 #include <QHash>

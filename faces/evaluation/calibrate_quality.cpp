@@ -4,6 +4,8 @@
 // people whom no training saw, as it is and degraded.
 #include "faces/contour_nets.hpp"
 #include "faces/covered.hpp"
+#include "faces/decode/picture.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/embedded_detector.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/degraded.hpp"
@@ -11,9 +13,7 @@
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/mesh_model.hpp"
 #include "faces/model_catalog.hpp"
-#include "faces/picture.hpp"
 #include "faces/quality.hpp"
-#include "faces/quiet_opencv.hpp"
 #include "faces/second_opinion.hpp"
 
 #include <algorithm>

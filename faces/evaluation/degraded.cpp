@@ -2,8 +2,8 @@
 #include "faces/evaluation/degraded.hpp"
 
 #include "core/geometry/flatten.hpp"
+#include "faces/decode/picture.hpp"
 #include "faces/evaluation/contour_error.hpp"
-#include "faces/picture.hpp"
 
 #include <opencv2/imgproc.hpp>
 #include <turbojpeg.h>

@@ -5,6 +5,8 @@
 // seen eyes in the wild one in 125 is said to be covered.
 #include "core/geometry/polyline.hpp"
 #include "faces/covered.hpp"
+#include "faces/decode/picture.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
 #include "faces/evaluation/cover_lessons.hpp"
 #include "faces/evaluation/degraded.hpp"
@@ -13,8 +15,6 @@
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/evaluation/training_half.hpp"
 #include "faces/evaluation/wild_labels.hpp"
-#include "faces/picture.hpp"
-#include "faces/quiet_opencv.hpp"
 
 #include <algorithm>
 #include <cstdio>

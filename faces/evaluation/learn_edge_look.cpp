@@ -9,6 +9,7 @@
 // is to leave the line and to bend it, and the ridge, are chosen by the contour error of people who were left
 // out in turn. Figures of this on stderr.
 #include "faces/contour_nets.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/edge_fit.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/edge_pupils.hpp"
@@ -18,7 +19,6 @@
 #include "faces/evaluation/training_half.hpp"
 #include "faces/face.hpp"
 #include "faces/mesh_model.hpp"
-#include "faces/quiet_opencv.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,12 +2,12 @@
 // learn_hidden_jaw WILD LABELS: prints faces/hidden_jaw_weights.inc, learned from the photographs in the wild
 // that no test takes and what somebody saw in them. Of faces without beard (or hair before the jaw) one in
 // thirty is told to have one.
+#include "faces/decode/picture.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/evaluation/cover_lessons.hpp"
 #include "faces/evaluation/training_half.hpp"
 #include "faces/evaluation/wild_labels.hpp"
 #include "faces/hidden_jaw.hpp"
-#include "faces/picture.hpp"
-#include "faces/quiet_opencv.hpp"
 
 #include <cstdio>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawn_pictures.hpp"
+#include "faces/decode/picture.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/detector_answer.hpp"
 #include "faces/model_catalog.hpp"
-#include "faces/picture.hpp"
-#include "faces/quiet_opencv.hpp"
 #include "places.hpp"
 
 #include <QSize>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/embedded_detector.hpp"
-
 #include "drawn_pictures.hpp"
-#include "faces/picture.hpp"
-#include "faces/quiet_opencv.hpp"
+#include "faces/decode/picture.hpp"
+#include "faces/decode/quiet_opencv.hpp"
+#include "faces/embedded_detector.hpp"
 #include "places.hpp"
 
 #include <QTest>

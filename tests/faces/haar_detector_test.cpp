@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "faces/decode/picture.hpp"
 #include "faces/face_extractor.hpp"
 #include "faces/haar_detector.hpp"
 #include "faces/model_catalog.hpp"
-#include "faces/picture.hpp"
 #include "places.hpp"
 #include "square_cascade.hpp"
 

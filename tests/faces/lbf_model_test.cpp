@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/polyline.hpp"
 #include "drawn_facemark.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/face_extractor.hpp"
 #include "faces/lbf_file.hpp"
 #include "faces/lbf_model.hpp"
 #include "faces/model_catalog.hpp"
-#include "faces/quiet_opencv.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>

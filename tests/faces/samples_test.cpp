@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/svg/contour_sheet.hpp"
+#include "faces/decode/picture.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/picture.hpp"
 #include "places.hpp"
 
 #include <QTest>

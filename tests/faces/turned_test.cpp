@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Photographs on their side or head whose file does not say so.
+#include "faces/decode/picture.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/picture.hpp"
 #include "places.hpp"
 
 #include <QTest>

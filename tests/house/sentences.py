@@ -38,7 +38,7 @@ NOT_SAID = {  # file: what of its texts is no sentence, or none that is heard on
                                  "has path data that is broken"},
     "core/svg/shape_pieces.cpp": {"has a length \"%1\" that cannot be read", "has a list of points that is broken"},
     "core/svg/sheet_writer.cpp": {"TouchPhoto contours"},
-    "faces/jpeg_picture.cpp": {"Premature end of JPEG file", "premature end of data segment", "bad Huffman code",
+    "faces/decode/jpeg_picture.cpp": {"Premature end of JPEG file", "premature end of data segment", "bad Huffman code",
                                "bad arithmetic code", "instead of RST"},
 }
 TRANSLATED = {"tr", "qsTr", "translate", "QT_TRANSLATE_NOOP", "QT_TR_NOOP", "QML_UNCREATABLE", "static_assert"}

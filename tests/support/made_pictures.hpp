@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "faces/picture_file.hpp"
+#include "faces/decode/picture_file.hpp"
 #include "places.hpp"
 
 #include <QByteArray>
@@ -36,7 +36,7 @@ inline double largest_difference(const cv::Mat& a, const cv::Mat& b) {
     return a.size() == b.size() && a.type() == b.type() ? cv::norm(a, b, cv::NORM_INF) : 1e9;
 }
 
-/// A folder with pictures that other programs coded: heif-enc, and the scripts in tests/faces.
+/// A folder with pictures that other programs coded: heif-enc, and the scripts in tests/faces/decode.
 class MadePictures {
 public:
     std::filesystem::path path(const std::string& name) const {
@@ -57,7 +57,7 @@ public:
     std::filesystem::path by_script(const char* script, const std::string& name,
                                     const QStringList& arguments) const {
         run("/usr/bin/python3",
-            QStringList{QString(in_source("tests/faces/")) + script, text(path(name))} + arguments);
+            QStringList{QString(in_source("tests/faces/decode/")) + script, text(path(name))} + arguments);
         return path(name);
     }
 

@@ -3,7 +3,7 @@
 #include "app/photo/picture/overlay.hpp"
 #include "app/photo/picture/picture_file.hpp"
 #include "core/geometry/flatten.hpp"
-#include "faces/picture.hpp"
+#include "faces/decode/picture.hpp"
 
 #include <QColor>
 #include <QFont>

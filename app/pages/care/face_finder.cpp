@@ -3,8 +3,8 @@
 
 #include "app/photo/picture/overlay.hpp"
 #include "app/photo/scene/corrections.hpp"
+#include "faces/decode/picture.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/picture.hpp"
 
 #include <QMetaObject>
 

@@ -2,7 +2,7 @@
 #include "app/pages/care/thumbnails.hpp"
 
 #include "app/photo/picture/overlay.hpp"
-#include "faces/picture.hpp"
+#include "faces/decode/picture.hpp"
 
 #include <QMetaObject>
 

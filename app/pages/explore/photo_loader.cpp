@@ -5,8 +5,8 @@
 #include "app/photo/people/face_names.hpp"
 #include "app/photo/picture/overlay.hpp"
 #include "app/photo/scene/corrections.hpp"
+#include "faces/decode/picture.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/picture.hpp"
 
 #include <QFileInfo>
 

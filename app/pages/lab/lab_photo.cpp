@@ -2,8 +2,8 @@
 #include "app/pages/lab/lab_photo.hpp"
 
 #include "app/photo/scene/corrections.hpp"
+#include "faces/decode/picture.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/picture.hpp"
 
 #include <exception>
 #include <utility>

@@ -4,8 +4,8 @@
 #include "app/photo/picture/overlay.hpp"
 #include "app/photo/scene/corrections.hpp"
 #include "core/svg/contour_sheet.hpp"
+#include "faces/decode/picture.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/picture.hpp"
 
 #include <exception>
 #include <system_error>

@@ -2,7 +2,7 @@
 #include "app/photo/picture/picture_ahead.hpp"
 
 #include "app/photo/picture/overlay.hpp"
-#include "faces/picture.hpp"
+#include "faces/decode/picture.hpp"
 
 #include <QMetaObject>
 

@@ -11,8 +11,8 @@
 #include "core/servo/fault.hpp"
 #include "core/svg/contour_sheet.hpp"
 #include "device/open_problem.hpp"
+#include "faces/decode/picture.hpp"
 #include "faces/face_problem.hpp"
-#include "faces/picture.hpp"
 #include "marked_sentences.hpp"
 #include "sound_files.hpp"
 

@@ -2,7 +2,7 @@
 #include "app/album/metadata/heif_boxes.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "audio/recordings/byte_source.hpp"
-#include "faces/picture.hpp"
+#include "faces/decode/picture.hpp"
 #include "made_pictures.hpp"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/photo/picture/overlay.hpp"
 #include "app/photo/picture/picture_ahead.hpp"
-#include "faces/picture.hpp"
+#include "faces/decode/picture.hpp"
 
 #include <QCoreApplication>
 #include <QSemaphore>

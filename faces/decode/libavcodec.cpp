@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/libavcodec.hpp"
+#include "faces/decode/libavcodec.hpp"
 
 #include <optional>
 

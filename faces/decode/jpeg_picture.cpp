@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/jpeg_picture.hpp"
+#include "faces/decode/jpeg_picture.hpp"
 
 #include <turbojpeg.h>
 

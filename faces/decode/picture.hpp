@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "faces/picture_file.hpp"
+#include "faces/decode/picture_file.hpp"
 
 #include <opencv2/core/mat.hpp>
 

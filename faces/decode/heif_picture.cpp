@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/heif_picture.hpp"
+#include "faces/decode/heif_picture.hpp"
 
-#include "faces/hevc_decoder.hpp"
-#include "faces/libheif.hpp"
+#include "faces/decode/hevc_decoder.hpp"
+#include "faces/decode/libheif.hpp"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/picture.hpp"
+#include "faces/decode/picture.hpp"
 #include "picture_check.hpp"
 #include "places.hpp"
 #include "svg_mutants.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int mutated_inputs = 400;
 
-std::vector<Seed> pictures() { return corpus(tp::test::in_source("tests/faces/corpus")); }
+std::vector<Seed> pictures() { return corpus(tp::test::in_source("tests/faces/decode/corpus")); }
 
 /// A few bytes changed, lost, doubled, or the end cut off.
 std::string damaged(std::string bytes, std::mt19937_64& random) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/picture.hpp"
+#include "faces/decode/picture.hpp"
 
-#include "faces/heif_picture.hpp"
-#include "faces/jpeg_picture.hpp"
-#include "faces/other_formats.hpp"
-#include "faces/picture_metadata.hpp"
-#include "faces/png_picture.hpp"
-#include "faces/quiet_opencv.hpp"
-#include "faces/raw_file.hpp"
+#include "faces/decode/heif_picture.hpp"
+#include "faces/decode/jpeg_picture.hpp"
+#include "faces/decode/other_formats.hpp"
+#include "faces/decode/picture_metadata.hpp"
+#include "faces/decode/png_picture.hpp"
+#include "faces/decode/quiet_opencv.hpp"
+#include "faces/decode/raw_file.hpp"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/png_picture.hpp"
+#include "faces/decode/png_picture.hpp"
 
 #include <algorithm>
 #include <array>

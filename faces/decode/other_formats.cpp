@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/other_formats.hpp"
+#include "faces/decode/other_formats.hpp"
 
 #include "core/libraries/loaded_library.hpp"
-#include "faces/quiet_opencv.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 
 #include <opencv2/imgcodecs.hpp>
 

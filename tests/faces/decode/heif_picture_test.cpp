@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/picture.hpp"
+#include "faces/decode/picture.hpp"
 #include "made_pictures.hpp"
 
 #include <QTest>

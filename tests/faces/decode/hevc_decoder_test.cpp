@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/hevc_decoder.hpp"
-#include "faces/libheif.hpp"
-#include "faces/picture.hpp"
+#include "faces/decode/hevc_decoder.hpp"
+#include "faces/decode/libheif.hpp"
+#include "faces/decode/picture.hpp"
 #include "made_pictures.hpp"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/picture_file.hpp"
+#include "faces/decode/picture_file.hpp"
 
-#include "faces/raw_file.hpp"
+#include "faces/decode/raw_file.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/raw_file.hpp"
+#include "faces/decode/raw_file.hpp"
 
 #include "faces/exiv2/prepare_exiv2.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/hevc_decoder.hpp"
+#include "faces/decode/hevc_decoder.hpp"
 
-#include "faces/libavcodec.hpp"
-#include "faces/libheif.hpp"
+#include "faces/decode/libavcodec.hpp"
+#include "faces/decode/libheif.hpp"
 
 #include <array>
 #include <cstdint>

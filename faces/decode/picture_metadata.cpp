@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/picture_metadata.hpp"
+#include "faces/decode/picture_metadata.hpp"
 
 #include "faces/exiv2/prepare_exiv2.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "faces/picture_file.hpp"
+#include "faces/decode/picture_file.hpp"
 
 #include <optional>
 

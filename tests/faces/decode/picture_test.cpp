@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/jpeg_picture.hpp"
-#include "faces/picture.hpp"
+#include "faces/decode/jpeg_picture.hpp"
+#include "faces/decode/picture.hpp"
 #include "made_pictures.hpp"
 
 #include <QTemporaryDir>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture_check.hpp"
 
+#include "faces/decode/picture.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/picture.hpp"
 
 #include <functional>
 

@@ -3,7 +3,7 @@
 """Draws the corpus of fuzz_picture: a drawn portrait, small, in every format and manner that is read. HEIC and AVIF are coded
 by heif-enc (Debian: libheif-examples).
 
-    tests/faces/make_corpus.py        writes tests/faces/corpus
+    tests/faces/decode/make_corpus.py        writes tests/faces/decode/corpus
 """
 import argparse
 import struct
@@ -18,7 +18,7 @@ import make_heif
 import make_raw
 
 HERE = Path(__file__).resolve().parent
-PORTRAIT = HERE.parents[1] / "resources/samples/anna_smiling.jpg"
+PORTRAIT = HERE.parents[2] / "resources/samples/anna_smiling.jpg"
 SIDE = 96  # px
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/picture.hpp"
-#include "faces/raw_file.hpp"
+#include "faces/decode/picture.hpp"
+#include "faces/decode/raw_file.hpp"
 #include "made_pictures.hpp"
 
 #include <QTest>

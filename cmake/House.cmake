@@ -26,9 +26,11 @@ tp_may(tp_device         ${core} tp_pad_protocol tp_pad_firmware tp_haply_protoc
 tp_may(tp_exiv2        USES PkgConfig::exiv2)
 tp_may(tp_decode       tp_base tp_libraries tp_exiv2
                        USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc) # never the nets
-tp_may(tp_faces        ${core} tp_decode
+tp_may(tp_face_base    tp_geometry  USES opencv_core opencv_imgproc)
+tp_may(tp_faces        ${core} tp_decode tp_face_base
                        USES opencv_core opencv_imgproc opencv_dnn opencv_objdetect opencv_face Threads::Threads)
-tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_decode tp_faces  USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
+tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_faces
+                       USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
 
 # audio: what is heard and recorded
 tp_may(tp_speech       tp_base  USES Qt6::Core Qt6::TextToSpeech)
@@ -38,7 +40,7 @@ tp_may(tp_video        tp_base tp_files tp_libraries tp_recordings)
 tp_may(tp_sound        tp_base tp_files tp_sentences tp_recordings  USES Qt6::Core Qt6::Multimedia PkgConfig::soundtouch)
 tp_may(tp_guide        tp_base tp_sound  USES Qt6::Core)
 
-set(below_app ${core} tp_device tp_decode tp_faces tp_speech tp_sentences tp_recordings tp_sound)
+set(below_app ${core} tp_device tp_decode tp_face_base tp_faces tp_speech tp_sentences tp_recordings tp_sound)
 
 # app/album: photographs, people and recordings as files, and their index
 tp_may(tp_metadata     tp_base tp_files tp_recordings tp_exiv2  USES PkgConfig::exiv2 PkgConfig::pugixml)
@@ -46,8 +48,8 @@ tp_may(tp_index        tp_base tp_files tp_recordings tp_metadata  USES Qt6::Cor
 tp_may(tp_keeper       tp_base tp_files tp_recordings tp_video tp_metadata tp_index  USES Qt6::Core PkgConfig::archive)
 
 # app/photo: from a photograph to something shown, felt or printed
-tp_may(tp_scene        tp_base tp_files tp_geometry tp_guidance tp_svg tp_faces)
-tp_may(tp_people       tp_base tp_geometry tp_faces tp_metadata)
+tp_may(tp_scene        tp_base tp_files tp_geometry tp_guidance tp_svg tp_face_base)
+tp_may(tp_people       tp_base tp_geometry tp_face_base tp_metadata)
 tp_may(tp_picture      ${below_app}  USES Qt6::Gui)
 tp_may(tp_tactile      ${below_app} tp_scene  USES Qt6::Gui PkgConfig::pugixml PkgConfig::louis)
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "faces/base/landmarks.hpp"
+#include "faces/base/refinement.hpp"
 #include "faces/crop.hpp"
-#include "faces/landmarks.hpp"
-#include "faces/refinement.hpp"
 
 #include <opencv2/dnn/dnn.hpp>
 

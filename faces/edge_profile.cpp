@@ -2,7 +2,7 @@
 #include "faces/edge_profile.hpp"
 
 #include "core/geometry/polyline.hpp"
-#include "faces/block_means.hpp"
+#include "faces/base/block_means.hpp"
 
 #include <opencv2/imgproc.hpp>
 

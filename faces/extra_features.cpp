@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/extra_features.hpp"
 
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 #include "faces/fewest_pieces.hpp"
 
 #include <algorithm>

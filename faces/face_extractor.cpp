@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/face_extractor.hpp"
 
+#include "faces/base/freed_memory.hpp"
 #include "faces/contour_fit.hpp"
 #include "faces/contour_nets.hpp"
 #include "faces/covered.hpp"
@@ -12,7 +13,6 @@
 #include "faces/face_problem.hpp"
 #include "faces/face_search.hpp"
 #include "faces/fewest_pieces.hpp"
-#include "faces/freed_memory.hpp"
 #include "faces/haar_detector.hpp"
 #include "faces/lbf_model.hpp"
 #include "faces/mesh_model.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "faces/face.hpp"
-#include "faces/refinement.hpp"
+#include "faces/base/face.hpp"
+#include "faces/base/refinement.hpp"
 
 #include <opencv2/core/mat.hpp>
 

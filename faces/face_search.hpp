@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "faces/base/landmarks.hpp"
 #include "faces/detector.hpp"
-#include "faces/landmarks.hpp"
 #include "faces/second_opinion.hpp"
 
 #include <memory>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "faces/base/landmarks.hpp"
 #include "faces/contour_nets.hpp"
-#include "faces/landmarks.hpp"
 
 #include <opencv2/face/facemarkLBF.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "faces/landmarks.hpp"
+#include "faces/base/landmarks.hpp"
 
 #include <opencv2/dnn/dnn.hpp>
 

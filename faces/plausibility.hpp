@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "faces/landmarks.hpp"
+#include "faces/base/landmarks.hpp"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "faces/base/face.hpp"
 #include "faces/edge_fit.hpp"
-#include "faces/face.hpp"
 #include "faces/hidden_jaw.hpp"
 
 #include <opencv2/core/mat.hpp>

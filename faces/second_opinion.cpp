@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/second_opinion.hpp"
 
+#include "faces/base/freed_memory.hpp"
 #include "faces/edge_fit.hpp"
-#include "faces/freed_memory.hpp"
 #include "faces/model_catalog.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/shrunk.hpp"
 
-#include "faces/block_means.hpp"
+#include "faces/base/block_means.hpp"
 
 #include <algorithm>
 #include <cmath>

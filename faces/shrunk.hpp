@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/transform.hpp"
-#include "faces/detector.hpp"
+#include "faces/base/detection.hpp"
 
 #include <opencv2/core/mat.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/shrunk_rows.hpp"
 
-#include "faces/block_means.hpp"
+#include "faces/base/block_means.hpp"
 
 #include <opencv2/imgproc.hpp>
 

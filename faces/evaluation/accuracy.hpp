@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "faces/base/landmarks.hpp"
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/landmarks.hpp"
 
 #include <array>
 #include <filesystem>

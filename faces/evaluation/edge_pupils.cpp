@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/edge_pupils.hpp"
 
+#include "faces/base/face.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/embedded_detector.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/training_half.hpp"
-#include "faces/face.hpp"
 
 #include <opencv2/imgproc.hpp>
 

@@ -8,6 +8,7 @@
 // nearly the same picture and err together, so that each is worth only a part of what it says. How dear it
 // is to leave the line and to bend it, and the ridge, are chosen by the contour error of people who were left
 // out in turn. Figures of this on stderr.
+#include "faces/base/face.hpp"
 #include "faces/contour_nets.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/edge_fit.hpp"
@@ -17,7 +18,6 @@
 #include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/evaluation/training_half.hpp"
-#include "faces/face.hpp"
 #include "faces/mesh_model.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/located_face.hpp"
 
+#include "faces/base/face.hpp"
 #include "faces/contour_fit.hpp"
-#include "faces/face.hpp"
 
 #include <algorithm>
 

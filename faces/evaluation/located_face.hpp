@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/geometry/contour.hpp"
+#include "faces/base/landmarks.hpp"
 #include "faces/detector.hpp"
 #include "faces/face_lines.hpp"
-#include "faces/landmarks.hpp"
 
 #include <opencv2/core/mat.hpp>
 

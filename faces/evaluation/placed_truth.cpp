@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/placed_truth.hpp"
 
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <opencv2/core/persistence.hpp>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "faces/base/face.hpp"
 #include "faces/edge_fit.hpp"
 #include "faces/edge_profile.hpp"
 #include "faces/evaluation/edge_lessons.hpp"
 #include "faces/evaluation/edge_table.hpp"
 #include "faces/evaluation/training_half.hpp"
-#include "faces/face.hpp"
 #include "places.hpp"
 
 #include <QTemporaryDir>

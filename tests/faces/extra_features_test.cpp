@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/flatten.hpp"
 #include "core/geometry/polyline.hpp"
+#include "faces/base/face.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/extra_features.hpp"
-#include "faces/face.hpp"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <QImage>
 #include <QObject>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/face_tour.hpp"
 
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <algorithm>
 #include <array>

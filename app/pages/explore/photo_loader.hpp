@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/parts/work/newest_work.hpp"
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <QImage>
 #include <QObject>

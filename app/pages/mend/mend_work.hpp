@@ -3,7 +3,7 @@
 
 #include "app/pages/mend/mend_contour.hpp"
 #include "core/svg/contour_sheet.hpp"
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <optional>
 #include <string>

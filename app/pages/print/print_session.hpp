@@ -7,7 +7,7 @@
 #include "app/photo/tactile/tactile_sheet.hpp"
 #include "audio/sound/earcon_player.hpp"
 #include "core/base/result.hpp"
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <QObject>
 #include <QString>

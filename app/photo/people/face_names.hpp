@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/album/metadata/photo_record.hpp"
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <string>
 #include <vector>

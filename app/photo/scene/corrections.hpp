@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/svg/contour_sheet.hpp"
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <filesystem>
 #include <string>

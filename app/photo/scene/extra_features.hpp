@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <string_view>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/photo/scene/feature_words.hpp"
 
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <algorithm>
 

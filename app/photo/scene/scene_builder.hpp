@@ -4,7 +4,7 @@
 #include "core/base/result.hpp"
 #include "core/geometry/transform.hpp"
 #include "core/guidance/scene.hpp"
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <cstddef>
 #include <optional>

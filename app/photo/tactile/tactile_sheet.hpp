@@ -5,7 +5,7 @@
 #include "app/photo/tactile/paper.hpp"
 #include "app/photo/tactile/spaced_lines.hpp"
 #include "core/base/result.hpp"
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -5,7 +5,7 @@
 #include "app/photo/scene/feature_words.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "core/servo/fault.hpp"
-#include "faces/face.hpp"
+#include "faces/base/face.hpp"
 
 #include <QCoreApplication>
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/block_means.hpp"
+#include "faces/base/block_means.hpp"
 
 #include <opencv2/imgproc.hpp>
 

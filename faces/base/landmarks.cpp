@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/landmarks.hpp"
+#include "faces/base/landmarks.hpp"
 
 namespace tp {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "faces/base/face.hpp"
 #include "faces/decode/picture.hpp"
-#include "faces/face.hpp"
 #include "places.hpp"
 
 #include <opencv2/core/persistence.hpp>

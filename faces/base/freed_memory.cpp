@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/freed_memory.hpp"
+#include "faces/base/freed_memory.hpp"
 
 #if __has_include(<malloc.h>)
 #include <malloc.h>

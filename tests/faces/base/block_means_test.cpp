@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawn_pictures.hpp"
-#include "faces/block_means.hpp"
+#include "faces/base/block_means.hpp"
 
 #include <QTest>
 

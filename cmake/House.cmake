@@ -27,9 +27,10 @@ tp_may(tp_exiv2        USES PkgConfig::exiv2)
 tp_may(tp_decode       tp_base tp_libraries tp_exiv2
                        USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc) # never the nets
 tp_may(tp_face_base    tp_geometry  USES opencv_core opencv_imgproc)
-tp_may(tp_faces        ${core} tp_decode tp_face_base
+tp_may(tp_models       tp_base tp_geometry tp_decode  USES opencv_core opencv_dnn opencv_objdetect)
+tp_may(tp_faces        ${core} tp_decode tp_face_base tp_models
                        USES opencv_core opencv_imgproc opencv_dnn opencv_objdetect opencv_face Threads::Threads)
-tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_faces
+tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_models tp_faces
                        USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
 
 # audio: what is heard and recorded
@@ -64,7 +65,7 @@ tp_may(tp_open_album   tp_base tp_files tp_sentences tp_recordings tp_metadata t
 
 # app/figures: measurements that end in tables and plots
 tp_may(tp_report       ${below_app}  USES Qt6::Gui Qt6::Svg)
-tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_faces tp_evaluation tp_picture tp_report
+tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_models tp_faces tp_evaluation tp_picture tp_report
                        USES Boost::headers nanoflann::nanoflann)
 
 # app/pages: what a person meets; no page knows another
@@ -80,4 +81,4 @@ tp_may(tp_print        ${for_pages}  USES Qt6::Quick Qt6::Svg)
 # the two programs
 tp_may(tp_shell        ${for_pages} ${pages} tp_mend tp_print  USES Qt6::Quick)
 tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_people tp_scene tp_picture tp_tactile tp_devices
-                       tp_report tp_bench tp_evaluation  USES Qt6::Core Qt6::Gui Qt6::Network)
+                       tp_report tp_bench tp_models tp_evaluation  USES Qt6::Core Qt6::Gui Qt6::Network)

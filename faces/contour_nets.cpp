@@ -2,7 +2,7 @@
 #include "faces/contour_nets.hpp"
 
 #include "core/geometry/polyline.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 #include "faces/net_points.hpp"
 #include "faces/plausibility.hpp"
 #include "faces/shrunk.hpp"

@@ -2,7 +2,7 @@
 #include "faces/embedded_detector.hpp"
 
 #include "faces/detector_answer.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 #include "faces/shrunk_rows.hpp"
 
 #include <opencv2/imgproc.hpp>

@@ -16,7 +16,7 @@
 #include "faces/haar_detector.hpp"
 #include "faces/lbf_model.hpp"
 #include "faces/mesh_model.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 #include "faces/quality.hpp"
 #include "faces/second_opinion.hpp"
 #include "faces/stopwatch.hpp"

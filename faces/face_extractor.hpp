@@ -17,7 +17,7 @@ namespace tp {
 struct PluggableModel;
 
 /// Which nets to use: "embedded" (ours, inside the program) or the name or file of another model that the
-/// user has (faces/MODELS.md lists which kinds can be plugged in and where names are looked up).
+/// user has (faces/models/MODELS.md lists which kinds can be plugged in and where names are looked up).
 struct ExtractorChoice {
     std::string detector = "embedded";
     std::string model = "embedded";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/face_search.hpp"
 
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 #include "faces/stopwatch.hpp"
 #include "faces/yunet_detector.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
-#include "faces/haar_file.hpp"
+#include "faces/models/haar_file.hpp"
 
 #include <opencv2/imgproc.hpp>
 

@@ -4,7 +4,7 @@
 #include "core/geometry/polyline.hpp"
 #include "faces/crop.hpp"
 #include "faces/decode/quiet_opencv.hpp"
-#include "faces/lbf_file.hpp"
+#include "faces/models/lbf_file.hpp"
 #include "faces/plausibility.hpp"
 
 #include <algorithm>

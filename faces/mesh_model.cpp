@@ -4,7 +4,7 @@
 #include "core/geometry/polyline.hpp"
 #include "faces/crop.hpp"
 #include "faces/decode/quiet_opencv.hpp"
-#include "faces/onnx_file.hpp"
+#include "faces/models/onnx_file.hpp"
 
 #include <opencv2/imgproc.hpp>
 

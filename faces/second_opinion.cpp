@@ -3,7 +3,7 @@
 
 #include "faces/base/freed_memory.hpp"
 #include "faces/edge_fit.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 
 #include <algorithm>
 #include <array>

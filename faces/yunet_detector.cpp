@@ -2,7 +2,7 @@
 #include "faces/yunet_detector.hpp"
 
 #include "faces/decode/quiet_opencv.hpp"
-#include "faces/onnx_file.hpp"
+#include "faces/models/onnx_file.hpp"
 
 #include <opencv2/imgproc.hpp>
 

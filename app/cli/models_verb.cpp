@@ -5,7 +5,7 @@
 #include "app/cli/model_fetch.hpp"
 #include "app/cli/verbs.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 
 #include <QDir>
 #include <QFileInfo>

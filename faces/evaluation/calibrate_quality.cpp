@@ -12,7 +12,7 @@
 #include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/mesh_model.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 #include "faces/quality.hpp"
 #include "faces/second_opinion.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/golden_set.hpp"
 
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 
 #include <algorithm>
 #include <cmath>

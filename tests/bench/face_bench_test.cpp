@@ -2,7 +2,7 @@
 // What is weighed against time must be weighed rightly. No time is asserted.
 #include "app/figures/bench/face_bench.hpp"
 #include "drawn_facemark.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 #include "places.hpp"
 #include "square_cascade.hpp"
 

@@ -3,7 +3,7 @@
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/detector_answer.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 #include "places.hpp"
 
 #include <QSize>

@@ -2,7 +2,7 @@
 #include "faces/decode/picture.hpp"
 #include "faces/face_extractor.hpp"
 #include "faces/haar_detector.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 #include "places.hpp"
 #include "square_cascade.hpp"
 

@@ -3,9 +3,9 @@
 #include "drawn_facemark.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/lbf_file.hpp"
 #include "faces/lbf_model.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/lbf_file.hpp"
+#include "faces/models/model_catalog.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>

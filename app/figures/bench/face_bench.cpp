@@ -8,7 +8,7 @@
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/degraded.hpp"
 #include "faces/evaluation/opened_mouth.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // touchphoto-lab models as a shell sees it.
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 #include "lab_process.hpp"
 #include "places.hpp"
 #include "small_web.hpp"

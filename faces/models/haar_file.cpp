@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/haar_file.hpp"
+#include "faces/models/haar_file.hpp"
 
 #include "faces/decode/picture_file.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/face_extractor.hpp"
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 #include "places.hpp"
 
 #include <QTemporaryDir>

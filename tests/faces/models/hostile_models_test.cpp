@@ -21,7 +21,7 @@ constexpr Kind kinds[] = {{"onnx", complaint_about_onnx_file, 200},
                           {"lbf", complaint_about_lbf_file, 20}};
 
 std::vector<Seed> files_of(const Kind& kind) {
-    return corpus(in_source((std::string("tests/faces/") + kind.name + "_corpus").c_str()));
+    return corpus(in_source((std::string("tests/faces/models/") + kind.name + "_corpus").c_str()));
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/lbf_file.hpp"
+#include "faces/models/lbf_file.hpp"
 
 #include "faces/decode/picture_file.hpp"
 

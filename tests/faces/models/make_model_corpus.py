@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes the corpora of fuzz_onnx_file, fuzz_haar_file and fuzz_lbf_file: the smallest files of each kind that are taken.
 
-    tests/faces/make_model_corpus.py        writes tests/faces/{onnx,haar,lbf}_corpus
+    tests/faces/models/make_model_corpus.py        writes tests/faces/models/{onnx,haar,lbf}_corpus
 """
 import struct
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-SQUARES = HERE.parent / "support/square_cascade.hpp"
+SQUARES = HERE.parents[1] / "support/square_cascade.hpp"
 LANDMARKS = 68
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/onnx_file.hpp"
+#include "faces/models/onnx_file.hpp"
 
 #include "faces/decode/picture_file.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/model_catalog.hpp"
+#include "faces/models/model_catalog.hpp"
 
 #include <algorithm>
 #include <cstdlib>

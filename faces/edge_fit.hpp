@@ -2,7 +2,7 @@
 #pragma once
 
 #include "faces/edge_look.hpp"
-#include "faces/face_lines.hpp"
+#include "faces/pieces/face_lines.hpp"
 
 #include <opencv2/core/mat.hpp>
 

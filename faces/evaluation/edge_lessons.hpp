@@ -4,7 +4,7 @@
 #include "core/geometry/contour.hpp"
 #include "faces/edge_look.hpp"
 #include "faces/evaluation/place_choice.hpp"
-#include "faces/face_lines.hpp"
+#include "faces/pieces/face_lines.hpp"
 
 #include <opencv2/core/mat.hpp>
 

@@ -2,7 +2,7 @@
 #include "faces/evaluation/located_face.hpp"
 
 #include "faces/base/face.hpp"
-#include "faces/contour_fit.hpp"
+#include "faces/pieces/contour_fit.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "core/geometry/contour.hpp"
 #include "faces/base/landmarks.hpp"
 #include "faces/detector.hpp"
-#include "faces/face_lines.hpp"
+#include "faces/pieces/face_lines.hpp"
 
 #include <opencv2/core/mat.hpp>
 

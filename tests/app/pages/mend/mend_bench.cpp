@@ -2,7 +2,7 @@
 #include "mend_bench.hpp"
 
 #include "core/svg/contour_sheet.hpp"
-#include "faces/contour_fit.hpp"
+#include "faces/pieces/contour_fit.hpp"
 
 #include <QColor>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/mend/mend_contour.hpp"
-
 #include "core/geometry/flatten.hpp"
 #include "core/svg/contour_sheet.hpp"
-#include "faces/fewest_pieces.hpp"
+#include "faces/pieces/fewest_pieces.hpp"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawn_faces.hpp"
 
-#include "faces/contour_fit.hpp"
+#include "faces/pieces/contour_fit.hpp"
 
 #include <random>
 #include <vector>

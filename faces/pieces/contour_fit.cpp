@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/contour_fit.hpp"
+#include "faces/pieces/contour_fit.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/face_lines.hpp"
+#include "faces/pieces/face_lines.hpp"
 
 #include "core/geometry/flatten.hpp"
-#include "faces/contour_fit.hpp"
+#include "faces/pieces/contour_fit.hpp"
 
 namespace tp {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/fewest_pieces.hpp"
+#include "faces/pieces/fewest_pieces.hpp"
 
 #include "core/geometry/polyline.hpp"
-#include "faces/contour_fit.hpp"
+#include "faces/pieces/contour_fit.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/contour.hpp"
-#include "faces/face_lines.hpp"
+#include "faces/pieces/face_lines.hpp"
 
 namespace tp {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/flatten.hpp"
-#include "faces/contour_fit.hpp"
+#include "faces/pieces/contour_fit.hpp"
 
 #include <QTest>
 

@@ -3,7 +3,7 @@
 #include "core/geometry/polyline.hpp"
 #include "faces/base/face.hpp"
 #include "faces/evaluation/contour_error.hpp"
-#include "faces/extra_features.hpp"
+#include "faces/pieces/extra_features.hpp"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/flatten.hpp"
-#include "faces/contour_fit.hpp"
-#include "faces/fewest_pieces.hpp"
+#include "faces/pieces/contour_fit.hpp"
+#include "faces/pieces/fewest_pieces.hpp"
 
 #include <QTest>
 

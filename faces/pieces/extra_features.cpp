@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/extra_features.hpp"
+#include "faces/pieces/extra_features.hpp"
 
 #include "faces/base/face.hpp"
-#include "faces/fewest_pieces.hpp"
+#include "faces/pieces/fewest_pieces.hpp"
 
 #include <algorithm>
 #include <cmath>

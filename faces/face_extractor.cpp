@@ -6,7 +6,7 @@
 #include "faces/covered.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
-#include "faces/edge_fit.hpp"
+#include "faces/edges/edge_fit.hpp"
 #include "faces/embedded_detector.hpp"
 #include "faces/face_problem.hpp"
 #include "faces/face_search.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "faces/base/face.hpp"
-#include "faces/edge_fit.hpp"
+#include "faces/edges/edge_fit.hpp"
 #include "faces/hidden_jaw.hpp"
 
 #include <opencv2/core/mat.hpp>

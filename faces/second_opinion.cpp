@@ -2,7 +2,7 @@
 #include "faces/second_opinion.hpp"
 
 #include "faces/base/freed_memory.hpp"
-#include "faces/edge_fit.hpp"
+#include "faces/edges/edge_fit.hpp"
 #include "faces/models/model_catalog.hpp"
 
 #include <algorithm>

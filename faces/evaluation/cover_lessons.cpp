@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/cover_lessons.hpp"
 
-#include "faces/edge_fit.hpp"
+#include "faces/edges/edge_fit.hpp"
 #include "faces/evaluation/located_face.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "faces/evaluation/edge_lessons.hpp"
 
 #include "core/geometry/polyline.hpp"
-#include "faces/edge_profile.hpp"
+#include "faces/edges/edge_profile.hpp"
 
 #include <algorithm>
 #include <cmath>

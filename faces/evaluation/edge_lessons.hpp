@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/geometry/contour.hpp"
-#include "faces/edge_look.hpp"
+#include "faces/edges/edge_look.hpp"
 #include "faces/evaluation/place_choice.hpp"
 #include "faces/pieces/face_lines.hpp"
 

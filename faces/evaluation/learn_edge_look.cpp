@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// learn_edge_look TRUTH.json PHOTOS MESH.onnx [--keep GROUP]...: prints faces/edge_look_weights.inc, learned
-// from the people who are not held out of training (faces/training/holdout.txt), from where the embedded nets
-// and the face mesh put their lines. The rows of a group that is kept (eyes, outer_lip, shut_mouth,
-// open_mouth) are those that are compiled in; these have no other influence on what is printed.
+// learn_edge_look TRUTH.json PHOTOS MESH.onnx [--keep GROUP]...: prints faces/edges/edge_look_weights.inc,
+// learned from the people who are not held out of training (faces/training/holdout.txt), from where the
+// embedded nets and the face mesh put their lines. The rows of a group that is kept (eyes, outer_lip,
+// shut_mouth, open_mouth) are those that are compiled in; these have no other influence on what is printed.
 //
 // The weights of a kind of edge are a share of the likeliest ones (place_choice.hpp): points of a line see
 // nearly the same picture and err together, so that each is worth only a part of what it says. How dear it
@@ -11,7 +11,7 @@
 #include "faces/base/face.hpp"
 #include "faces/contour_nets.hpp"
 #include "faces/decode/quiet_opencv.hpp"
-#include "faces/edge_fit.hpp"
+#include "faces/edges/edge_fit.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/edge_pupils.hpp"
 #include "faces/evaluation/edge_table.hpp"

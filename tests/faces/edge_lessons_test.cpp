@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/base/face.hpp"
-#include "faces/edge_fit.hpp"
-#include "faces/edge_profile.hpp"
+#include "faces/edges/edge_fit.hpp"
+#include "faces/edges/edge_profile.hpp"
 #include "faces/evaluation/edge_lessons.hpp"
 #include "faces/evaluation/edge_table.hpp"
 #include "faces/evaluation/training_half.hpp"
@@ -45,7 +45,7 @@ cv::Mat lip(double edge) {
 }
 
 std::vector<std::string> table_lines() {
-    std::ifstream file(tp::test::in_source("faces/edge_look_weights.inc"));
+    std::ifstream file(tp::test::in_source("faces/edges/edge_look_weights.inc"));
     std::vector<std::string> lines;
     for (std::string line; std::getline(file, line);)
         if (line.starts_with("    {"))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/edge_fit.hpp"
+#include "faces/edges/edge_fit.hpp"
 
-#include "faces/edge_profile.hpp"
+#include "faces/edges/edge_profile.hpp"
 
 #include <cmath>
 #include <utility>

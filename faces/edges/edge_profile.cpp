@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/edge_profile.hpp"
+#include "faces/edges/edge_profile.hpp"
 
 #include "core/geometry/polyline.hpp"
 #include "faces/base/block_means.hpp"

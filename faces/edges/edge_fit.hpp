@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "faces/edge_look.hpp"
+#include "faces/edges/edge_look.hpp"
 #include "faces/pieces/face_lines.hpp"
 
 #include <opencv2/core/mat.hpp>

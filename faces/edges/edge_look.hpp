@@ -42,12 +42,13 @@ enum EdgeKind : std::size_t {
 /// Deviation of the Gaussian that smooths the picture before an edge of that kind is looked for, percent of
 /// the unit. The outer lip is the faintest edge: grain and crispness draw it away from where people place it
 /// (painted lips at 0.4, 0.7 and 0.9: 0.60, 0.54, 0.49 % off; the nets alone 0.53).
-inline constexpr std::array<double, edge_kind_count> edge_grain_percent{0.0, 0.0, 0.9, 0.9, 0.0, 0.0, 0.0, 0.0};
+inline constexpr std::array<double, edge_kind_count> edge_grain_percent{0.0, 0.0, 0.9, 0.9,
+                                                                        0.0, 0.0, 0.0, 0.0};
 using EdgeLooks = std::array<EdgeLook, edge_kind_count>;
 
 /// Weights and prices by learn_edge_look, those of the outer lip by an earlier fit; see faces/LEARNING.md.
 inline constexpr EdgeLooks edge_looks{{
-#include "faces/edge_look_weights.inc"
+#include "faces/edges/edge_look_weights.inc"
 }};
 inline constexpr const EdgeLook& lower_lid = edge_looks[at_lower_lid];
 inline constexpr const EdgeLook& upper_lid = edge_looks[at_upper_lid];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/line_snap.hpp"
+#include "faces/edges/line_snap.hpp"
 
 #include <QTest>
 

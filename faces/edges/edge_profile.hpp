@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/geometry/vec.hpp"
-#include "faces/edge_look.hpp"
-#include "faces/line_snap.hpp"
+#include "faces/edges/edge_look.hpp"
+#include "faces/edges/line_snap.hpp"
 
 #include <opencv2/core/mat.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/polyline.hpp"
-#include "faces/edge_fit.hpp"
+#include "faces/edges/edge_fit.hpp"
 
 #include <QTest>
 

@@ -6,11 +6,12 @@
 #include "faces/covered.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
+#include "faces/detect/embedded_detector.hpp"
+#include "faces/detect/haar_detector.hpp"
+#include "faces/detect/yunet_detector.hpp"
 #include "faces/edges/edge_fit.hpp"
-#include "faces/embedded_detector.hpp"
 #include "faces/face_problem.hpp"
 #include "faces/face_search.hpp"
-#include "faces/haar_detector.hpp"
 #include "faces/lbf_model.hpp"
 #include "faces/mesh_model.hpp"
 #include "faces/models/model_catalog.hpp"
@@ -20,7 +21,6 @@
 #include "faces/quality.hpp"
 #include "faces/second_opinion.hpp"
 #include "faces/stopwatch.hpp"
-#include "faces/yunet_detector.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/face_search.hpp"
 
+#include "faces/detect/yunet_detector.hpp"
 #include "faces/models/model_catalog.hpp"
 #include "faces/stopwatch.hpp"
-#include "faces/yunet_detector.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "faces/base/landmarks.hpp"
-#include "faces/detector.hpp"
+#include "faces/detect/detector.hpp"
 #include "faces/second_opinion.hpp"
 
 #include <memory>

@@ -6,7 +6,7 @@
 #include "faces/covered.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
-#include "faces/embedded_detector.hpp"
+#include "faces/detect/embedded_detector.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/degraded.hpp"
 #include "faces/evaluation/located_face.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "faces/embedded_detector.hpp"
+#include "faces/detect/embedded_detector.hpp"
 #include "faces/quality.hpp"
 #include "faces/second_opinion.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "faces/base/face.hpp"
 #include "faces/decode/picture.hpp"
-#include "faces/embedded_detector.hpp"
+#include "faces/detect/embedded_detector.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/training_half.hpp"

@@ -3,7 +3,7 @@
 
 #include "core/geometry/contour.hpp"
 #include "faces/base/landmarks.hpp"
-#include "faces/detector.hpp"
+#include "faces/detect/detector.hpp"
 #include "faces/pieces/face_lines.hpp"
 
 #include <opencv2/core/mat.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/decode/picture.hpp"
-#include "faces/embedded_detector.hpp"
+#include "faces/detect/embedded_detector.hpp"
 #include "faces/second_opinion.hpp"
 #include "places.hpp"
 

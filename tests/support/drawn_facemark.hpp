@@ -2,7 +2,7 @@
 #pragma once
 
 #include "faces/decode/picture.hpp"
-#include "faces/embedded_detector.hpp"
+#include "faces/detect/embedded_detector.hpp"
 #include "faces/lbf_model.hpp"
 #include "places.hpp"
 

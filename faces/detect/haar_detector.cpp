@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/haar_detector.hpp"
+#include "faces/detect/haar_detector.hpp"
 
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/embedded_detector.hpp"
+#include "faces/detect/embedded_detector.hpp"
 
-#include "faces/detector_answer.hpp"
+#include "faces/detect/detector_answer.hpp"
+#include "faces/detect/shrunk_rows.hpp"
 #include "faces/models/model_catalog.hpp"
-#include "faces/shrunk_rows.hpp"
 
 #include <opencv2/imgproc.hpp>
 

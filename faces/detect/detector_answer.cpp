@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/detector_answer.hpp"
+#include "faces/detect/detector_answer.hpp"
 
 #include "faces/models/model_catalog.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/yunet_detector.hpp"
+#include "faces/detect/yunet_detector.hpp"
 
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/models/onnx_file.hpp"

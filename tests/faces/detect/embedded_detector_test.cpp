@@ -2,7 +2,7 @@
 #include "drawn_pictures.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
-#include "faces/embedded_detector.hpp"
+#include "faces/detect/embedded_detector.hpp"
 #include "places.hpp"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/shrunk_rows.hpp"
+#include "faces/detect/shrunk_rows.hpp"
 
 #include "faces/base/block_means.hpp"
 
@@ -14,25 +14,25 @@ namespace {
 
 constexpr int rows_at_once = 32; ///< of the result: these are held as floating-point numbers
 
-struct Part {
+struct RowShare {
     int row;
     float share;
 };
 
 /// Which rows make row `y` where every `scale` ≥ 1 of `height` rows become one.
-std::vector<Part> parts_of(int y, double scale, int height) {
+std::vector<RowShare> shares_of(int y, double scale, int height) {
     constexpr double nothing = 1e-3; ///< what cv::resize leaves out, rows
     const double from = y * scale, to = from + scale, whole = std::min(scale, height - from);
     const int last = std::min(static_cast<int>(std::floor(to)), height - 1);
     const int first = std::min(static_cast<int>(std::ceil(from)), last);
-    std::vector<Part> parts;
+    std::vector<RowShare> shares;
     if (first - from > nothing)
-        parts.push_back({first - 1, static_cast<float>((first - from) / whole)});
+        shares.push_back({first - 1, static_cast<float>((first - from) / whole)});
     for (int row = first; row < last; ++row)
-        parts.push_back({row, static_cast<float>(1.0 / whole)});
+        shares.push_back({row, static_cast<float>(1.0 / whole)});
     if (to - last > nothing)
-        parts.push_back({last, static_cast<float>(std::min(std::min(to - last, 1.0), whole) / whole)});
-    return parts;
+        shares.push_back({last, static_cast<float>(std::min(std::min(to - last, 1.0), whole) / whole)});
+    return shares;
 }
 
 } // namespace
@@ -64,14 +64,14 @@ cv::Mat ShrunkRows::rows(cv::Range wanted) const {
     std::vector<float> sum(3 * static_cast<std::size_t>(size_.width));
     for (int begin = wanted.start; begin < wanted.end; begin += rows_at_once) {
         const int end = std::min(begin + rows_at_once, wanted.end);
-        const int first = parts_of(begin, scale, in_blocks_.height).front().row;
-        const int last = parts_of(end - 1, scale, in_blocks_.height).back().row;
+        const int first = shares_of(begin, scale, in_blocks_.height).front().row;
+        const int last = shares_of(end - 1, scale, in_blocks_.height).back().row;
         const cv::Mat band = block_means(picture_.rowRange(first * factor_, (last + 1) * factor_), factor_);
         band.convertTo(above, CV_32F);
         cv::resize(above, narrow, {size_.width, above.rows}, 0, 0, cv::INTER_AREA);
         for (int y = begin; y < end; ++y) {
             std::fill(sum.begin(), sum.end(), 0.0F);
-            for (const Part& part : parts_of(y, scale, in_blocks_.height)) {
+            for (const RowShare& part : shares_of(y, scale, in_blocks_.height)) {
                 const float* row = narrow.ptr<float>(part.row - first);
                 for (std::size_t i = 0; i < sum.size(); ++i)
                     sum[i] += part.share * row[i]; // cv::scaleAdd rounds otherwise where it fuses these

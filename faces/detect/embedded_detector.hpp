@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "faces/detector.hpp"
+#include "faces/detect/detector.hpp"
 
 #include <opencv2/dnn/dnn.hpp>
 

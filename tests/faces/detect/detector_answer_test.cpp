@@ -2,7 +2,7 @@
 #include "drawn_pictures.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
-#include "faces/detector_answer.hpp"
+#include "faces/detect/detector_answer.hpp"
 #include "faces/models/model_catalog.hpp"
 #include "places.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/detector.hpp"
+#include "faces/detect/detector.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawn_pictures.hpp"
-#include "faces/shrunk_rows.hpp"
+#include "faces/detect/shrunk_rows.hpp"
 
 #include <QTest>
 

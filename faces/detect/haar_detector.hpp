@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "faces/detector.hpp"
+#include "faces/detect/detector.hpp"
 
 #include <opencv2/objdetect.hpp>
 

@@ -2,7 +2,10 @@
 #include "faces/face_extractor.hpp"
 
 #include "faces/base/freed_memory.hpp"
-#include "faces/contour_nets.hpp"
+#include "faces/contours/contour_nets.hpp"
+#include "faces/contours/lbf_model.hpp"
+#include "faces/contours/mesh_model.hpp"
+#include "faces/contours/second_opinion.hpp"
 #include "faces/covered.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
@@ -12,14 +15,11 @@
 #include "faces/edges/edge_fit.hpp"
 #include "faces/face_problem.hpp"
 #include "faces/face_search.hpp"
-#include "faces/lbf_model.hpp"
-#include "faces/mesh_model.hpp"
 #include "faces/models/model_catalog.hpp"
 #include "faces/pieces/contour_fit.hpp"
 #include "faces/pieces/extra_features.hpp"
 #include "faces/pieces/fewest_pieces.hpp"
 #include "faces/quality.hpp"
-#include "faces/second_opinion.hpp"
 #include "faces/stopwatch.hpp"
 
 #include <algorithm>

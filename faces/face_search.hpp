@@ -2,8 +2,8 @@
 #pragma once
 
 #include "faces/base/landmarks.hpp"
+#include "faces/contours/second_opinion.hpp"
 #include "faces/detect/detector.hpp"
-#include "faces/second_opinion.hpp"
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/hidden_jaw.hpp"
 
-#include "faces/net_points.hpp"
+#include "faces/contours/net_points.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,9 @@
 // calibrate_quality TRUTH.json PHOTOS: prints the weights of faces/quality.cpp, fitted to the errors of our
 // nets, of what comes of theirs and the face mesh's opinion, and of the mesh, on every second portrait of
 // people whom no training saw, as it is and degraded.
-#include "faces/contour_nets.hpp"
+#include "faces/contours/contour_nets.hpp"
+#include "faces/contours/mesh_model.hpp"
+#include "faces/contours/second_opinion.hpp"
 #include "faces/covered.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
@@ -11,10 +13,8 @@
 #include "faces/evaluation/degraded.hpp"
 #include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/placed_truth.hpp"
-#include "faces/mesh_model.hpp"
 #include "faces/models/model_catalog.hpp"
 #include "faces/quality.hpp"
-#include "faces/second_opinion.hpp"
 
 #include <algorithm>
 #include <cmath>

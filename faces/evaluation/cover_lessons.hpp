@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "faces/contours/second_opinion.hpp"
 #include "faces/detect/embedded_detector.hpp"
 #include "faces/quality.hpp"
-#include "faces/second_opinion.hpp"
 
 #include <opencv2/core/mat.hpp>
 

@@ -9,7 +9,8 @@
 // is to leave the line and to bend it, and the ridge, are chosen by the contour error of people who were left
 // out in turn. Figures of this on stderr.
 #include "faces/base/face.hpp"
-#include "faces/contour_nets.hpp"
+#include "faces/contours/contour_nets.hpp"
+#include "faces/contours/mesh_model.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/edges/edge_fit.hpp"
 #include "faces/evaluation/contour_error.hpp"
@@ -18,7 +19,6 @@
 #include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/evaluation/training_half.hpp"
-#include "faces/mesh_model.hpp"
 
 #include <algorithm>
 #include <array>

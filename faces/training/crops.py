@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Square windows on a picture, as the nets see them: the same as in `faces/crop.cpp` and `faces/contour_nets.cpp`."""
+"""Square windows on a picture, as the nets see them: the same as in `faces/contours/crop.cpp` and `faces/contours/contour_nets.cpp`."""
 from dataclasses import dataclass
 
 import cv2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The nets one after the other, as `faces/contour_nets.cpp` runs them, from ONNX files through OpenCV."""
+"""The nets one after the other, as `faces/contours/contour_nets.cpp` runs them, from ONNX files through OpenCV."""
 import cv2
 
 from contours import MOUTH, SLICES

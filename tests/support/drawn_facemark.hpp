@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "faces/contours/lbf_model.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/detect/embedded_detector.hpp"
-#include "faces/lbf_model.hpp"
 #include "places.hpp"
 
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model_file_check.hpp"
 
+#include "faces/contours/lbf_model.hpp"
+#include "faces/contours/mesh_model.hpp"
 #include "faces/detect/haar_detector.hpp"
 #include "faces/detect/yunet_detector.hpp"
-#include "faces/lbf_model.hpp"
-#include "faces/mesh_model.hpp"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/lbf_model.hpp"
+#include "faces/contours/lbf_model.hpp"
 
 #include "core/geometry/polyline.hpp"
-#include "faces/crop.hpp"
+#include "faces/contours/crop.hpp"
+#include "faces/contours/plausibility.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/models/lbf_file.hpp"
-#include "faces/plausibility.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "faces/base/landmarks.hpp"
 #include "faces/base/refinement.hpp"
-#include "faces/crop.hpp"
+#include "faces/contours/crop.hpp"
 
 #include <opencv2/dnn/dnn.hpp>
 

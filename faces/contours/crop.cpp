@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/crop.hpp"
+#include "faces/contours/crop.hpp"
 
 #include <opencv2/imgproc.hpp>
 

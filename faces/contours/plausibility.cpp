@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/plausibility.hpp"
+#include "faces/contours/plausibility.hpp"
 
 #include "core/geometry/polyline.hpp"
 

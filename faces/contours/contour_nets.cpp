@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/contour_nets.hpp"
+#include "faces/contours/contour_nets.hpp"
 
 #include "core/geometry/polyline.hpp"
+#include "faces/contours/net_points.hpp"
+#include "faces/contours/plausibility.hpp"
+#include "faces/contours/shrunk.hpp"
 #include "faces/models/model_catalog.hpp"
-#include "faces/net_points.hpp"
-#include "faces/plausibility.hpp"
-#include "faces/shrunk.hpp"
 
 #include <opencv2/core.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/mesh_model.hpp"
+#include "faces/contours/mesh_model.hpp"
 
 #include "core/geometry/polyline.hpp"
-#include "faces/crop.hpp"
+#include "faces/contours/crop.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/models/onnx_file.hpp"
 

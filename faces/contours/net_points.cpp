@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/net_points.hpp"
+#include "faces/contours/net_points.hpp"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "faces/contours/second_opinion.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/detect/embedded_detector.hpp"
-#include "faces/second_opinion.hpp"
 #include "places.hpp"
 
 #include <QTest>

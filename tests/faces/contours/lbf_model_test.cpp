@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/polyline.hpp"
 #include "drawn_facemark.hpp"
+#include "faces/contours/lbf_model.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/lbf_model.hpp"
 #include "faces/models/lbf_file.hpp"
 #include "faces/models/model_catalog.hpp"
 

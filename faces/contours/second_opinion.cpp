@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/second_opinion.hpp"
+#include "faces/contours/second_opinion.hpp"
 
 #include "faces/base/freed_memory.hpp"
 #include "faces/edges/edge_fit.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "faces/contour_nets.hpp"
-#include "faces/mesh_model.hpp"
+#include "faces/contours/contour_nets.hpp"
+#include "faces/contours/mesh_model.hpp"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "faces/base/landmarks.hpp"
-#include "faces/contour_nets.hpp"
+#include "faces/contours/contour_nets.hpp"
 
 #include <opencv2/face/facemarkLBF.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/shrunk.hpp"
+#include "faces/contours/shrunk.hpp"
 
 #include <QTest>
 

@@ -34,9 +34,10 @@ tp_may(tp_detect       tp_base tp_geometry tp_decode tp_face_base tp_models
                        USES opencv_core opencv_imgproc opencv_dnn opencv_objdetect)
 tp_may(tp_contours     tp_base tp_geometry tp_decode tp_face_base tp_models tp_pieces tp_edges
                        USES opencv_core opencv_imgproc opencv_dnn opencv_face)
-tp_may(tp_faces        ${core} tp_decode tp_face_base tp_models tp_pieces tp_edges tp_detect tp_contours
+tp_may(tp_judge        tp_geometry tp_face_base tp_edges tp_contours  USES opencv_core opencv_imgproc)
+tp_may(tp_faces        ${core} tp_decode tp_face_base tp_models tp_pieces tp_edges tp_detect tp_contours tp_judge
                        USES opencv_core opencv_imgproc opencv_dnn opencv_objdetect opencv_face Threads::Threads)
-tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_models tp_pieces tp_edges tp_detect tp_contours tp_faces
+tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_models tp_pieces tp_edges tp_detect tp_contours tp_judge tp_faces
                        USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
 
 # audio: what is heard and recorded

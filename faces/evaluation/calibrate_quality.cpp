@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// calibrate_quality TRUTH.json PHOTOS: prints the weights of faces/quality.cpp, fitted to the errors of our
+// calibrate_quality TRUTH.json PHOTOS: prints the weights of faces/judge/quality.cpp, fitted to the errors of our
 // nets, of what comes of theirs and the face mesh's opinion, and of the mesh, on every second portrait of
 // people whom no training saw, as it is and degraded.
 #include "faces/contours/contour_nets.hpp"
 #include "faces/contours/mesh_model.hpp"
 #include "faces/contours/second_opinion.hpp"
-#include "faces/covered.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/detect/embedded_detector.hpp"
@@ -13,8 +12,9 @@
 #include "faces/evaluation/degraded.hpp"
 #include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/placed_truth.hpp"
+#include "faces/judge/covered.hpp"
+#include "faces/judge/quality.hpp"
 #include "faces/models/model_catalog.hpp"
-#include "faces/quality.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +106,7 @@ Predictors fitted(const std::vector<Sample>& samples) {
 
 int main(int argc, char** argv) {
     if (argc != 3) {
-        std::fputs("calibrate_quality TRUTH.json PHOTOS > faces/quality_weights.inc\n", stderr);
+        std::fputs("calibrate_quality TRUTH.json PHOTOS > faces/judge/quality_weights.inc\n", stderr);
         return 2;
     }
     quiet_opencv();

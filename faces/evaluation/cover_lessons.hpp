@@ -3,7 +3,7 @@
 
 #include "faces/contours/second_opinion.hpp"
 #include "faces/detect/embedded_detector.hpp"
-#include "faces/quality.hpp"
+#include "faces/judge/quality.hpp"
 
 #include <opencv2/core/mat.hpp>
 

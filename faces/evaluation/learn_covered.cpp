@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// learn_covered PHOTOS LABELS: prints faces/covered_weights.inc. What tells an eye or a mouth that something
+// learn_covered PHOTOS LABELS: prints faces/judge/covered_weights.inc. What tells an eye or a mouth that something
 // covers from one that is seen is learned from portraits and from photographs in the wild that no test takes:
 // as they are, and with a cover that degraded() puts there, where the mesh sees the feature. Of the
 // seen eyes in the wild one in 125 is said to be covered.
 #include "core/geometry/polyline.hpp"
-#include "faces/covered.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
@@ -15,6 +14,7 @@
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/evaluation/training_half.hpp"
 #include "faces/evaluation/wild_labels.hpp"
+#include "faces/judge/covered.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -122,7 +122,7 @@ std::vector<Contour> contours_as_seen(const Sight& sight) {
 int main(int argc, char** argv) {
     if (argc != 3) {
         std::fputs(
-            "learn_covered ../shared/faces/photos tests/faces/wild_labels.txt > faces/covered_weights.inc\n",
+            "learn_covered ../shared/faces/photos tests/faces/wild_labels.txt > faces/judge/covered_weights.inc\n",
             stderr);
         return 2;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// learn_hidden_jaw WILD LABELS: prints faces/hidden_jaw_weights.inc, learned from the photographs in the wild
+// learn_hidden_jaw WILD LABELS: prints faces/judge/hidden_jaw_weights.inc, learned from the photographs in the wild
 // that no test takes and what somebody saw in them. Of faces without beard (or hair before the jaw) one in
 // thirty is told to have one.
 #include "faces/decode/picture.hpp"
@@ -7,7 +7,7 @@
 #include "faces/evaluation/cover_lessons.hpp"
 #include "faces/evaluation/training_half.hpp"
 #include "faces/evaluation/wild_labels.hpp"
-#include "faces/hidden_jaw.hpp"
+#include "faces/judge/hidden_jaw.hpp"
 
 #include <cstdio>
 
@@ -37,7 +37,7 @@ void print(const char* name, const cv::Mat1d& signs, const cv::Mat1d& hidden) {
 int main(int argc, char** argv) {
     if (argc != 3) {
         std::fputs("learn_hidden_jaw ../shared/faces/photos/wild tests/faces/wild_labels.txt > "
-                   "faces/hidden_jaw_weights.inc\n",
+                   "faces/judge/hidden_jaw_weights.inc\n",
                    stderr);
         return 2;
     }

@@ -12,7 +12,7 @@
 #include "core/svg/contour_sheet.hpp"
 #include "device/open_problem.hpp"
 #include "faces/decode/picture.hpp"
-#include "faces/face_problem.hpp"
+#include "faces/judge/face_problem.hpp"
 #include "marked_sentences.hpp"
 #include "sound_files.hpp"
 

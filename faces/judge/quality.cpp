@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/quality.hpp"
+#include "faces/judge/quality.hpp"
 
-#include "faces/covered.hpp"
-#include "faces/outline_step.hpp"
+#include "faces/judge/covered.hpp"
+#include "faces/judge/outline_step.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ constexpr double error_floor_percent =
 
 /// Of the predictors, by calibrate_quality.
 constexpr std::array<std::array<double, predictor_count>, feature_count> weights{{
-#include "faces/quality_weights.inc"
+#include "faces/judge/quality_weights.inc"
 }};
 
 double mean_of(const std::array<double, feature_count>& values) {

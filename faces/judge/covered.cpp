@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/covered.hpp"
+#include "faces/judge/covered.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 constexpr double least_eyes_apart_px = 30.0; ///< eyes apart; below, nothing about a face is clear
 constexpr double open_eye = 0.15;             ///< openness; what covers a less open eye is its lids
 
-#include "faces/covered_weights.inc"
+#include "faces/judge/covered_weights.inc"
 
 double of_feature(const std::array<double, feature_count>& percent, FeatureIndex feature) {
     const double value =

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "faces/base/landmarks.hpp"
-#include "faces/quality.hpp"
+#include "faces/judge/quality.hpp"
 
 #include <opencv2/core/types.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/face_problem.hpp"
+#include "faces/judge/face_problem.hpp"
 
 #include "core/geometry/polyline.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/hidden_jaw.hpp"
+#include "faces/judge/hidden_jaw.hpp"
 
 #include <QTest>
 

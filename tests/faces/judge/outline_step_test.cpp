@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/outline_step.hpp"
+#include "faces/judge/outline_step.hpp"
 
 #include <QTest>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/covered.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/degraded.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/face_problem.hpp"
+#include "faces/judge/covered.hpp"
+#include "faces/judge/face_problem.hpp"
 #include "portraits.hpp"
 
 #include <QTest>

@@ -3,7 +3,7 @@
 
 #include "faces/base/face.hpp"
 #include "faces/edges/edge_fit.hpp"
-#include "faces/hidden_jaw.hpp"
+#include "faces/judge/hidden_jaw.hpp"
 
 #include <opencv2/core/mat.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/hidden_jaw.hpp"
+#include "faces/judge/hidden_jaw.hpp"
 
 #include "faces/contours/net_points.hpp"
 
@@ -19,7 +19,7 @@ constexpr std::array<double, 3> across_the_cheek{-0.05, 0.0, 0.05};
 // L*, and a* and b* together, from which a place is darker, or of another colour, than the cheeks.
 constexpr double darker_chin = 12.0, darker_side = 25.0, other_chin = 8.0, other_side = 10.0;
 
-#include "faces/hidden_jaw_weights.inc"
+#include "faces/judge/hidden_jaw_weights.inc"
 
 constexpr PointRange chin{10, 23}, right_side{1, 8}, left_side{25, 32}; ///< of the outline's points
 

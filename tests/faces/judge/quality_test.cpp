@@ -2,8 +2,8 @@
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/degraded.hpp"
 #include "faces/face_extractor.hpp"
-#include "faces/face_problem.hpp"
-#include "faces/quality.hpp"
+#include "faces/judge/face_problem.hpp"
+#include "faces/judge/quality.hpp"
 #include "portraits.hpp"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "faces/quality.hpp"
+#include "faces/judge/quality.hpp"
 
 #include <array>
 

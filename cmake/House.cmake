@@ -22,23 +22,22 @@ tp_may(tp_force_guard    tp_haply_protocol) # a small process that starts at onc
 tp_may(tp_device         ${core} tp_pad_protocol tp_pad_firmware tp_haply_protocol
                          USES PkgConfig::hidapi PkgConfig::libusb Threads::Threads)
 
-# faces: from a photograph to contours
+# faces: from a photograph to contours, by the way that it goes; other rooms include decode, base and extract
 tp_may(tp_exiv2        USES PkgConfig::exiv2)
 tp_may(tp_decode       tp_base tp_libraries tp_exiv2
                        USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc) # never the nets
 tp_may(tp_face_base    tp_geometry  USES opencv_core opencv_imgproc)
 tp_may(tp_models       tp_base tp_geometry tp_decode  USES opencv_core opencv_dnn opencv_objdetect)
-tp_may(tp_pieces       tp_geometry tp_face_base)
-tp_may(tp_edges        tp_geometry tp_face_base tp_pieces  USES opencv_core opencv_imgproc)
 tp_may(tp_detect       tp_base tp_geometry tp_decode tp_face_base tp_models
                        USES opencv_core opencv_imgproc opencv_dnn opencv_objdetect)
+tp_may(tp_pieces       tp_geometry tp_face_base)
+tp_may(tp_edges        tp_geometry tp_face_base tp_pieces  USES opencv_core opencv_imgproc)
 tp_may(tp_contours     tp_base tp_geometry tp_decode tp_face_base tp_models tp_pieces tp_edges
                        USES opencv_core opencv_imgproc opencv_dnn opencv_face)
 tp_may(tp_judge        tp_geometry tp_face_base tp_edges tp_contours  USES opencv_core opencv_imgproc)
-tp_may(tp_faces        ${core} tp_decode tp_face_base tp_models tp_pieces tp_edges tp_detect tp_contours tp_judge
-                       USES opencv_core opencv_imgproc opencv_dnn opencv_objdetect opencv_face Threads::Threads)
-tp_may(tp_evaluation   tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_models tp_pieces tp_edges tp_detect tp_contours tp_judge tp_faces
-                       USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
+set(of_faces tp_decode tp_face_base tp_models tp_detect tp_contours tp_edges tp_pieces tp_judge)
+tp_may(tp_extract      tp_base tp_geometry ${of_faces}  USES opencv_core Threads::Threads)
+tp_may(tp_evaluation   tp_base tp_geometry ${of_faces} tp_extract  USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
 
 # audio: what is heard and recorded
 tp_may(tp_speech       tp_base  USES Qt6::Core Qt6::TextToSpeech)
@@ -48,7 +47,7 @@ tp_may(tp_video        tp_base tp_files tp_libraries tp_recordings)
 tp_may(tp_sound        tp_base tp_files tp_sentences tp_recordings  USES Qt6::Core Qt6::Multimedia PkgConfig::soundtouch)
 tp_may(tp_guide        tp_base tp_sound  USES Qt6::Core)
 
-set(below_app ${core} tp_device tp_decode tp_face_base tp_faces tp_speech tp_sentences tp_recordings tp_sound)
+set(below_app ${core} tp_device tp_decode tp_face_base tp_extract tp_speech tp_sentences tp_recordings tp_sound)
 
 # app/album: photographs, people and recordings as files, and their index
 tp_may(tp_metadata     tp_base tp_files tp_recordings tp_exiv2  USES PkgConfig::exiv2 PkgConfig::pugixml)
@@ -72,7 +71,7 @@ tp_may(tp_open_album   tp_base tp_files tp_sentences tp_recordings tp_metadata t
 
 # app/figures: measurements that end in tables and plots
 tp_may(tp_report       ${below_app}  USES Qt6::Gui Qt6::Svg)
-tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_models tp_faces tp_evaluation tp_picture tp_report
+tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_models tp_extract tp_evaluation tp_picture tp_report
                        USES Boost::headers nanoflann::nanoflann)
 
 # app/pages: what a person meets; no page knows another

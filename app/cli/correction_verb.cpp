@@ -8,7 +8,7 @@
 #include "app/photo/scene/corrections.hpp"
 #include "app/photo/scene/scene_builder.hpp"
 #include "faces/evaluation/contour_error.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <cstdio>
 

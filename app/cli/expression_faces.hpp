@@ -3,7 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/study/expression_cues.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -9,9 +9,9 @@
 #include "app/photo/picture/picture_file.hpp"
 #include "app/photo/scene/corrections.hpp"
 #include "app/photo/scene/extra_features.hpp"
-#include "faces/batch.hpp"
 #include "faces/decode/picture.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/batch.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <QFileInfo>
 #include <QHash>

@@ -4,7 +4,7 @@
 #include "app/cli/long_work.hpp"
 #include "app/cli/model_fetch.hpp"
 #include "app/cli/verbs.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "faces/models/model_catalog.hpp"
 
 #include <QDir>

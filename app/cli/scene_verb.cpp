@@ -7,7 +7,7 @@
 #include "app/photo/scene/scene_builder.hpp"
 #include "core/guidance/spacing.hpp"
 #include "core/svg/contour_sheet.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <cstdio>
 

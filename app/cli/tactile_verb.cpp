@@ -7,7 +7,7 @@
 #include "app/photo/people/face_names.hpp"
 #include "app/photo/scene/corrections.hpp"
 #include "app/photo/tactile/tactile_file.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -4,7 +4,7 @@
 #include "core/base/result.hpp"
 #include "faces/base/landmarks.hpp"
 #include "faces/evaluation/placed_truth.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <array>
 #include <filesystem>

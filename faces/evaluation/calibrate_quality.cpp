@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// calibrate_quality TRUTH.json PHOTOS: prints the weights of faces/judge/quality.cpp, fitted to the errors of our
-// nets, of what comes of theirs and the face mesh's opinion, and of the mesh, on every second portrait of
+// calibrate_quality TRUTH.json PHOTOS: prints the weights of faces/judge/quality.cpp, fitted to the errors of
+// our nets, of what comes of theirs and the face mesh's opinion, and of the mesh, on every second portrait of
 // people whom no training saw, as it is and degraded.
 #include "faces/contours/contour_nets.hpp"
 #include "faces/contours/mesh_model.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// learn_covered PHOTOS LABELS: prints faces/judge/covered_weights.inc. What tells an eye or a mouth that something
-// covers from one that is seen is learned from portraits and from photographs in the wild that no test takes:
-// as they are, and with a cover that degraded() puts there, where the mesh sees the feature. Of the
-// seen eyes in the wild one in 125 is said to be covered.
+// learn_covered PHOTOS LABELS: prints faces/judge/covered_weights.inc. What tells an eye or a mouth that
+// something covers from one that is seen is learned from portraits and from photographs in the wild that no
+// test takes: as they are, and with a cover that degraded() puts there, where the mesh sees the feature. Of
+// the seen eyes in the wild one in 125 is said to be covered.
 #include "core/geometry/polyline.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
@@ -121,9 +121,9 @@ std::vector<Contour> contours_as_seen(const Sight& sight) {
 
 int main(int argc, char** argv) {
     if (argc != 3) {
-        std::fputs(
-            "learn_covered ../shared/faces/photos tests/faces/wild_labels.txt > faces/judge/covered_weights.inc\n",
-            stderr);
+        std::fputs("learn_covered ../shared/faces/photos tests/faces/wild_labels.txt > "
+                   "faces/judge/covered_weights.inc\n",
+                   stderr);
         return 2;
     }
     quiet_opencv();

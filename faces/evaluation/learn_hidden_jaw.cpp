@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// learn_hidden_jaw WILD LABELS: prints faces/judge/hidden_jaw_weights.inc, learned from the photographs in the wild
-// that no test takes and what somebody saw in them. Of faces without beard (or hair before the jaw) one in
-// thirty is told to have one.
+// learn_hidden_jaw WILD LABELS: prints faces/judge/hidden_jaw_weights.inc, learned from the photographs in
+// the wild that no test takes and what somebody saw in them. Of faces without beard (or hair before the jaw)
+// one in thirty is told to have one.
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/evaluation/cover_lessons.hpp"

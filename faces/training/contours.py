@@ -2,8 +2,9 @@
 """How the points of a face are numbered, what a mirror does to them, and the distance between contours.
 
 Points are (x, y) in pixels of a picture whose corner is (0, 0); right and left are the person's own. The numbering is
-that of `faces/contours/contour_nets.cpp`: an eye and a brow start at their outer end, a lip at the right corner of the mouth, and
-all of them take their lower edge first. The nose goes from the top of its right wing round below to that of the left.
+that of `faces/contours/contour_nets.cpp`: an eye and a brow start at their outer end, a lip at the right corner of the
+mouth, and all of them take their lower edge first. The nose goes from the top of its right wing round below to that of
+the left.
 An iris is its centre and, further on, a point of its rim on the outer side, along the line between the eyes' centres.
 """
 import numpy as np

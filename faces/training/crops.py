@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Square windows on a picture, as the nets see them: the same as in `faces/contours/crop.cpp` and `faces/contours/contour_nets.cpp`."""
+"""Square windows on a picture, as the nets see them: the same as in `crop.cpp` and `contour_nets.cpp` of `faces/contours`."""
 from dataclasses import dataclass
 
 import cv2

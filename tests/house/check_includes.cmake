@@ -28,6 +28,8 @@ forbid(core PATTERN "<(pugixml|2geom|exiv2|turbojpeg)" WHY "only core/svg has a 
 forbid(core PATTERN "<(fstream|filesystem|iostream|cstdio)" WHY "no I/O in core outside core/files and core/svg" EXCEPT "core/(files|svg)/")
 forbid(app audio PATTERN "<Q(Network|Tcp|Udp|Ssl|Local(Socket|Server)|Abstract(Socket|NetworkCache)|WebSocket)" WHY "only touchphoto-lab models fetch goes online; own_resources keeps the pages from it"
        EXCEPT "app/cli/|app/shell/own_resources[.]cpp")
+forbid(app audio PATTERN "\"faces/(detect|contours|edges|pieces|judge|training)/" WHY "other rooms ask extract")
+forbid(app audio PATTERN "\"faces/(models|evaluation)/" WHY "only the shell and the figures list and measure models" EXCEPT "app/(cli|figures)/")
 forbid(core device faces audio app PATTERN "\"\\.\\.?/" WHY "include by the path in the house")
 
 if(faults)

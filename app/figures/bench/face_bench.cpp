@@ -2,12 +2,12 @@
 #include "app/figures/bench/face_bench.hpp"
 
 #include "app/figures/bench/bench_clock.hpp"
-#include "faces/batch.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/degraded.hpp"
 #include "faces/evaluation/opened_mouth.hpp"
+#include "faces/extract/batch.hpp"
 #include "faces/models/model_catalog.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "faces/evaluation/wild_labels.hpp"
 #include "core/base/result.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/evaluation/wild_labels.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <array>
 #include <atomic>

@@ -4,7 +4,7 @@
 #include "app/photo/picture/overlay.hpp"
 #include "app/photo/scene/corrections.hpp"
 #include "faces/decode/picture.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <QMetaObject>
 

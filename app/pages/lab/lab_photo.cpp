@@ -3,7 +3,7 @@
 
 #include "app/photo/scene/corrections.hpp"
 #include "faces/decode/picture.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <exception>
 #include <utility>

@@ -6,7 +6,7 @@
 #include "app/pages/lab/sample_scenes.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "core/files/durable_file.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <QFileInfo>
 #include <QLocale>

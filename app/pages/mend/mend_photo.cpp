@@ -5,7 +5,7 @@
 #include "app/photo/scene/corrections.hpp"
 #include "core/svg/contour_sheet.hpp"
 #include "faces/decode/picture.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <exception>
 #include <system_error>

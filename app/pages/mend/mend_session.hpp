@@ -9,7 +9,7 @@
 #include "app/pages/mend/mend_words.hpp"
 #include "app/parts/narration/narrator.hpp"
 #include "app/parts/work/newest_work.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <QImage>
 #include <QPointF>

@@ -8,7 +8,7 @@
 #include "app/photo/tactile/tactile_file.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "core/files/durable_file.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <QBuffer>
 #include <QByteArray>

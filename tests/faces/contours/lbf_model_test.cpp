@@ -3,7 +3,7 @@
 #include "drawn_facemark.hpp"
 #include "faces/contours/lbf_model.hpp"
 #include "faces/decode/quiet_opencv.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "faces/models/lbf_file.hpp"
 #include "faces/models/model_catalog.hpp"
 

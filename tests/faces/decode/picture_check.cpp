@@ -2,7 +2,7 @@
 #include "picture_check.hpp"
 
 #include "faces/decode/picture.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <functional>
 

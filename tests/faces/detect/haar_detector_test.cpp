@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/decode/picture.hpp"
 #include "faces/detect/haar_detector.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "faces/models/model_catalog.hpp"
 #include "places.hpp"
 #include "square_cascade.hpp"

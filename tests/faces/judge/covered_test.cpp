@@ -2,7 +2,7 @@
 #include "faces/evaluation/closed_eyes.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/degraded.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "faces/judge/covered.hpp"
 #include "faces/judge/face_problem.hpp"
 #include "portraits.hpp"

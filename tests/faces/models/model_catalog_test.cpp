@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "faces/models/model_catalog.hpp"
 #include "places.hpp"
 

@@ -2,7 +2,7 @@
 #include "core/geometry/flatten.hpp"
 #include "drawn_pictures.hpp"
 #include "faces/evaluation/contour_error.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "places.hpp"
 #include "portraits.hpp"
 

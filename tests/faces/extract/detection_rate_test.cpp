@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawn_pictures.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "portraits.hpp"
 
 #include <QTest>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/face_search.hpp"
+#include "faces/extract/face_search.hpp"
 
 #include "faces/detect/yunet_detector.hpp"
+#include "faces/extract/stopwatch.hpp"
 #include "faces/models/model_catalog.hpp"
-#include "faces/stopwatch.hpp"
 
 #include <algorithm>
 #include <cmath>

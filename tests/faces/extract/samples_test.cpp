@@ -2,7 +2,7 @@
 #include "core/svg/contour_sheet.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/evaluation/contour_error.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "places.hpp"
 
 #include <QTest>

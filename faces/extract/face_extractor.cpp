@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include "faces/base/freed_memory.hpp"
 #include "faces/contours/contour_nets.hpp"
@@ -12,7 +12,8 @@
 #include "faces/detect/haar_detector.hpp"
 #include "faces/detect/yunet_detector.hpp"
 #include "faces/edges/edge_fit.hpp"
-#include "faces/face_search.hpp"
+#include "faces/extract/face_search.hpp"
+#include "faces/extract/stopwatch.hpp"
 #include "faces/judge/covered.hpp"
 #include "faces/judge/face_problem.hpp"
 #include "faces/judge/quality.hpp"
@@ -20,7 +21,6 @@
 #include "faces/pieces/contour_fit.hpp"
 #include "faces/pieces/extra_features.hpp"
 #include "faces/pieces/fewest_pieces.hpp"
-#include "faces/stopwatch.hpp"
 
 #include <algorithm>
 

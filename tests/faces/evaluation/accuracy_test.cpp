@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/golden_set.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "portraits.hpp"
 
 #include <QTest>

@@ -2,7 +2,7 @@
 // Photographs on their side or head whose file does not say so.
 #include "faces/decode/picture.hpp"
 #include "faces/evaluation/contour_error.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "places.hpp"
 
 #include <QTest>

@@ -2,7 +2,7 @@
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/training_half.hpp"
 #include "faces/evaluation/wild_labels.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 #include "portraits.hpp"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/flatten.hpp"
-#include "faces/batch.hpp"
+#include "faces/extract/batch.hpp"
 #include "places.hpp"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "faces/batch.hpp"
+#include "faces/extract/batch.hpp"
 
 #include <condition_variable>
 #include <map>

@@ -7,6 +7,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/Rooms.cmake)
 tp_may(tp_base)
 tp_may(tp_files        tp_base)
 tp_may(tp_libraries)
+tp_may(tp_processes   tp_base  USES PkgConfig::seccomp Threads::Threads)
 tp_may(tp_geometry     tp_base  USES glm::glm)
 tp_may(tp_guidance     tp_base tp_geometry)
 tp_may(tp_svg          tp_base tp_files tp_geometry tp_guidance  USES PkgConfig::pugixml PkgConfig::2geom)
@@ -19,12 +20,12 @@ tp_may(tp_pad_protocol) # nothing at all: it runs on a microcontroller
 tp_may(tp_pad_firmware   tp_pad_protocol)
 tp_may(tp_haply_protocol)
 tp_may(tp_force_guard    tp_haply_protocol) # a small process that starts at once
-tp_may(tp_device         ${core} tp_pad_protocol tp_pad_firmware tp_haply_protocol
+tp_may(tp_device         ${core} tp_processes tp_pad_protocol tp_pad_firmware tp_haply_protocol
                          USES PkgConfig::hidapi PkgConfig::libusb Threads::Threads)
 
 # faces: from a photograph to contours, by the way that it goes; other rooms include decode, base and extract
 tp_may(tp_exiv2        USES PkgConfig::exiv2)
-tp_may(tp_decode       tp_base tp_libraries tp_exiv2
+tp_may(tp_decode       tp_base tp_files tp_libraries tp_processes tp_exiv2
                        USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc) # never the nets
 tp_may(tp_face_base    tp_geometry  USES opencv_core opencv_imgproc)
 tp_may(tp_models       tp_base tp_geometry tp_decode  USES opencv_core opencv_dnn opencv_objdetect)
@@ -43,7 +44,7 @@ tp_may(tp_evaluation   tp_base tp_geometry ${of_faces} tp_extract  USES opencv_c
 tp_may(tp_speech       tp_base  USES Qt6::Core Qt6::TextToSpeech)
 tp_may(tp_sentences    USES Qt6::Core)
 tp_may(tp_recordings   tp_base tp_files  USES PkgConfig::sndfile PkgConfig::ebur128)
-tp_may(tp_video        tp_base tp_files tp_libraries tp_recordings)
+tp_may(tp_video        tp_base tp_files tp_libraries tp_processes tp_recordings)
 tp_may(tp_sound        tp_base tp_files tp_sentences tp_recordings  USES Qt6::Core Qt6::Multimedia PkgConfig::soundtouch)
 tp_may(tp_guide        tp_base tp_sound  USES Qt6::Core)
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/durable_file.hpp"
 
+#include "core/base/descriptor_posix.hpp"
 #include "core/files/file_words.hpp"
 
 #include <array>
@@ -16,24 +17,6 @@ namespace tp {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A file descriptor that closes itself.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0)
-            ::close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    bool ok() const { return number_ >= 0; }
-    int number() const { return number_; }
-
-private:
-    int number_;
-};
 
 std::string copied(int from, NewFile& to) {
     std::array<char, 1 << 16> block;

@@ -5,6 +5,7 @@
 #include "audio/sound/recorder.hpp"
 #include "audio/sound/system_loudspeaker.hpp"
 #include "audio/speech/spoken_voice.hpp"
+#include "core/processes/foreign_decoder_linux.hpp"
 #include "device/registry.hpp"
 
 #include <QCommandLineParser>
@@ -84,6 +85,7 @@ int main(int argc, char** argv) {
     if (options.isSet(size_option) && !size)
         return refuse("--size is a width and a height in pixels, such as 1280x800.");
 
+    tp::decode_in_helpers(&tp::touchphoto_decoders());
     tp::SpokenVoice voice;
     tp::ProgramParts parts{voice, [] { return std::make_unique<tp::SystemLoudspeaker>(); }, tp::system_microphone,
                            tp::Preferences::usual_file(), tp::OpenAlbum::usual_cache(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/verbs.hpp"
+#include "core/processes/foreign_decoder_linux.hpp"
 
 #include <QCoreApplication>
 #include <QGuiApplication>
@@ -22,5 +23,6 @@ int main(int argc, char** argv) {
     // Text in pictures needs fonts, which need a platform; a shell has no window.
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QGuiApplication application(argc, argv);
+    tp::decode_in_helpers(&tp::touchphoto_decoders());
     return tp::run_lab(QCoreApplication::arguments().mid(1));
 }

@@ -20,9 +20,6 @@ namespace {
 /// Of a VideoSound, which is not made before they are loaded.
 const LibAv& av() { return *load_libav(); }
 
-constexpr int most_channels = 8; // as many as FLAC has
-constexpr int lowest_rate = 1'000;
-constexpr int highest_rate = 655'350; // FLAC's
 constexpr std::size_t most_memory = std::size_t{256}
                                     << 20; // of one allocation; a minute's index needs a megabyte
 constexpr int read_block = 1 << 15;
@@ -177,10 +174,10 @@ struct VideoSound::Impl {
         format = {frame->sample_rate, frame->ch_layout.nb_channels};
         sample_format = frame->format;
         depth = depth_of(frame->format);
-        if (format.channels < 1 || format.channels > most_channels)
+        if (format.channels < 1 || format.channels > most_video_channels)
             return "its sound has " + std::to_string(format.channels) + " channels; at most " +
-                   std::to_string(most_channels) + " can be read.";
-        if (format.rate < lowest_rate || format.rate > highest_rate)
+                   std::to_string(most_video_channels) + " can be read.";
+        if (format.rate < lowest_video_rate || format.rate > highest_video_rate)
             return "its sample rate is none of a recording.";
         hold();
         return {};

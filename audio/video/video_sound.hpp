@@ -12,6 +12,10 @@
 
 namespace tp {
 
+inline constexpr int most_video_channels = 8;      ///< as many as FLAC has
+inline constexpr int lowest_video_rate = 1'000;     ///< Hz
+inline constexpr int highest_video_rate = 655'350; ///< Hz; FLAC's
+
 /// The sound of a video: MP4, QuickTime or 3GP, as cameras and telephones write them. Pictures are not
 /// decoded.
 class VideoSound : public SoundStream {

@@ -18,11 +18,20 @@ Decode* find_decoder() {
     return decode;
 }
 
+/// Loaded at the first call.
+Decode* decoder() {
+    const HushedThread hushed;
+    static Decode* const decode = find_decoder();
+    return decode;
+}
+
 } // namespace
+
+bool load_other_decoders() { return decoder() != nullptr; }
 
 Result<cv::Mat> decode_other_format(const Bytes& bytes) {
     const HushedThread hushed;
-    static Decode* const decode = find_decoder();
+    Decode* const decode = decoder();
     if (!decode)
         return Error{"Pictures other than JPEG need the library " TP_OPENCV_CODECS
                      " (Debian: libopencv-imgcodecs406), which is not here: install it or save the picture "

@@ -14,4 +14,7 @@ namespace tp {
 /// are not on this machine.
 Result<cv::Mat> decode_other_format(const Bytes& bytes);
 
+/// Loads OpenCV's decoders now; false where they are not on this machine.
+bool load_other_decoders();
+
 } // namespace tp

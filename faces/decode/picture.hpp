@@ -32,7 +32,8 @@ Result<cv::Mat> read_picture_to_fit(const std::filesystem::path& file, cv::Size 
 struct ShrunkPicture {
     cv::Mat pixels; ///< 8-bit BGR, upright
     cv::Size size;  ///< px, of the whole picture, upright
-    int shrink = 1; ///< pixels of the whole picture for one of these, each way: place times this is the place in the whole
+    int shrink = 1; ///< pixels of the whole picture for one of these, each way: place times this is the place
+                    ///< in the whole
     /// All pixels, as `read_picture` gives them: read anew, or, where that takes long (HEIC, AVIF), made of
     /// those that were decoded, which take three bytes each until this is destroyed.
     std::function<Result<cv::Mat>()> whole;

@@ -5,14 +5,38 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fcntl.h>
 #include <fstream>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace tp {
 namespace {
 
 constexpr std::uintmax_t most_bytes = std::uintmax_t{2} << 30;
+
+Error cannot_be_read() { return {"The file cannot be read."}; }
+
+/// Of a file that may be read as a picture, in bytes.
+Result<std::uintmax_t> size_to_read(const std::filesystem::path& file) {
+    std::error_code failure;
+    const std::filesystem::file_status status = std::filesystem::status(file, failure);
+    if (status.type() == std::filesystem::file_type::not_found)
+        return Error{"There is no such file."};
+    if (std::filesystem::is_directory(status))
+        return Error{"This is a folder, not a picture."};
+    if (failure || !std::filesystem::is_regular_file(status))
+        return cannot_be_read();
+    const std::uintmax_t size = std::filesystem::file_size(file, failure);
+    if (failure)
+        return cannot_be_read();
+    if (size == 0)
+        return Error{"The file is empty."};
+    if (size > most_bytes)
+        return Error{"The file is too large to be a photograph: more than 2 gigabytes."};
+    return size;
+}
 
 } // namespace
 
@@ -62,26 +86,24 @@ Bytes first_bytes(const std::filesystem::path& file) {
     return bytes;
 }
 
+Result<PictureFile> open_picture_file(const std::filesystem::path& file) {
+    const Result<std::uintmax_t> size = size_to_read(file);
+    if (!size)
+        return Error{size.error()};
+    Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!descriptor.ok())
+        return cannot_be_read();
+    return PictureFile{std::move(descriptor), *size};
+}
+
 Result<Bytes> read_bytes(const std::filesystem::path& file) {
-    std::error_code failure;
-    const std::filesystem::file_status status = std::filesystem::status(file, failure);
-    if (status.type() == std::filesystem::file_type::not_found)
-        return Error{"There is no such file."};
-    if (std::filesystem::is_directory(status))
-        return Error{"This is a folder, not a picture."};
-    if (failure || !std::filesystem::is_regular_file(status))
-        return Error{"The file cannot be read."};
-    const std::uintmax_t size = std::filesystem::file_size(file, failure);
-    if (failure)
-        return Error{"The file cannot be read."};
-    if (size == 0)
-        return Error{"The file is empty."};
-    if (size > most_bytes)
-        return Error{"The file is too large to be a photograph: more than 2 gigabytes."};
-    Bytes bytes(static_cast<std::size_t>(size));
+    const Result<std::uintmax_t> size = size_to_read(file);
+    if (!size)
+        return Error{size.error()};
+    Bytes bytes(static_cast<std::size_t>(*size));
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || !stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
-        return Error{"The file cannot be read."};
+    if (!stream || !stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(*size)))
+        return cannot_be_read();
     return bytes;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/descriptor_posix.hpp"
 #include "core/base/result.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -29,6 +31,14 @@ PictureKind kind_of(const Bytes& bytes);
 /// As many of a file's first bytes as kind_of looks at, or as it has; none where it is no file that can be
 /// read.
 Bytes first_bytes(const std::filesystem::path& file);
+
+/// A file that is open, and how many bytes it has.
+struct PictureFile {
+    Descriptor descriptor;
+    std::uintmax_t size = 0;
+};
+/// To be read, by another process; the same errors as `read_bytes`.
+Result<PictureFile> open_picture_file(const std::filesystem::path& file);
 
 /// A whole file; an error where there is none, it is a folder, may not be read, is empty or has more than 2
 /// GiB.

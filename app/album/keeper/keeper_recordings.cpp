@@ -6,11 +6,10 @@
 #include "app/album/keeper/tag_note.hpp"
 #include "app/album/metadata/motion_photo.hpp"
 #include "app/album/metadata/read_record.hpp"
-#include "audio/recordings/byte_source.hpp"
 #include "audio/recordings/import_sound.hpp"
 #include "audio/recordings/recording_file.hpp"
 #include "audio/recordings/trim.hpp"
-#include "audio/video/video_sound.hpp"
+#include "audio/video/sound_of_video.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
@@ -120,16 +119,10 @@ Result<AlbumKeeper::Added> AlbumKeeper::add_video_sound(const fs::path& photo, c
     if (notes.label.recorded.empty())
         notes.label.recorded = time_of(file);
     const auto open = [&]() -> Result<std::unique_ptr<SoundStream>> {
-        auto bytes = FileBytes::open(file);
-        if (!bytes)
-            return Error{bytes.error()};
-        auto sound =
-            VideoSound::open(std::make_unique<PartOfBytes>(std::move(*bytes), video.begin, video.size));
-        if (!sound)
-            return Error{sound.error()};
-        if (sound->frames() > longest_video_s * static_cast<std::uint64_t>(sound->format().rate))
+        auto sound = sound_of_video(file, video.begin, video.size);
+        if (sound && (*sound)->frames() > longest_video_s * static_cast<std::uint64_t>((*sound)->format().rate))
             return Error{"it is longer than a minute, so it is a film and not the photograph's."};
-        return std::unique_ptr<SoundStream>(std::make_unique<VideoSound>(std::move(*sound)));
+        return sound;
     };
     const auto kept = import_sound(open, tags_folder(photo), notes);
     if (!kept)

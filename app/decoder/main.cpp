@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// touchphoto-decoder: started by TouchPhoto when it first meets a photograph or a video whose decoding takes
+// a large library. It decodes what it is handed, in a process that can do nothing else, so that what a
+// hostile file brings about in such a library ends here. Its word says which libraries it loads.
+//
+//     touchphoto-decoder heif|pictures|videos
+//
+// Descriptor 3 is the program that asks.
+#include "audio/video/sound_service.hpp"
+#include "core/processes/answering_linux.hpp"
+#include "core/processes/message.hpp"
+#include "faces/decode/picture_service.hpp"
+#include "faces/decode/shared_pixels.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <unistd.h>
+
+namespace {
+
+constexpr tp::Limits limits{std::uint64_t{6} << 30,
+                            64}; ///< a picture of 200 megapixel with ten bits takes half of it
+constexpr int longest_s = 150;   ///< of processor time, for one answer
+
+void answer_by(const std::function<std::optional<tp::Message>(tp::MessageReader&)>& service) {
+    tp::answer_messages(limits, longest_s, [&](tp::Message& message) {
+        tp::MessageReader question(message);
+        return service(question);
+    });
+}
+
+void decode_pictures(void (*load)()) {
+    load();
+    tp::keep_pixels_in_shared_memory();
+    tp::PictureService pictures;
+    answer_by([&](tp::MessageReader& question) { return pictures.answer(question); });
+}
+
+void decode_sounds() {
+    tp::load_video_decoders();
+    tp::SoundService sounds;
+    answer_by([&](tp::MessageReader& question) { return sounds.answer(question); });
+}
+
+} // namespace
+
+int main(int count, char** words) {
+    const std::string_view what = count == 2 ? words[1] : "";
+    if (what == "heif")
+        decode_pictures(tp::load_heif_decoders);
+    else if (what == "pictures")
+        decode_pictures(tp::load_picture_decoders);
+    else if (what == "videos")
+        decode_sounds();
+    _exit(0); // there is nothing to be put in order, and nothing that might still be done
+}

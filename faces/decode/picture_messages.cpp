@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/decode/picture_messages.hpp"
+
+#include "core/files/file_words.hpp"
+#include "faces/decode/shared_pixels.hpp"
+#include "faces/decode/upright_picture.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace tp {
+namespace {
+
+constexpr std::size_t longest_sentence = 1000; ///< bytes
+constexpr int largest_shrink = 8;
+constexpr double most_decoded_px =
+    1.05 * largest_picture_px; ///< with what some encoders fill up to whole blocks
+
+Error no_answer_of_a_decoder() { return {"The picture cannot be decoded."}; }
+
+/// Zero where it is no number of an int.
+int as_int(std::int64_t number) {
+    return number < 0 || number > std::numeric_limits<int>::max() ? 0 : static_cast<int>(number);
+}
+
+} // namespace
+
+Message message_of(PictureQuestion question) {
+    MessageWriter message;
+    message.add(static_cast<std::int64_t>(question.what));
+    message.add(std::int64_t{question.box.width}).add(std::int64_t{question.box.height});
+    message.add(std::int64_t{question.longest_px}).add(static_cast<std::int64_t>(question.file.size));
+    if (question.file.descriptor.ok())
+        message.hand_over(std::move(question.file.descriptor));
+    return message.take();
+}
+
+std::optional<PictureQuestion> picture_question(MessageReader& message) {
+    PictureQuestion question;
+    const std::int64_t what = message.number();
+    if (what < 0 || what > static_cast<std::int64_t>(PictureQuestion::What::forget))
+        return std::nullopt;
+    question.what = static_cast<PictureQuestion::What>(what);
+    question.box.width = as_int(message.number());
+    question.box.height = as_int(message.number());
+    question.longest_px = as_int(message.number());
+    question.file.size = static_cast<std::uintmax_t>(message.number());
+    if (question.what == PictureQuestion::What::to_fit || question.what == PictureQuestion::What::shrunk)
+        question.file.descriptor = message.descriptor();
+    return message.whole() ? std::optional(std::move(question)) : std::nullopt;
+}
+
+Message message_of(Result<PictureAnswer> answer) {
+    Descriptor memory;
+    const cv::Size pixels = answer ? answer->pixels.size() : cv::Size();
+    if (answer) {
+        memory = handed_over(std::move(answer->pixels));
+        if (!memory.ok())
+            answer = no_memory();
+    }
+    MessageWriter message;
+    message.add(std::string_view(answer.error()).substr(0, longest_sentence));
+    if (!answer)
+        return message.take();
+    message.add(std::int64_t{pixels.width}).add(std::int64_t{pixels.height});
+    message.add(std::int64_t{answer->size.width}).add(std::int64_t{answer->size.height});
+    message.add(std::int64_t{answer->shrink}).add(std::int64_t{answer->whole_is_kept ? 1 : 0});
+    return message.hand_over(std::move(memory)).take();
+}
+
+Result<PictureAnswer> picture_answer(Message& message) {
+    MessageReader reader(message);
+    if (const std::string sentence = reader.text(); !sentence.empty())
+        return Error{readable(std::string_view(sentence).substr(0, longest_sentence))};
+    PictureAnswer answer;
+    cv::Size pixels;
+    for (int* const side : {&pixels.width, &pixels.height, &answer.size.width, &answer.size.height})
+        *side = as_int(reader.number());
+    answer.shrink = as_int(reader.number());
+    answer.whole_is_kept = reader.number() != 0;
+    const Descriptor memory = reader.descriptor();
+    const bool can_be = reader.whole() && answer.shrink >= 1 && answer.shrink <= largest_shrink &&
+                        answer.size.width / answer.shrink == pixels.width &&
+                        answer.size.height / answer.shrink == pixels.height &&
+                        static_cast<double>(answer.size.width) * answer.size.height <= most_decoded_px;
+    if (can_be)
+        answer.pixels = pixels_in(memory, pixels);
+    return answer.pixels.empty() ? Result<PictureAnswer>(no_answer_of_a_decoder()) : answer;
+}
+
+} // namespace tp

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/decode/picture_service.hpp"
+
+#include "faces/decode/libavcodec.hpp"
+#include "faces/decode/libheif.hpp"
+#include "faces/decode/other_formats.hpp"
+#include "faces/decode/picture_messages.hpp"
+#include "faces/decode/quiet_opencv.hpp"
+#include "faces/decode/upright_picture.hpp"
+
+#include <new>
+#include <unistd.h>
+#include <utility>
+
+namespace tp {
+namespace {
+
+/// From its beginning, wherever whoever opened it has read.
+Result<Bytes> bytes_of(const PictureFile& file) {
+    Bytes bytes(static_cast<std::size_t>(file.size));
+    for (std::size_t at = 0; at < bytes.size();) {
+        const ssize_t count =
+            ::pread(file.descriptor.number(), bytes.data() + at, bytes.size() - at, static_cast<off_t>(at));
+        if (count <= 0)
+            return Error{"The file cannot be read."};
+        at += static_cast<std::size_t>(count);
+    }
+    return bytes;
+}
+
+Result<PictureAnswer> answer_of(Result<cv::Mat> picture) {
+    return picture ? Result<PictureAnswer>(PictureAnswer{*picture, picture->size(), 1, false})
+                   : Error{picture.error()};
+}
+
+Result<PictureAnswer> to_fit(const PictureQuestion& question) {
+    const Result<Bytes> bytes = bytes_of(question.file);
+    return bytes ? answer_of(decoded_to_fit(*bytes, question.box)) : Error{bytes.error()};
+}
+
+} // namespace
+
+void load_heif_decoders() {
+    quiet_opencv();
+    load_libheif();
+    load_libavcodec();
+}
+
+void load_picture_decoders() {
+    quiet_opencv();
+    load_other_decoders();
+}
+
+std::optional<Message> PictureService::answer(MessageReader& message) {
+    const std::optional<PictureQuestion> question = picture_question(message);
+    if (!question)
+        return std::nullopt;
+    if (question->what != PictureQuestion::What::whole)
+        whole_ = nullptr;
+    try {
+        switch (question->what) {
+        case PictureQuestion::What::to_fit:
+            return message_of(to_fit(*question));
+        case PictureQuestion::What::shrunk: {
+            const Result<Bytes> bytes = bytes_of(question->file);
+            Result<ShrunkPicture> picture =
+                bytes ? decoded_shrunk(*bytes, question->longest_px) : Error{bytes.error()};
+            if (!picture)
+                return message_of(Error{picture.error()});
+            whole_ = std::move(picture->whole);
+            return message_of(
+                PictureAnswer{std::move(picture->pixels), picture->size, picture->shrink, whole_ != nullptr});
+        }
+        case PictureQuestion::What::whole:
+            return message_of(whole_ ? answer_of(whole_()) : no_memory());
+        case PictureQuestion::What::forget:
+            break;
+        }
+    } catch (const std::bad_alloc&) {
+        return message_of(no_memory());
+    }
+    return std::nullopt;
+}
+
+} // namespace tp

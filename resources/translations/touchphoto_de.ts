@@ -5144,66 +5144,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
-    <name>tp::MendSession</name>
-    <message>
-        <source>Only a photograph that is a file on this computer can be opened.</source>
-        <translation>Nur ein Foto, das als Datei auf diesem Computer liegt, kann geöffnet werden.</translation>
-    </message>
-    <message>
-        <source>Looking for faces…</source>
-        <translation>Gesichter werden gesucht…</translation>
-    </message>
-    <message>
-        <source>Here the contours of a photograph are mended. There is no photograph yet.</source>
-        <translation>Hier werden die Konturen eines Fotos korrigiert. Noch ist kein Foto da.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>a photograph and what is wrong with it</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>No face was found in %1. One of usual shape can be added and put in place.</source>
-        <translation>In %1 wurde kein Gesicht gefunden. Eines in üblicher Form kann hinzugefügt und zurechtgerückt werden.</translation>
-    </message>
-    <message>
-        <source>Contours of %1. In hand: %2. Tab goes from point to point, the arrow keys move it.</source>
-        <translation>Konturen von %1. Ausgewählt: %2. Tab geht von Punkt zu Punkt, die Pfeiltasten verschieben ihn.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1, %n point(s).</source>
-        <translation>
-            <numerusform>%1, %n Punkt.</numerusform>
-            <numerusform>%1, %n Punkte.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: not there. It can be added.</source>
-        <translation>%1: nicht da, kann aber hinzugefügt werden.</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1, %n point(s), none in hand.</source>
-        <translation>
-            <numerusform>%1, %n Punkt, keiner ausgewählt.</numerusform>
-            <numerusform>%1, %n Punkte, keiner ausgewählt.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 of the %2: %3.</source>
-        <translation>%1, %2: %3.</translation>
-    </message>
-    <message>
-        <source>The whole feature moves.</source>
-        <translation>Das ganze Merkmal wird verschoben.</translation>
-    </message>
-    <message>
-        <source>One point moves.</source>
-        <translation>Ein Punkt wird verschoben.</translation>
-    </message>
+    <name>tp::MendDrag</name>
     <message>
         <source>the %1 was moved</source>
         <translation>%1 verschoben</translation>
@@ -5219,6 +5160,21 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Put back.</source>
         <translation>Wieder am alten Platz.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::MendEditing</name>
+    <message>
+        <source>the %1 was moved</source>
+        <translation>%1 verschoben</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>a point of the %1 was moved</source>
+        <translation>Punkt verschoben, %1</translation>
     </message>
     <message>
         <source>%1.</source>
@@ -5312,6 +5268,9 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>A face of usual shape was added. Move its features into place.</source>
         <translation>Ein Gesicht in üblicher Form wurde hinzugefügt. Rücken Sie seine Merkmale zurecht.</translation>
     </message>
+</context>
+<context>
+    <name>tp::MendHistory</name>
     <message>
         <source>There is nothing to undo.</source>
         <translation>Es gibt nichts rückgängig zu machen.</translation>
@@ -5328,6 +5287,20 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Done again: %1.</source>
         <translation>Wiederholt: %1.</translation>
     </message>
+</context>
+<context>
+    <name>tp::MendPreview</name>
+    <message>
+        <source>The force is shown.</source>
+        <translation>Die Kraft wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>The force is hidden.</source>
+        <translation>Die Kraft ist ausgeblendet.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::MendSaving</name>
     <message>
         <source>%1 Your work is kept here; nothing is lost.</source>
         <translation>%1 Ihre Arbeit bleibt hier erhalten; nichts geht verloren.</translation>
@@ -5352,13 +5325,70 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>All changes are discarded: the contours are as they were opened.</source>
         <translation>Alle Änderungen sind verworfen: Die Konturen sind wie beim Öffnen.</translation>
     </message>
-    <message>
-        <source>The force is shown.</source>
-        <translation>Die Kraft wird gezeigt.</translation>
+</context>
+<context>
+    <name>tp::MendSelection</name>
+    <message numerus="yes">
+        <source>%1, %n point(s).</source>
+        <translation>
+            <numerusform>%1, %n Punkt.</numerusform>
+            <numerusform>%1, %n Punkte.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The force is hidden.</source>
-        <translation>Die Kraft ist ausgeblendet.</translation>
+        <source>%1: not there. It can be added.</source>
+        <translation>%1: nicht da, kann aber hinzugefügt werden.</translation>
+    </message>
+    <message>
+        <source>The whole feature moves.</source>
+        <translation>Das ganze Merkmal wird verschoben.</translation>
+    </message>
+    <message>
+        <source>One point moves.</source>
+        <translation>Ein Punkt wird verschoben.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n point(s), none in hand.</source>
+        <translation>
+            <numerusform>%1, %n Punkt, keiner ausgewählt.</numerusform>
+            <numerusform>%1, %n Punkte, keiner ausgewählt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of the %2: %3.</source>
+        <translation>%1, %2: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::MendSession</name>
+    <message>
+        <source>Only a photograph that is a file on this computer can be opened.</source>
+        <translation>Nur ein Foto, das als Datei auf diesem Computer liegt, kann geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Looking for faces…</source>
+        <translation>Gesichter werden gesucht…</translation>
+    </message>
+    <message>
+        <source>Here the contours of a photograph are mended. There is no photograph yet.</source>
+        <translation>Hier werden die Konturen eines Fotos korrigiert. Noch ist kein Foto da.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a photograph and what is wrong with it</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No face was found in %1. One of usual shape can be added and put in place.</source>
+        <translation>In %1 wurde kein Gesicht gefunden. Eines in üblicher Form kann hinzugefügt und zurechtgerückt werden.</translation>
+    </message>
+    <message>
+        <source>Contours of %1. In hand: %2. Tab goes from point to point, the arrow keys move it.</source>
+        <translation>Konturen von %1. Ausgewählt: %2. Tab geht von Punkt zu Punkt, die Pfeiltasten verschieben ihn.</translation>
     </message>
 </context>
 <context>

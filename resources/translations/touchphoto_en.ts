@@ -276,7 +276,7 @@
     </message>
 </context>
 <context>
-    <name>tp::MendSession</name>
+    <name>tp::MendSelection</name>
     <message numerus="yes">
         <source>%1, %n point(s).</source>
         <translation>

@@ -5110,64 +5110,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
-    <name>tp::MendSession</name>
-    <message>
-        <source>Only a photograph that is a file on this computer can be opened.</source>
-        <translation>이 컴퓨터에 파일로 있는 사진만 열 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>Looking for faces…</source>
-        <translation>얼굴을 찾는 중…</translation>
-    </message>
-    <message>
-        <source>Here the contours of a photograph are mended. There is no photograph yet.</source>
-        <translation>여기에서 사진의 윤곽선을 고칩니다. 아직 사진이 없습니다.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>a photograph and what is wrong with it</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>No face was found in %1. One of usual shape can be added and put in place.</source>
-        <translation>%1: 얼굴을 찾지 못했습니다. 보통 모양의 얼굴을 추가하여 자리를 맞출 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>Contours of %1. In hand: %2. Tab goes from point to point, the arrow keys move it.</source>
-        <translation>%1 사진의 윤곽선. 선택: %2. 탭 키는 점 사이를 이동하고, 화살표 키는 점을 옮깁니다.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1, %n point(s).</source>
-        <translation>
-            <numerusform>%1, 점 %n개.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: not there. It can be added.</source>
-        <translation>%1: 없습니다. 추가할 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <translation>%1: %2.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1, %n point(s), none in hand.</source>
-        <translation>
-            <numerusform>%1, 점 %n개, 선택된 점 없음.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 of the %2: %3.</source>
-        <translation>%2, %1: %3.</translation>
-    </message>
-    <message>
-        <source>The whole feature moves.</source>
-        <translation>부위 전체가 움직입니다.</translation>
-    </message>
-    <message>
-        <source>One point moves.</source>
-        <translation>점 하나가 움직입니다.</translation>
-    </message>
+    <name>tp::MendDrag</name>
     <message>
         <source>the %1 was moved</source>
         <translation>%1 이동</translation>
@@ -5183,6 +5126,21 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Put back.</source>
         <translation>제자리로 돌려놓았습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::MendEditing</name>
+    <message>
+        <source>the %1 was moved</source>
+        <translation>%1 이동</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>a point of the %1 was moved</source>
+        <translation>%1의 점 이동</translation>
     </message>
     <message>
         <source>%1.</source>
@@ -5276,6 +5234,9 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>A face of usual shape was added. Move its features into place.</source>
         <translation>보통 모양의 얼굴을 추가했습니다. 부위를 제자리로 옮기세요.</translation>
     </message>
+</context>
+<context>
+    <name>tp::MendHistory</name>
     <message>
         <source>There is nothing to undo.</source>
         <translation>되돌릴 것이 없습니다.</translation>
@@ -5292,6 +5253,20 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Done again: %1.</source>
         <translation>다시 실행했습니다: %1.</translation>
     </message>
+</context>
+<context>
+    <name>tp::MendPreview</name>
+    <message>
+        <source>The force is shown.</source>
+        <translation>힘을 보여 줍니다.</translation>
+    </message>
+    <message>
+        <source>The force is hidden.</source>
+        <translation>힘을 숨깁니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::MendSaving</name>
     <message>
         <source>%1 Your work is kept here; nothing is lost.</source>
         <translation>%1 작업한 내용은 여기에 그대로 있으며, 잃은 것은 없습니다.</translation>
@@ -5316,13 +5291,68 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>All changes are discarded: the contours are as they were opened.</source>
         <translation>모든 변경을 버렸습니다. 윤곽선은 열었을 때와 같습니다.</translation>
     </message>
-    <message>
-        <source>The force is shown.</source>
-        <translation>힘을 보여 줍니다.</translation>
+</context>
+<context>
+    <name>tp::MendSelection</name>
+    <message numerus="yes">
+        <source>%1, %n point(s).</source>
+        <translation>
+            <numerusform>%1, 점 %n개.</numerusform>
+        </translation>
     </message>
     <message>
-        <source>The force is hidden.</source>
-        <translation>힘을 숨깁니다.</translation>
+        <source>%1: not there. It can be added.</source>
+        <translation>%1: 없습니다. 추가할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The whole feature moves.</source>
+        <translation>부위 전체가 움직입니다.</translation>
+    </message>
+    <message>
+        <source>One point moves.</source>
+        <translation>점 하나가 움직입니다.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n point(s), none in hand.</source>
+        <translation>
+            <numerusform>%1, 점 %n개, 선택된 점 없음.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of the %2: %3.</source>
+        <translation>%2, %1: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::MendSession</name>
+    <message>
+        <source>Only a photograph that is a file on this computer can be opened.</source>
+        <translation>이 컴퓨터에 파일로 있는 사진만 열 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Looking for faces…</source>
+        <translation>얼굴을 찾는 중…</translation>
+    </message>
+    <message>
+        <source>Here the contours of a photograph are mended. There is no photograph yet.</source>
+        <translation>여기에서 사진의 윤곽선을 고칩니다. 아직 사진이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a photograph and what is wrong with it</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No face was found in %1. One of usual shape can be added and put in place.</source>
+        <translation>%1: 얼굴을 찾지 못했습니다. 보통 모양의 얼굴을 추가하여 자리를 맞출 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Contours of %1. In hand: %2. Tab goes from point to point, the arrow keys move it.</source>
+        <translation>%1 사진의 윤곽선. 선택: %2. 탭 키는 점 사이를 이동하고, 화살표 키는 점을 옮깁니다.</translation>
     </message>
 </context>
 <context>

@@ -26,7 +26,7 @@ NOT_ROOMS = [  # nothing of these reaches a page: tools, the shell's verbs, SQL
 NOT_SAID = {  # file: what of its texts is no sentence, or none that is heard on a page
     "app/album/keeper/keeper_recordings.cpp": {"%1 of %2"},
     "app/pages/care/face_finder.cpp": {"care faces"},
-    "app/pages/mend/mend_session.cpp": {"nudge %1 %2 %3"},
+    "app/pages/mend/mend_editing.cpp": {"nudge %1 %2 %3"},
     "app/pages/mend/mend_work.cpp": {"face %1 %2"},
     "app/photo/scene/corrections.cpp": {" removed", "face %1 %2", "face "},
     "app/photo/scene/scene_builder.cpp": {"face %1 %2"},

@@ -18,13 +18,13 @@ FocusScope {
         const control = event.modifiers & Qt.ControlModifier
         event.accepted = true
         if (control && event.key === Qt.Key_Z && event.modifiers & Qt.ShiftModifier || control && event.key === Qt.Key_Y)
-            session.redo()
+            session.history.redo()
         else if (control && event.key === Qt.Key_Z)
-            session.undo()
+            session.history.undo()
         else if (control && event.key === Qt.Key_S)
-            session.save()
+            session.file.save()
         else if (event.key === Qt.Key_Escape)
-            event.accepted = session.cancelDrag()
+            event.accepted = session.drag.cancel()
         else
             event.accepted = false
     }

@@ -8,13 +8,14 @@ TpScroll {
     id: panel
 
     required property MendSession session
-    readonly property bool ready: session.state === MendSession.Ready
-    readonly property bool there: ready && session.featureThere
+    readonly property MendSelection selection: session.selection
+    readonly property bool ready: session.photo.state === MendedPhoto.Ready
+    readonly property bool there: ready && selection.featureThere
     readonly property real half: (width - spacing) / 2
 
     TpHeading {
         width: parent.width
-        text: panel.session.photoName === "" ? qsTr("Mend contours") : panel.session.photoName
+        text: panel.session.photo.name === "" ? qsTr("Mend contours") : panel.session.photo.name
         elide: Text.ElideMiddle
         wrapMode: Text.NoWrap
     }
@@ -22,35 +23,35 @@ TpScroll {
         spacing: panel.spacing
         TpButton {
             width: panel.half
-            primary: panel.session.unsaved
-            enabled: panel.session.unsaved
+            primary: panel.session.file.unsaved
+            enabled: panel.session.file.unsaved
             text: qsTr("Save")
             hint: qsTr("Leaving this page saves too. Key: Control+S")
-            onClicked: panel.session.save()
+            onClicked: panel.session.file.save()
         }
         TpButton {
             width: panel.half
-            enabled: panel.session.canUndo
+            enabled: panel.session.history.canUndo
             text: qsTr("Undo")
             hint: qsTr("Key: Control+Z")
-            onClicked: panel.session.undo()
+            onClicked: panel.session.history.undo()
         }
     }
     TpChoice {
         width: parent.width
         visible: panel.ready
         label: qsTr("Feature")
-        options: panel.session.features
-        current: panel.session.feature
-        onPicked: (index) => panel.session.chooseFeature(index)
+        options: panel.selection.features
+        current: panel.selection.feature
+        onPicked: (index) => panel.selection.chooseFeature(index)
     }
     TpStatus {
         width: parent.width
-        visible: panel.ready && panel.session.featureName !== ""
+        visible: panel.ready && panel.selection.featureName !== ""
         label: qsTr("In hand")
-        text: !panel.session.featureThere ? qsTr("%1: not there").arg(panel.session.featureName)
-            : panel.session.handle < 0 ? panel.session.featureName
-            : qsTr("%1 of the %2: %3").arg(panel.session.handleName).arg(panel.session.featureName).arg(panel.session.handlePlace)
+        text: !panel.selection.featureThere ? qsTr("%1: not there").arg(panel.selection.featureName)
+            : panel.selection.handle < 0 ? panel.selection.featureName
+            : qsTr("%1 of the %2: %3").arg(panel.selection.handleName).arg(panel.selection.featureName).arg(panel.selection.handlePlace)
         color: Theme.accent
     }
     Row {
@@ -60,13 +61,13 @@ TpScroll {
             width: panel.half
             text: qsTr("Previous point")
             hint: qsTr("Key: Shift+Tab on the photograph")
-            onClicked: if (!panel.session.stepHandle(-1)) panel.session.stepHandle(-1)
+            onClicked: if (!panel.selection.stepHandle(-1)) panel.selection.stepHandle(-1)
         }
         TpButton {
             width: panel.half
             text: qsTr("Next point")
             hint: qsTr("Key: Tab on the photograph")
-            onClicked: if (!panel.session.stepHandle(1)) panel.session.stepHandle(1)
+            onClicked: if (!panel.selection.stepHandle(1)) panel.selection.stepHandle(1)
         }
     }
     Grid {
@@ -84,7 +85,7 @@ TpScroll {
                 Accessible.name: modelData.name
                 hint: qsTr("By one pixel of the photograph. Arrow keys: with Shift by ten, with Control by a fifth")
                 autoRepeat: true
-                onClicked: panel.session.nudge(modelData.x, modelData.y)
+                onClicked: panel.session.editing.nudge(modelData.x, modelData.y)
             }
         }
     }
@@ -92,8 +93,8 @@ TpScroll {
         width: parent.width
         visible: panel.there
         text: qsTr("Move the whole feature")
-        on: panel.session.wholeFeature
-        onSwitched: (on) => panel.session.wholeFeature = on
+        on: panel.selection.wholeFeature
+        onSwitched: (on) => panel.selection.wholeFeature = on
     }
     Row {
         spacing: panel.spacing
@@ -102,47 +103,47 @@ TpScroll {
             width: panel.half
             text: qsTr("Add a point")
             hint: qsTr("Behind the one in hand. Key: A. Or double-click beside a line")
-            onClicked: panel.session.addPoint()
+            onClicked: panel.session.editing.addPoint()
         }
         TpButton {
             width: panel.half
-            enabled: panel.session.handle >= 0
+            enabled: panel.selection.handle >= 0
             text: qsTr("Delete the point")
             hint: qsTr("Key: Delete")
-            onClicked: panel.session.deletePoint()
+            onClicked: panel.session.editing.deletePoint()
         }
     }
     TpButton {
         width: parent.width
         visible: panel.there
-        enabled: panel.session.handleTurns
-        text: panel.session.handleIsCorner ? qsTr("Make it smooth") : qsTr("Make it a corner")
+        enabled: panel.selection.handleTurns
+        text: panel.selection.handleIsCorner ? qsTr("Make it smooth") : qsTr("Make it a corner")
         hint: qsTr("Key: C")
-        onClicked: panel.session.turnCorner()
+        onClicked: panel.session.editing.turnCorner()
     }
     Row {
         spacing: panel.spacing
         visible: panel.there
         TpButton {
             width: panel.half
-            enabled: panel.session.featureMended
+            enabled: panel.selection.featureMended
             text: qsTr("As it was found")
             hint: qsTr("Takes back what was done to this feature alone")
-            onClicked: panel.session.resetFeature()
+            onClicked: panel.session.editing.resetFeature()
         }
         TpButton {
             width: panel.half
             text: qsTr("Remove the feature")
             hint: qsTr("It will not be felt")
-            onClicked: panel.session.removeFeature()
+            onClicked: panel.session.editing.removeFeature()
         }
     }
     TpButton {
         width: parent.width
-        visible: panel.ready && !panel.session.featureThere && panel.session.featureName !== ""
+        visible: panel.ready && !panel.selection.featureThere && panel.selection.featureName !== ""
         primary: true
-        text: qsTr("Add the %1").arg(panel.session.featureName)
-        onClicked: panel.session.addFeature()
+        text: qsTr("Add the %1").arg(panel.selection.featureName)
+        onClicked: panel.session.editing.addFeature()
     }
     Row {
         spacing: panel.spacing
@@ -151,13 +152,13 @@ TpScroll {
             width: panel.half
             text: qsTr("Larger")
             hint: qsTr("Key: Plus")
-            onClicked: panel.session.zoomBy(1.5)
+            onClicked: panel.selection.zoomBy(1.5)
         }
         TpButton {
             width: panel.half
             text: qsTr("Smaller")
             hint: qsTr("Key: Minus")
-            onClicked: panel.session.zoomBy(1 / 1.5)
+            onClicked: panel.selection.zoomBy(1 / 1.5)
         }
     }
     Row {
@@ -167,27 +168,27 @@ TpScroll {
             width: panel.half
             text: qsTr("Whole photograph")
             hint: qsTr("Key: 0")
-            onClicked: panel.session.showAll()
+            onClicked: panel.session.view.showAll()
         }
         TpButton {
             width: panel.half
             text: qsTr("This feature")
             hint: qsTr("Fits it into view. Key: Z")
-            onClicked: panel.session.showFeature()
+            onClicked: panel.selection.fitIntoView()
         }
     }
     TpToggle {
         width: parent.width
         visible: panel.ready
         text: qsTr("Show the force")
-        on: panel.session.forceShown
-        onSwitched: (on) => panel.session.forceShown = on
+        on: panel.session.preview.forceShown
+        onSwitched: (on) => panel.session.preview.forceShown = on
     }
     TpStatus {
         width: parent.width
         visible: panel.ready && text !== ""
         label: qsTr("What is felt")
-        text: panel.session.change
+        text: panel.session.preview.change
         color: Theme.quiet
     }
     Row {
@@ -195,25 +196,25 @@ TpScroll {
         visible: panel.ready
         TpButton {
             width: panel.half
-            enabled: panel.session.canRedo
+            enabled: panel.session.history.canRedo
             text: qsTr("Do again")
             hint: qsTr("Key: Control+Shift+Z")
-            onClicked: panel.session.redo()
+            onClicked: panel.session.history.redo()
         }
         TpButton {
             width: panel.half
             text: qsTr("Add a face")
             hint: qsTr("One of usual shape, to be put in place")
-            onClicked: panel.session.addFace()
+            onClicked: panel.session.editing.addFace()
         }
     }
     TpButton {
         width: parent.width
         visible: panel.ready
-        enabled: panel.session.canDiscard
+        enabled: panel.session.file.canDiscard
         text: qsTr("Discard all changes")
         hint: qsTr("The contours as they were opened. Can be undone")
-        onClicked: panel.session.discard()
+        onClicked: panel.session.file.discard()
     }
     TpText {
         width: parent.width

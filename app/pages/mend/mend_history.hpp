@@ -1,44 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/pages/mend/mend_work.hpp"
+#include "app/pages/mend/mend_selection.hpp"
+#include "app/pages/mend/mended_photo.hpp"
+#include "app/parts/narration/narrator.hpp"
 
+#include <QObject>
 #include <QString>
+#include <QtQml/qqmlregistration.h>
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 
 namespace tp {
 
 /// What a person did to the contours and can take back: whole states, so that one that comes back is what it
 /// was to the last bit. A step that goes on with the one before (`run`, such as keys that move one point) is
 /// taken back with it.
-class MendHistory {
+class MendHistory final : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("Made by the program.")
+
+    Q_PROPERTY(bool canUndo READ canUndo NOTIFY changed)
+    Q_PROPERTY(bool canRedo READ canRedo NOTIFY changed)
 public:
     static constexpr std::size_t most_steps = 200;
 
-    /// Remembers the state before a step. `what`: in words that follow "Undone:"; `run` empty: a step of its
-    /// own.
-    void before(const MendWork& work, const QString& what, const QString& run = {});
-    /// Whether the state before a step of that run is remembered already.
-    bool runs(const QString& run) const { return !run.isEmpty() && run == run_; }
+    /// All must outlive it.
+    MendHistory(MendedPhoto& photo, const MendSelection& selection, Narrator& narrator);
+
+    bool canUndo() const { return !steps_.empty(); }
+    bool canRedo() const { return !undone_.empty(); }
+    Q_INVOKABLE void undo();
+    Q_INVOKABLE void redo();
+
+    /// Changes the contours by a step that can be taken back. `what`: in words that follow "Undone:"; `run`
+    /// empty: a step of its own.
+    void step(const QString& what, const std::function<void(MendWork&)>& change, const QString& run = {});
+    /// Puts other contours in the place of all, by one step.
+    void replace(const QString& what, const MendWork& work);
     /// The next step is one of its own.
     void end_run() { run_.clear(); }
-    void clear();
+    /// Takes the newest step back, as if it had never been done.
+    void forget_newest();
 
-    /// Puts `work` one step back or forth; the step's words, empty where there is none.
-    QString undo(MendWork& work);
-    QString redo(MendWork& work);
-    /// Puts `work` back to before the newest step, as if that had never been done.
-    void take_back(MendWork& work);
-    bool can_undo() const { return !steps_.empty(); }
-    bool can_redo() const { return !undone_.empty(); }
+signals:
+    void changed();
+    /// Before other contours come in the place of all: what is under way is to be put back.
+    void turning();
 
 private:
     struct Step {
         QString what;
         MendWork work;
     };
+    QString turn(std::deque<Step>& from, std::deque<Step>& to);
+
+    MendedPhoto& photo_;
+    Narrator& narrator_;
     std::deque<Step> steps_, undone_;
     QString run_;
 };

@@ -40,28 +40,29 @@ MendLinesItem::MendLinesItem(QQuickItem* parent) : QQuickPaintedItem(parent) {
 void MendLinesItem::setSession(MendSession* session) {
     if (session_ == session)
         return;
-    if (session_)
-        disconnect(session_, nullptr, this, nullptr);
+    if (session_) {
+        disconnect(session_->view(), nullptr, this, nullptr);
+        disconnect(session_->selection(), nullptr, this, nullptr);
+    }
     session_ = session;
     if (session_) {
         const auto draw = [this] { update(); };
-        connect(session_, &MendSession::viewChanged, this, draw);
-        connect(session_, &MendSession::linesChanged, this, draw);
-        connect(session_, &MendSession::featureChanged, this, draw);
-        connect(session_, &MendSession::modeChanged, this, draw);
+        connect(session_->view(), &MendView::changed, this, draw);
+        connect(session_->selection(), &MendSelection::changed, this, draw);
     }
     emit changed();
 }
 
 void MendLinesItem::paint_line(QPainter& painter, const MendContour& contour, const QColor& colour,
                                double width) const {
-    const QPainterPath path = mend_path(contour, session_->view());
+    const QPainterPath path = mend_path(contour, *session_->view());
     painter.strokePath(path, mend_pen(dark, width + 3.0));
     painter.strokePath(path, mend_pen(colour, width));
 }
 
 void MendLinesItem::paint_handles(QPainter& painter, const MendContour& contour) const {
-    const MendView& view = session_->view();
+    const MendView& view = *session_->view();
+    const MendSelection& selection = *session_->selection();
     const std::size_t count = contour.nodes.size();
     for (std::size_t i = 0; i < count; ++i) { // stalks first, under every point
         if (contour.nodes[i].on_curve())
@@ -76,7 +77,7 @@ void MendLinesItem::paint_handles(QPainter& painter, const MendContour& contour)
     }
     for (std::size_t i = 0; i < count; ++i) {
         const QPointF at = view.to_window(contour.nodes[i].at);
-        const bool held = static_cast<int>(i) == session_->handle() || session_->wholeFeature();
+        const bool held = static_cast<int>(i) == selection.handle() || selection.wholeFeature();
         const double size = held ? 9.0 : 6.5;
         painter.setPen(mend_pen(dark, held ? 3.0 : 2.0));
         painter.setBrush(held ? highlight_color_ : QColor(Qt::white));
@@ -96,8 +97,8 @@ void MendLinesItem::paint(QPainter* painter) {
     if (!session_)
         return;
     painter->setRenderHint(QPainter::Antialiasing);
-    const MendContour* in_hand = session_->line();
-    for (const MendFace& face : session_->work().faces)
+    const MendContour* in_hand = session_->selection()->line();
+    for (const MendFace& face : session_->photo()->work().faces)
         for (const MendFeature& feature : face.features)
             if (feature.line && &*feature.line != in_hand)
                 paint_line(*painter, *feature.line, line_color_, 1.5);

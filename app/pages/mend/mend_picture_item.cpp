@@ -21,16 +21,19 @@ void draw_seen(QPainter& painter, const QImage& image, const QRectF& place, cons
 void MendPictureItem::setSession(MendSession* session) {
     if (session_ == session)
         return;
-    if (session_)
-        disconnect(session_, nullptr, this, nullptr);
+    if (session_) {
+        disconnect(session_->photo(), nullptr, this, nullptr);
+        disconnect(session_->view(), nullptr, this, nullptr);
+        disconnect(session_->preview(), nullptr, this, nullptr);
+    }
     session_ = session;
     if (session_) {
         const auto draw = [this] { update(); };
-        connect(session_, &MendSession::photoChanged, this, draw);
-        connect(session_, &MendSession::viewChanged, this, draw);
-        connect(session_, &MendSession::modeChanged, this, draw);
-        connect(session_, &MendSession::fieldChanged, this, [this] {
-            if (session_->forceShown())
+        connect(session_->photo(), &MendedPhoto::stateChanged, this, draw);
+        connect(session_->view(), &MendView::changed, this, draw);
+        connect(session_->preview(), &MendPreview::shownChanged, this, draw);
+        connect(session_->preview(), &MendPreview::changed, this, [this] {
+            if (session_->preview()->forceShown())
                 update();
         });
     }
@@ -40,13 +43,14 @@ void MendPictureItem::setSession(MendSession* session) {
 void MendPictureItem::paint(QPainter* painter) {
     if (!session_)
         return;
+    const MendView& view = *session_->view();
     const QRectF window(0.0, 0.0, width(), height());
-    painter->setRenderHint(QPainter::SmoothPixmapTransform, session_->viewScale() < 8.0);
-    draw_seen(*painter, session_->photo(), session_->photoRect(), window);
-    const FeltChange& felt = session_->felt();
-    if (!session_->forceShown() || felt.field.isNull())
+    painter->setRenderHint(QPainter::SmoothPixmapTransform, view.scale() < 8.0);
+    draw_seen(*painter, session_->photo()->picture(), view.photo_rect(), window);
+    const FeltChange& felt = session_->preview()->felt();
+    if (!session_->preview()->forceShown() || felt.field.isNull())
         return;
-    const auto corner = [&](QPointF p) { return session_->view().to_window({p.x(), p.y()}); };
+    const auto corner = [&](QPointF p) { return view.to_window({p.x(), p.y()}); };
     painter->setRenderHint(QPainter::SmoothPixmapTransform);
     draw_seen(*painter, felt.field, {corner(felt.place.topLeft()), corner(felt.place.bottomRight())}, window);
 }

@@ -74,7 +74,7 @@ public:
         if (page == "explore")
             QTRY_COMPARE_WITH_TIMEOUT(whole.program->explore().state(), ExploreSession::State::Ready, 60000);
         if (page == "mend")
-            QTRY_COMPARE_WITH_TIMEOUT(whole.program->mend().state(), MendSession::State::Ready, 60000);
+            QTRY_COMPARE_WITH_TIMEOUT(whole.program->mend().photo()->state(), MendedPhoto::State::Ready, 60000);
         if (page == "print")
             QTRY_VERIFY_WITH_TIMEOUT(whole.program->print().ready(), 60000);
         QTest::qWait(300); // what fades in has done so

@@ -157,9 +157,9 @@ struct Caregiver : ByTouch {
     }
     /// Where a point of the contour in hand is drawn.
     QPoint point(int index) {
-        HandleModel* points = mend().handles();
+        HandleModel* points = mend().selection()->handles();
         const QPointF place = points->data(points->index(index), HandleModel::place_role).toPointF();
-        return hand.item("surface")->mapToScene((place - mend().viewOrigin()) * mend().viewScale()).toPoint();
+        return hand.item("surface")->mapToScene((place - mend().view()->origin()) * mend().view()->scale()).toPoint();
     }
     std::vector<std::filesystem::path> recordings() const {
         std::vector<std::filesystem::path> files;
@@ -369,18 +369,18 @@ private slots:
 
         // A contour: a point dragged, and one moved by taps alone.
         QVERIFY(hand.tap("Mend the contours…"));
-        QTRY_COMPARE_WITH_TIMEOUT(caregiver.mend().state(), MendSession::State::Ready, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(caregiver.mend().photo()->state(), MendedPhoto::State::Ready, 60000);
         QVERIFY(caregiver.hears({"Contours of ben_and_clara.jpg."}));
         const QPoint first = caregiver.point(0);
         hand.draw({first, first + QPoint(-30, 12)});
         QVERIFY(caregiver.hears({" across, "}));
         QVERIFY((caregiver.point(0) - first - QPoint(-30, 12)).manhattanLength() <= 3);
-        const QPointF before = caregiver.mend().handles()->data(caregiver.mend().handles()->index(2), HandleModel::place_role).toPointF();
+        const QPointF before = caregiver.mend().selection()->handles()->data(caregiver.mend().selection()->handles()->index(2), HandleModel::place_role).toPointF();
         hand.tap_at(caregiver.point(2));
-        QCOMPARE(caregiver.mend().handle(), 2);
+        QCOMPARE(caregiver.mend().selection()->handle(), 2);
         QVERIFY(hand.tap("Move right"));
         QVERIFY(caregiver.hears({" across, "}));
-        const QPointF after = caregiver.mend().handles()->data(caregiver.mend().handles()->index(2), HandleModel::place_role).toPointF();
+        const QPointF after = caregiver.mend().selection()->handles()->data(caregiver.mend().selection()->handles()->index(2), HandleModel::place_role).toPointF();
         QVERIFY(std::abs(after.x() - before.x() - 1.0) < 1e-6);
         QVERIFY(hand.tap("Home"));
         QTRY_VERIFY(QFile::exists(caregiver.photo("ben_and_clara.jpg") + ".contours.svg"));

@@ -55,11 +55,11 @@ struct MendWindow : MendBench {
     }
     QQuickItem* surface() const { return window.rootObject()->findChild<QQuickItem*>("surface"); }
     /// A point of the contour in hand, in the window.
-    QPoint pixel(int node, QPointF beside = {}) const {
+    QPoint pixel(int node, QPointF beside = {}) {
         return surface()->mapToScene(MendBench::window(node) + beside).toPoint();
     }
     /// Pixels of the screen that are so many of the photograph.
-    Vec2 photo_px(QPoint by) const { return Vec2(by.x(), by.y()) / session.viewScale(); }
+    Vec2 photo_px(QPoint by) { return Vec2(by.x(), by.y()) / session.view()->scale(); }
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) { QTest::keyClick(&window, key, modifiers); }
 
     QAccessibleInterface* named(const QString& name) {
@@ -167,8 +167,8 @@ private slots:
         QTest::touchEvent(&page.window, screen).move(0, at + QPoint(2, 1), &page.window);
         QTest::touchEvent(&page.window, screen).release(0, at + QPoint(2, 1), &page.window);
         QCOMPARE(page.text(), before);
-        QCOMPARE(page.session.handle(), 2);
-        QVERIFY(page.said().startsWith(page.session.handleName()));
+        QCOMPARE(page.selection().handle(), 2);
+        QVERIFY(page.said().startsWith(page.selection().handleName()));
     }
     void escape_puts_back_what_is_dragged_and_is_left_alone_otherwise() {
         MendWindow page;
@@ -189,14 +189,14 @@ private slots:
         MendWindow page;
         QVERIFY(page.exposed());
         const std::string before = page.text();
-        const QPointF origin = page.session.viewOrigin();
+        const QPointF origin = page.session.view()->origin();
         const QPoint from = page.surface()->mapToScene({30, page.surface()->height() - 30}).toPoint();
         QTest::mousePress(&page.window, Qt::LeftButton, {}, from);
         for (int i = 1; i <= 5; ++i)
             QTest::mouseMove(&page.window, from + QPoint(10 * i, -8 * i));
         QTest::mouseRelease(&page.window, Qt::LeftButton, {}, from + QPoint(50, -40));
         QCOMPARE(page.text(), before);
-        QVERIFY(page.session.viewOrigin().x() < origin.x() && page.session.viewOrigin().y() > origin.y());
+        QVERIFY(page.session.view()->origin().x() < origin.x() && page.session.view()->origin().y() > origin.y());
     }
 
     void everything_by_keys_alone() {
@@ -211,36 +211,36 @@ private slots:
         page.key(Qt::Key_Left, Qt::ControlModifier);
         QVERIFY(near_to(page.node(0).at, before + Vec2(0.8, 10.0), 1e-9));
         QVERIFY(page.said().endsWith("130 down."));
-        const int count = page.session.handles()->rowCount();
+        const int count = page.selection().handles()->rowCount();
         page.key(Qt::Key_A);
-        QCOMPARE(page.session.handles()->rowCount(), count + 2);
+        QCOMPARE(page.selection().handles()->rowCount(), count + 2);
         page.key(Qt::Key_Delete);
-        QCOMPARE(page.session.handles()->rowCount(), count);
+        QCOMPARE(page.selection().handles()->rowCount(), count);
         page.key(Qt::Key_M);
-        QVERIFY(page.session.wholeFeature());
+        QVERIFY(page.selection().wholeFeature());
         page.key(Qt::Key_Up);
         page.key(Qt::Key_M);
         page.key(Qt::Key_PageDown);
-        QCOMPARE(page.session.featureName(), QString("right eye"));
+        QCOMPARE(page.selection().featureName(), QString("right eye"));
         page.key(Qt::Key_Tab);
         page.key(Qt::Key_C);
         QCOMPARE(page.said(), QString("Smooth now."));
-        const double scale = page.session.viewScale();
+        const double scale = page.session.view()->scale();
         page.key(Qt::Key_Plus);
-        QVERIFY(page.session.viewScale() > scale);
+        QVERIFY(page.session.view()->scale() > scale);
         page.key(Qt::Key_F);
-        QVERIFY(page.session.forceShown());
+        QVERIFY(page.session.preview()->forceShown());
         page.key(Qt::Key_W);
         QVERIFY(page.said().contains("of the right eye"));
-        QVERIFY(page.session.unsaved());
+        QVERIFY(page.session.file()->unsaved());
         page.key(Qt::Key_S, Qt::ControlModifier);
-        QVERIFY(!page.session.unsaved());
+        QVERIFY(!page.session.file()->unsaved());
         QCOMPARE(page.bytes(), page.text());
     }
     void the_keyboard_is_not_kept() {
         MendWindow page;
         QVERIFY(page.exposed());
-        for (int i = 0; i <= page.session.handles()->rowCount(); ++i)
+        for (int i = 0; i <= page.selection().handles()->rowCount(); ++i)
             page.key(Qt::Key_Tab);
         QVERIFY(!page.surface()->hasActiveFocus());
         page.key(Qt::Key_Backtab, Qt::ShiftModifier);
@@ -249,7 +249,7 @@ private slots:
     void what_the_keyboard_comes_to_is_in_view() {
         MendWindow page({600, 700}, 2.0);
         QVERIFY(page.exposed());
-        page.session.chooseHandle(page.session.handles()->rowCount() - 1);
+        page.selection().chooseHandle(page.selection().handles()->rowCount() - 1);
         for (int i = 0; i < 25; ++i) {
             page.key(Qt::Key_Tab);
             const QQuickItem* focused = page.window.activeFocusItem();
@@ -262,10 +262,10 @@ private slots:
     void everything_by_a_screen_reader_alone() {
         MendWindow page;
         QVERIFY(page.exposed());
-        const int count = page.session.handles()->rowCount();
+        const int count = page.selection().handles()->rowCount();
         const QString corner = QString("Corner 1 of %1").arg(count);
         QVERIFY(page.act(corner));
-        QCOMPARE(page.session.handle(), 0);
+        QCOMPARE(page.selection().handle(), 0);
         const Vec2 before = page.node(0).at;
         for (const auto& action :
              {QAccessibleActionInterface::scrollLeftAction(), QAccessibleActionInterface::scrollLeftAction(),
@@ -274,23 +274,23 @@ private slots:
             QVERIFY2(page.act(corner, action), qPrintable(action));
         QVERIFY(near_to(page.node(0).at, before + Vec2(-1, 1), 1e-9));
         QVERIFY(page.act(corner, QAccessibleActionInterface::nextPageAction()));
-        QCOMPARE(page.session.handle(), 1);
+        QCOMPARE(page.selection().handle(), 1);
         QVERIFY(page.act(corner, QAccessibleActionInterface::previousPageAction()));
-        QCOMPARE(page.session.handle(), 0);
+        QCOMPARE(page.selection().handle(), 0);
         for (const char* name : {"Move left", "Move right", "Move up", "Move up"})
             QVERIFY2(page.act(name), name);
         QVERIFY(near_to(page.node(0).at, before + Vec2(-1, -1), 1e-9));
         for (const char* name : {"Next point", "Previous point", "Add a point", "Delete the point", "Larger", "Smaller",
                                  "Whole photograph", "This feature", "Undo", "Do again", "Feature: right eye"})
             QVERIFY2(page.act(name), name);
-        QCOMPARE(page.session.featureName(), QString("right eye"));
+        QCOMPARE(page.selection().featureName(), QString("right eye"));
         for (const char* name : {"Move the whole feature", "Show the force"})
             QVERIFY2(page.act(name, QAccessibleActionInterface::toggleAction()), name);
-        QVERIFY(page.session.wholeFeature() && page.session.forceShown());
+        QVERIFY(page.selection().wholeFeature() && page.session.preview()->forceShown());
         QVERIFY(page.act("Remove the feature"));
-        QVERIFY(!page.session.featureThere());
+        QVERIFY(!page.selection().featureThere());
         QVERIFY(page.act("Add the right eye"));
-        QVERIFY(page.session.featureThere());
+        QVERIFY(page.selection().featureThere());
         QVERIFY(page.act("Save"));
         QCOMPARE(page.bytes(), page.text());
         QVERIFY(page.act("Discard all changes"));

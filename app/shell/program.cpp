@@ -197,7 +197,7 @@ LabSession& Program::lab() {
     if (!lab_) {
         LabSettings settings;
         settings.folder = parts_.documents / "Lab";
-        lab_ = std::make_unique<LabSession>(narrator_, preferences_, std::move(settings));
+        lab_ = std::make_unique<LabSession>(narrator_, preferences_, settings);
         connect(lab_.get(), &LabSession::pageAsked, &shell_, &Shell::open);
     }
     return *lab_;

@@ -4947,19 +4947,120 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
-    <name>tp::LabSession</name>
+    <name>tp::LabActivity</name>
     <message>
-        <source>Nothing runs.</source>
-        <translation>Nichts läuft.</translation>
+        <source>Nothing can be changed during a recording. Escape ends it.</source>
+        <translation>Während einer Aufnahme kann nichts geändert werden. Escape beendet sie.</translation>
     </message>
     <message>
-        <source>The lab. A finger on a simulated device, a force field, and everything that can be turned. Space on the surface starts the servo, Escape stops it.</source>
-        <translation>Das Labor. Ein Finger auf einem simulierten Gerät, ein Kraftfeld und alles, was sich einstellen lässt. Die Leertaste auf der Tastfläche startet den Servo, Escape hält ihn an.</translation>
+        <source>Nothing can be changed during a replay. Escape ends it.</source>
+        <translation>Während einer Wiedergabe kann nichts geändert werden. Escape beendet sie.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabArchive</name>
+    <message>
+        <source>The folder %1 cannot be made: %2</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden: %2</translation>
     </message>
     <message>
-        <source>Stopped.</source>
-        <translation>Angehalten.</translation>
+        <source>The recording cannot be begun: %1</source>
+        <translation>Die Aufnahme kann nicht begonnen werden: %1</translation>
     </message>
+    <message>
+        <source>The recording is not whole, because the disk is full or this computer was too busy.</source>
+        <translation>Die Aufnahme ist nicht vollständig, weil der Datenträger voll ist oder dieser Computer zu beschäftigt war.</translation>
+    </message>
+    <message>
+        <source>Recorded in %1; the parameters lie beside it.</source>
+        <translation>Aufgenommen in %1; die Parameter liegen daneben.</translation>
+    </message>
+    <message>
+        <source>There is nothing to write yet. Start the servo first.</source>
+        <translation>Es gibt noch nichts zu schreiben. Starten Sie zuerst den Servo.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) are in %1; the parameters lie beside them.</source>
+        <translation>
+            <numerusform>%n Zeile ist in %1; die Parameter liegen daneben.</numerusform>
+            <numerusform>%n Zeilen sind in %1; die Parameter liegen daneben.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabDevices</name>
+    <message>
+        <source>Simulated: the mouse or a finger on the screen</source>
+        <translation>Simuliert: die Maus oder ein Finger auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabHand</name>
+    <message>
+        <source>The finger is %1. </source>
+        <translation>Der Finger ist %1. </translation>
+    </message>
+    <message>
+        <source>No line pulls there.</source>
+        <translation>Dort zieht keine Linie.</translation>
+    </message>
+    <message>
+        <source>%1 mm from %2; the law pulls with %3 newtons.</source>
+        <translation>%1 mm von %2; das Führungsgesetz zieht mit %3 Newton.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabReplayer</name>
+    <message>
+        <source>Reading %1.</source>
+        <translation>%1 wird gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing.</source>
+        <translation>%1 ist leer.</translation>
+    </message>
+    <message>
+        <source>Replaying %1. Escape ends it.</source>
+        <translation>%1 wird wiedergegeben. Escape beendet die Wiedergabe.</translation>
+    </message>
+    <message>
+        <source>The replay has ended. %1</source>
+        <translation>Die Wiedergabe ist zu Ende. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabRun</name>
+    <message>
+        <source>Opening %1.</source>
+        <translation>%1 wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>Recording: %1. Escape ends it.</source>
+        <translation>Aufzeichnung: %1. Escape beendet sie.</translation>
+    </message>
+    <message>
+        <source>The servo runs: %1. Escape stops it.</source>
+        <translation>Die Regelung läuft: %1. Escape hält sie an.</translation>
+    </message>
+    <message>
+        <source>Only a simulated device that runs can be made to hang.</source>
+        <translation>Hängen kann nur ein simuliertes Gerät, das läuft.</translation>
+    </message>
+    <message>
+        <source>The device hangs for 200 milliseconds.</source>
+        <translation>Das Gerät hängt 200 Millisekunden lang.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabScene</name>
     <message>
         <source>Photograph</source>
         <translation>Foto</translation>
@@ -4979,6 +5080,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Curved path, 200 mm wide</source>
         <translation>Gebogener Pfad, 200 mm breit</translation>
+    </message>
+    <message>
+        <source>Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.</source>
+        <translation>Kraftfeld, %1: Farben und Pfeile von 0 bis %2 Newton. Der Maßstab ist 20 mm lang.</translation>
     </message>
     <message>
         <source>Only a photograph that is a file on this computer can be opened.</source>
@@ -5003,10 +5108,27 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
             <numerusform>%1: %n Linien sind zu fühlen.</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>tp::LabSession</name>
     <message>
-        <source>Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.</source>
-        <translation>Kraftfeld, %1: Farben und Pfeile von 0 bis %2 Newton. Der Maßstab ist 20 mm lang.</translation>
+        <source>The lab. A finger on a simulated device, a force field, and everything that can be turned. Space on the surface starts the servo, Escape stops it.</source>
+        <translation>Das Labor. Ein Finger auf einem simulierten Gerät, ein Kraftfeld und alles, was sich einstellen lässt. Die Leertaste auf der Tastfläche startet den Servo, Escape hält ihn an.</translation>
     </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabTeller</name>
+    <message>
+        <source>Nothing runs.</source>
+        <translation>Nichts läuft.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabTuning</name>
     <message>
         <source>Exact</source>
         <translation>Exakt</translation>
@@ -5014,14 +5136,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Published Algorithm 1</source>
         <translation>Veröffentlichter Algorithmus 1</translation>
-    </message>
-    <message>
-        <source>Nothing can be changed during a recording. Escape ends it.</source>
-        <translation>Während einer Aufnahme kann nichts geändert werden. Escape beendet sie.</translation>
-    </message>
-    <message>
-        <source>Nothing can be changed during a replay. Escape ends it.</source>
-        <translation>Während einer Wiedergabe kann nichts geändert werden. Escape beendet sie.</translation>
     </message>
     <message>
         <source>the law</source>
@@ -5054,93 +5168,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Taken back: %1.</source>
         <translation>Zurückgenommen: %1.</translation>
-    </message>
-    <message>
-        <source>Simulated: the mouse or a finger on the screen</source>
-        <translation>Simuliert: die Maus oder ein Finger auf dem Bildschirm</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Opening %1.</source>
-        <translation>%1 wird geöffnet.</translation>
-    </message>
-    <message>
-        <source>Only a simulated device that runs can be made to hang.</source>
-        <translation>Hängen kann nur ein simuliertes Gerät, das läuft.</translation>
-    </message>
-    <message>
-        <source>The device hangs for 200 milliseconds.</source>
-        <translation>Das Gerät hängt 200 Millisekunden lang.</translation>
-    </message>
-    <message>
-        <source>The finger is %1. </source>
-        <translation>Der Finger ist %1. </translation>
-    </message>
-    <message>
-        <source>No line pulls there.</source>
-        <translation>Dort zieht keine Linie.</translation>
-    </message>
-    <message>
-        <source>%1 mm from %2; the law pulls with %3 newtons.</source>
-        <translation>%1 mm von %2; das Führungsgesetz zieht mit %3 Newton.</translation>
-    </message>
-    <message>
-        <source>The replay has ended. %1</source>
-        <translation>Die Wiedergabe ist zu Ende. %1</translation>
-    </message>
-    <message>
-        <source>The folder %1 cannot be made: %2</source>
-        <translation>Der Ordner %1 kann nicht angelegt werden: %2</translation>
-    </message>
-    <message>
-        <source>The recording cannot be begun: %1</source>
-        <translation>Die Aufnahme kann nicht begonnen werden: %1</translation>
-    </message>
-    <message>
-        <source>The recording is not whole, because the disk is full or this computer was too busy.</source>
-        <translation>Die Aufnahme ist nicht vollständig, weil der Datenträger voll ist oder dieser Computer zu beschäftigt war.</translation>
-    </message>
-    <message>
-        <source>Recorded in %1; the parameters lie beside it.</source>
-        <translation>Aufgenommen in %1; die Parameter liegen daneben.</translation>
-    </message>
-    <message>
-        <source>Reading %1.</source>
-        <translation>%1 wird gelesen.</translation>
-    </message>
-    <message>
-        <source>%1 holds nothing.</source>
-        <translation>%1 ist leer.</translation>
-    </message>
-    <message>
-        <source>Replaying %1. Escape ends it.</source>
-        <translation>%1 wird wiedergegeben. Escape beendet die Wiedergabe.</translation>
-    </message>
-    <message>
-        <source>There is nothing to write yet. Start the servo first.</source>
-        <translation>Es gibt noch nichts zu schreiben. Starten Sie zuerst den Servo.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>%1 kann nicht geschrieben werden: %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n row(s) are in %1; the parameters lie beside them.</source>
-        <translation>
-            <numerusform>%n Zeile ist in %1; die Parameter liegen daneben.</numerusform>
-            <numerusform>%n Zeilen sind in %1; die Parameter liegen daneben.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Recording: %1. Escape ends it.</source>
-        <translation>Aufzeichnung: %1. Escape beendet sie.</translation>
-    </message>
-    <message>
-        <source>The servo runs: %1. Escape stops it.</source>
-        <translation>Die Regelung läuft: %1. Escape hält sie an.</translation>
     </message>
 </context>
 <context>

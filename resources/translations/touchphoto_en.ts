@@ -259,19 +259,22 @@
     </message>
 </context>
 <context>
-    <name>tp::LabSession</name>
-    <message numerus="yes">
-        <source>%1: %n line(s) can be felt.</source>
-        <translation>
-            <numerusform>%1: %n line can be felt.</numerusform>
-            <numerusform>%1: %n lines can be felt.</numerusform>
-        </translation>
-    </message>
+    <name>tp::LabArchive</name>
     <message numerus="yes">
         <source>%n row(s) are in %1; the parameters lie beside them.</source>
         <translation>
             <numerusform>%n row are in %1; the parameters lie beside them.</numerusform>
             <numerusform>%n rows are in %1; the parameters lie beside them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabScene</name>
+    <message numerus="yes">
+        <source>%1: %n line(s) can be felt.</source>
+        <translation>
+            <numerusform>%1: %n line can be felt.</numerusform>
+            <numerusform>%1: %n lines can be felt.</numerusform>
         </translation>
     </message>
 </context>

@@ -4915,19 +4915,119 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
-    <name>tp::LabSession</name>
+    <name>tp::LabActivity</name>
     <message>
-        <source>Nothing runs.</source>
-        <translation>실행 중인 것이 없습니다.</translation>
+        <source>Nothing can be changed during a recording. Escape ends it.</source>
+        <translation>기록하는 동안에는 아무것도 바꿀 수 없습니다. Escape 키로 기록을 끝냅니다.</translation>
     </message>
     <message>
-        <source>The lab. A finger on a simulated device, a force field, and everything that can be turned. Space on the surface starts the servo, Escape stops it.</source>
-        <translation>실험실. 모의 장치 위의 손가락과 힘의 장을 다루며, 모든 값을 바꿀 수 있습니다. 터치 영역에서 스페이스바는 서보를 켜고, Escape 키는 멈춥니다.</translation>
+        <source>Nothing can be changed during a replay. Escape ends it.</source>
+        <translation>다시 재생하는 동안에는 아무것도 바꿀 수 없습니다. Escape 키로 재생을 끝냅니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabArchive</name>
+    <message>
+        <source>The folder %1 cannot be made: %2</source>
+        <translation>폴더 %1: 만들 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>Stopped.</source>
-        <translation>멈췄습니다.</translation>
+        <source>The recording cannot be begun: %1</source>
+        <translation>기록을 시작할 수 없습니다: %1</translation>
     </message>
+    <message>
+        <source>The recording is not whole, because the disk is full or this computer was too busy.</source>
+        <translation>디스크가 가득 찼거나 컴퓨터가 너무 바빠서 기록이 온전하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Recorded in %1; the parameters lie beside it.</source>
+        <translation>기록한 파일: %1. 매개변수는 그 옆에 있습니다.</translation>
+    </message>
+    <message>
+        <source>There is nothing to write yet. Start the servo first.</source>
+        <translation>아직 저장할 것이 없습니다. 먼저 서보를 켜세요.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1: 쓸 수 없습니다. %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) are in %1; the parameters lie beside them.</source>
+        <translation>
+            <numerusform>%1: %n줄을 저장했습니다. 매개변수는 그 옆에 있습니다.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabDevices</name>
+    <message>
+        <source>Simulated: the mouse or a finger on the screen</source>
+        <translation>모의 장치: 마우스나 화면 위의 손가락</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabHand</name>
+    <message>
+        <source>The finger is %1. </source>
+        <translation>손가락 위치: %1. </translation>
+    </message>
+    <message>
+        <source>No line pulls there.</source>
+        <translation>그곳에서는 당기는 선이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1 mm from %2; the law pulls with %3 newtons.</source>
+        <translation>가까운 선 %2, 거리 %1 mm. 유도 법칙이 %3뉴턴으로 당깁니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabReplayer</name>
+    <message>
+        <source>Reading %1.</source>
+        <translation>읽는 중: %1.</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing.</source>
+        <translation>%1: 비어 있습니다.</translation>
+    </message>
+    <message>
+        <source>Replaying %1. Escape ends it.</source>
+        <translation>다시 재생하는 중: %1. Escape 키로 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>The replay has ended. %1</source>
+        <translation>다시 재생이 끝났습니다. %1</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabRun</name>
+    <message>
+        <source>Opening %1.</source>
+        <translation>여는 중: %1.</translation>
+    </message>
+    <message>
+        <source>Recording: %1. Escape ends it.</source>
+        <translation>기록 중: %1. Escape 키로 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>The servo runs: %1. Escape stops it.</source>
+        <translation>서보가 작동 중: %1. Escape 키로 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Only a simulated device that runs can be made to hang.</source>
+        <translation>실행 중인 모의 장치만 멈추게 할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The device hangs for 200 milliseconds.</source>
+        <translation>장치가 200밀리초 동안 응답을 멈춥니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabScene</name>
     <message>
         <source>Photograph</source>
         <translation>사진</translation>
@@ -4947,6 +5047,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Curved path, 200 mm wide</source>
         <translation>굽은 길, 너비 200 mm</translation>
+    </message>
+    <message>
+        <source>Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.</source>
+        <translation>힘의 장, %1: 색과 화살표는 0부터 %2뉴턴까지입니다. 자의 길이는 20 mm입니다.</translation>
     </message>
     <message>
         <source>Only a photograph that is a file on this computer can be opened.</source>
@@ -4970,10 +5074,27 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
             <numerusform>%1: 만질 수 있는 선 %n개.</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>tp::LabSession</name>
     <message>
-        <source>Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.</source>
-        <translation>힘의 장, %1: 색과 화살표는 0부터 %2뉴턴까지입니다. 자의 길이는 20 mm입니다.</translation>
+        <source>The lab. A finger on a simulated device, a force field, and everything that can be turned. Space on the surface starts the servo, Escape stops it.</source>
+        <translation>실험실. 모의 장치 위의 손가락과 힘의 장을 다루며, 모든 값을 바꿀 수 있습니다. 터치 영역에서 스페이스바는 서보를 켜고, Escape 키는 멈춥니다.</translation>
     </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>멈췄습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabTeller</name>
+    <message>
+        <source>Nothing runs.</source>
+        <translation>실행 중인 것이 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LabTuning</name>
     <message>
         <source>Exact</source>
         <translation>정확한 법칙</translation>
@@ -4981,14 +5102,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Published Algorithm 1</source>
         <translation>논문의 알고리즘 1</translation>
-    </message>
-    <message>
-        <source>Nothing can be changed during a recording. Escape ends it.</source>
-        <translation>기록하는 동안에는 아무것도 바꿀 수 없습니다. Escape 키로 기록을 끝냅니다.</translation>
-    </message>
-    <message>
-        <source>Nothing can be changed during a replay. Escape ends it.</source>
-        <translation>다시 재생하는 동안에는 아무것도 바꿀 수 없습니다. Escape 키로 재생을 끝냅니다.</translation>
     </message>
     <message>
         <source>the law</source>
@@ -5021,92 +5134,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Taken back: %1.</source>
         <translation>되돌렸습니다: %1.</translation>
-    </message>
-    <message>
-        <source>Simulated: the mouse or a finger on the screen</source>
-        <translation>모의 장치: 마우스나 화면 위의 손가락</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Opening %1.</source>
-        <translation>여는 중: %1.</translation>
-    </message>
-    <message>
-        <source>Only a simulated device that runs can be made to hang.</source>
-        <translation>실행 중인 모의 장치만 멈추게 할 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The device hangs for 200 milliseconds.</source>
-        <translation>장치가 200밀리초 동안 응답을 멈춥니다.</translation>
-    </message>
-    <message>
-        <source>The finger is %1. </source>
-        <translation>손가락 위치: %1. </translation>
-    </message>
-    <message>
-        <source>No line pulls there.</source>
-        <translation>그곳에서는 당기는 선이 없습니다.</translation>
-    </message>
-    <message>
-        <source>%1 mm from %2; the law pulls with %3 newtons.</source>
-        <translation>가까운 선 %2, 거리 %1 mm. 유도 법칙이 %3뉴턴으로 당깁니다.</translation>
-    </message>
-    <message>
-        <source>The replay has ended. %1</source>
-        <translation>다시 재생이 끝났습니다. %1</translation>
-    </message>
-    <message>
-        <source>The folder %1 cannot be made: %2</source>
-        <translation>폴더 %1: 만들 수 없습니다. %2</translation>
-    </message>
-    <message>
-        <source>The recording cannot be begun: %1</source>
-        <translation>기록을 시작할 수 없습니다: %1</translation>
-    </message>
-    <message>
-        <source>The recording is not whole, because the disk is full or this computer was too busy.</source>
-        <translation>디스크가 가득 찼거나 컴퓨터가 너무 바빠서 기록이 온전하지 않습니다.</translation>
-    </message>
-    <message>
-        <source>Recorded in %1; the parameters lie beside it.</source>
-        <translation>기록한 파일: %1. 매개변수는 그 옆에 있습니다.</translation>
-    </message>
-    <message>
-        <source>Reading %1.</source>
-        <translation>읽는 중: %1.</translation>
-    </message>
-    <message>
-        <source>%1 holds nothing.</source>
-        <translation>%1: 비어 있습니다.</translation>
-    </message>
-    <message>
-        <source>Replaying %1. Escape ends it.</source>
-        <translation>다시 재생하는 중: %1. Escape 키로 끝냅니다.</translation>
-    </message>
-    <message>
-        <source>There is nothing to write yet. Start the servo first.</source>
-        <translation>아직 저장할 것이 없습니다. 먼저 서보를 켜세요.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>%1: 쓸 수 없습니다. %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n row(s) are in %1; the parameters lie beside them.</source>
-        <translation>
-            <numerusform>%1: %n줄을 저장했습니다. 매개변수는 그 옆에 있습니다.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Recording: %1. Escape ends it.</source>
-        <translation>기록 중: %1. Escape 키로 끝냅니다.</translation>
-    </message>
-    <message>
-        <source>The servo runs: %1. Escape stops it.</source>
-        <translation>서보가 작동 중: %1. Escape 키로 멈춥니다.</translation>
     </message>
 </context>
 <context>

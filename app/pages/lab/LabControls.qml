@@ -8,9 +8,10 @@ Column {
     id: controls
 
     required property LabSession session
-    readonly property bool free: !session.recording && session.state !== LabSession.Replaying
-    readonly property bool exact: session.law === 0
-    readonly property bool simulated: session.device === 0
+    readonly property LabTuning tuning: session.tuning
+    readonly property bool free: !session.activity.fixed
+    readonly property bool exact: tuning.law === 0
+    readonly property bool simulated: session.devices.simulated
     signal openAsked
 
     spacing: Theme.gap
@@ -21,9 +22,9 @@ Column {
         width: parent.width
         enabled: controls.free
         label: qsTr("Scene")
-        options: controls.session.scenes
-        current: controls.session.scene
-        onPicked: (index) => controls.session.chooseScene(index)
+        options: controls.session.scene.names
+        current: controls.session.scene.current
+        onPicked: (index) => controls.session.scene.choose(index)
     }
     TpButton {
         width: parent.width
@@ -39,48 +40,48 @@ Column {
         width: parent.width
         enabled: controls.free
         label: qsTr("Law")
-        options: controls.session.laws
-        current: controls.session.law
-        onPicked: (index) => controls.session.chooseLaw(index)
+        options: controls.tuning.laws
+        current: controls.tuning.law
+        onPicked: (index) => controls.tuning.chooseLaw(index)
     }
-    LabSlider { width: parent.width; session: controls.session; key: "stiffness"; enabled: controls.free; label: qsTr("Stiffness K") }
-    LabSlider { width: parent.width; session: controls.session; key: "range"; enabled: controls.free; label: qsTr("Range d") }
+    LabSlider { width: parent.width; tuning: controls.tuning; key: "stiffness"; enabled: controls.free; label: qsTr("Stiffness K") }
+    LabSlider { width: parent.width; tuning: controls.tuning; key: "range"; enabled: controls.free; label: qsTr("Range d") }
     LabSlider {
         width: parent.width
-        session: controls.session
+        tuning: controls.tuning
         key: "hold"
         enabled: controls.free && controls.exact
         label: qsTr("Hysteresis at switches")
     }
     LabSlider {
         width: parent.width
-        session: controls.session
+        tuning: controls.tuning
         key: "blend"
         enabled: controls.free && controls.exact
         label: qsTr("Blending at switches")
     }
     LabToggle {
         width: parent.width
-        session: controls.session
+        tuning: controls.tuning
         key: "cornerCue"
         enabled: controls.free && controls.exact
         text: qsTr("Corner cue")
     }
     LabSlider {
         width: parent.width
-        session: controls.session
+        tuning: controls.tuning
         key: "vertexSpacing"
         enabled: controls.free && !controls.exact
         label: qsTr("Spacing of vertices")
     }
 
     TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Servo") }
-    LabSlider { width: parent.width; session: controls.session; key: "maxForce"; enabled: controls.free; label: qsTr("Strongest force") }
-    LabSlider { width: parent.width; session: controls.session; key: "lineDamping"; enabled: controls.free; label: qsTr("Damping across a line") }
-    LabToggle { width: parent.width; session: controls.session; key: "energyObserver"; enabled: controls.free; text: qsTr("Energy observer") }
+    LabSlider { width: parent.width; tuning: controls.tuning; key: "maxForce"; enabled: controls.free; label: qsTr("Strongest force") }
+    LabSlider { width: parent.width; tuning: controls.tuning; key: "lineDamping"; enabled: controls.free; label: qsTr("Damping across a line") }
+    LabToggle { width: parent.width; tuning: controls.tuning; key: "energyObserver"; enabled: controls.free; text: qsTr("Energy observer") }
     LabToggle {
         width: parent.width
-        session: controls.session
+        tuning: controls.tuning
         key: "strictLimits"
         enabled: controls.free && controls.simulated
         text: qsTr("Limits of a real device")
@@ -92,15 +93,15 @@ Column {
         width: parent.width
         enabled: controls.free
         label: qsTr("Device")
-        options: controls.session.devices
-        current: controls.session.device
-        onPicked: (index) => controls.session.chooseDevice(index)
+        options: controls.session.devices.names
+        current: controls.session.devices.current
+        onPicked: (index) => controls.session.devices.choose(index)
     }
     TpButton {
         width: parent.width
         enabled: controls.free
         text: qsTr("Look for devices again")
-        onClicked: controls.session.findDevices()
+        onClicked: controls.session.devices.find()
     }
     TpButton {
         width: parent.width
@@ -116,7 +117,7 @@ Column {
         delegate: LabSlider {
             required property var modelData
             width: controls.width
-            session: controls.session
+            tuning: controls.tuning
             key: modelData[0]
             enabled: controls.free && controls.simulated
             label: modelData[1]
@@ -126,7 +127,7 @@ Column {
     TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Faults of the simulated device") }
     LabSlider {
         width: parent.width
-        session: controls.session
+        tuning: controls.tuning
         key: "drop"
         enabled: controls.free && controls.simulated
         label: qsTr("Readings that do not come")
@@ -137,7 +138,7 @@ Column {
         delegate: LabToggle {
             required property var modelData
             width: controls.width
-            session: controls.session
+            tuning: controls.tuning
             key: modelData[0]
             enabled: controls.free && controls.simulated
             text: modelData[1]
@@ -145,19 +146,19 @@ Column {
     }
     TpButton {
         width: parent.width
-        enabled: controls.simulated && controls.session.state === LabSession.Running
+        enabled: controls.simulated && controls.session.activity.running
         text: qsTr("Hang for 200 milliseconds")
-        onClicked: controls.session.hang()
+        onClicked: controls.session.servo.hang()
     }
 
     TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("All parameters") }
     TpButton {
         objectName: "undo"
         width: parent.width
-        enabled: controls.free && controls.session.undoable !== ""
-        text: controls.session.undoable === "" ? qsTr("Nothing to take back") : qsTr("Take back: %1").arg(controls.session.undoable)
+        enabled: controls.free && controls.tuning.undoable !== ""
+        text: controls.tuning.undoable === "" ? qsTr("Nothing to take back") : qsTr("Take back: %1").arg(controls.tuning.undoable)
         hint: qsTr("Key: Control Z")
-        onClicked: controls.session.undo()
+        onClicked: controls.tuning.undo()
     }
     TpButton {
         objectName: "reset"
@@ -165,13 +166,13 @@ Column {
         enabled: controls.free
         text: qsTr("As they were at first")
         hint: qsTr("It can be taken back")
-        onClicked: controls.session.reset()
+        onClicked: controls.tuning.reset()
     }
 
     TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Files") }
     TpText {
         width: parent.width
-        text: qsTr("In %1").arg(controls.session.folder)
+        text: qsTr("In %1").arg(controls.session.files.folder)
         color: Theme.quiet
         wrapMode: Text.WrapAnywhere
     }
@@ -180,24 +181,24 @@ Column {
         width: parent.width
         text: qsTr("Write the plots as a table")
         hint: qsTr("CSV, with the parameters as JSON beside it")
-        onClicked: controls.session.writeTable()
+        onClicked: controls.session.files.writeTable()
     }
     TpText {
         width: parent.width
-        visible: controls.session.recordings.length === 0
+        visible: controls.session.files.recordings.length === 0
         text: qsTr("No recordings yet.")
     }
     Repeater {
-        model: controls.session.recordings
+        model: controls.session.files.recordings
         delegate: TpListRow {
             required property int index
             required property string modelData
             width: controls.width
-            enabled: !controls.session.recording
+            enabled: !controls.session.activity.recording
             text: qsTr("Replay %1").arg(modelData)
             position: index + 1
-            count: controls.session.recordings.length
-            onClicked: controls.session.replay(index)
+            count: controls.session.files.recordings.length
+            onClicked: controls.session.playback.replay(index)
         }
     }
 }

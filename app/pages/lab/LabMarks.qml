@@ -12,8 +12,8 @@ Item {
     required property real pixelsPerMm
 
     readonly property real millimetresPerNewton: 24
-    readonly property point finger: Qt.point(session.finger.x * pixelsPerMm, session.finger.y * pixelsPerMm)
-    readonly property point hand: Qt.point(session.pointer.x * pixelsPerMm, session.pointer.y * pixelsPerMm)
+    readonly property point finger: Qt.point(session.hand.finger.x * pixelsPerMm, session.hand.finger.y * pixelsPerMm)
+    readonly property point hand: Qt.point(session.hand.pointer.x * pixelsPerMm, session.hand.pointer.y * pixelsPerMm)
 
     Rectangle { // the spring
         x: marks.hand.x
@@ -38,8 +38,8 @@ Item {
     Item { // the force
         x: marks.finger.x
         y: marks.finger.y
-        visible: marks.session.newtons > 0.02
-        rotation: Math.atan2(marks.session.force.y, marks.session.force.x) * 180 / Math.PI
+        visible: marks.session.hand.newtons > 0.02
+        rotation: Math.atan2(marks.session.hand.force.y, marks.session.hand.force.x) * 180 / Math.PI
         transformOrigin: Item.TopLeft
         Shape {
             ShapePath {
@@ -48,7 +48,7 @@ Item {
                 strokeWidth: 2
                 joinStyle: ShapePath.RoundJoin
                 PathPolyline {
-                    readonly property real tip: Math.max(18, marks.session.newtons * marks.millimetresPerNewton * marks.pixelsPerMm)
+                    readonly property real tip: Math.max(18, marks.session.hand.newtons * marks.millimetresPerNewton * marks.pixelsPerMm)
                     path: [Qt.point(0, -3), Qt.point(tip - 14, -3), Qt.point(tip - 14, -9), Qt.point(tip, 0),
                            Qt.point(tip - 14, 9), Qt.point(tip - 14, 3), Qt.point(0, 3), Qt.point(0, -3)]
                 }

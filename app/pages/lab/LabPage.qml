@@ -26,15 +26,15 @@ FocusScope {
         if (event.key === Qt.Key_Escape)
             event.accepted = session.stop()
         else if (event.key === Qt.Key_Z && event.modifiers === Qt.ControlModifier)
-            session.undo()
+            session.tuning.undo()
         else if (event.modifiers !== Qt.NoModifier)
             event.accepted = false
         else if (event.key === Qt.Key_R)
-            session.toggleRecording()
+            session.files.toggleRecording()
         else if (event.key === Qt.Key_W)
-            session.whereAmI()
+            session.hand.whereAmI()
         else if (event.key === Qt.Key_P)
-            session.readPlots()
+            session.plots.readPlots()
         else if (event.key === Qt.Key_O)
             page.openDialog()
         else
@@ -80,7 +80,7 @@ FocusScope {
         }
         TpText { // the legend of the picture, which does not grow with the text
             width: parent.width
-            text: page.session.fieldWords
+            text: page.session.scene.fieldWords
             font.pixelSize: Theme.smallSize
             color: Theme.quiet
             Accessible.ignored: true // the surface's name
@@ -92,28 +92,28 @@ FocusScope {
                 objectName: "run"
                 width: Math.min(implicitWidth, parent.width)
                 primary: true
-                text: page.session.state === LabSession.Stopped ? qsTr("Start the servo") : qsTr("Stop")
+                text: page.session.activity.stopped ? qsTr("Start the servo") : qsTr("Stop")
                 hint: qsTr("Key: Space on the surface; Escape stops")
-                onClicked: page.session.state === LabSession.Stopped ? page.session.start() : page.session.stop()
+                onClicked: page.session.activity.stopped ? page.session.servo.start() : page.session.stop()
             }
             TpButton {
                 objectName: "record"
                 width: Math.min(implicitWidth, parent.width)
-                text: page.session.recording ? qsTr("End the recording") : qsTr("Record")
+                text: page.session.activity.recording ? qsTr("End the recording") : qsTr("Record")
                 hint: qsTr("Key: R")
-                onClicked: page.session.toggleRecording()
+                onClicked: page.session.files.toggleRecording()
             }
             TpButton {
                 width: Math.min(implicitWidth, parent.width)
                 text: qsTr("Where is the finger?")
                 hint: qsTr("Key: W")
-                onClicked: page.session.whereAmI()
+                onClicked: page.session.hand.whereAmI()
             }
             TpButton {
                 width: Math.min(implicitWidth, parent.width)
                 text: qsTr("Read the plots")
                 hint: qsTr("Key: P")
-                onClicked: page.session.readPlots()
+                onClicked: page.session.plots.readPlots()
             }
         }
         Loader {
@@ -140,7 +140,7 @@ FocusScope {
         anchors.fill: parent
         onDropped: (drop) => {
             if (drop.hasUrls)
-                page.session.openPhoto(drop.urls[0])
+                page.session.scene.openPhoto(drop.urls[0])
         }
     }
     Loader {
@@ -150,6 +150,6 @@ FocusScope {
     }
     Connections {
         target: dialog.item
-        function onChosen(file) { page.session.openPhoto(file) }
+        function onChosen(file) { page.session.scene.openPhoto(file) }
     }
 }

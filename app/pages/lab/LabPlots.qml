@@ -13,7 +13,7 @@ Grid {
     spacing: Theme.gap
 
     Repeater {
-        model: [LabSession.Position, LabSession.Force, LabSession.Energy, LabSession.Lateness]
+        model: [LabMeasurements.Position, LabMeasurements.Force, LabMeasurements.Energy, LabMeasurements.Lateness]
         delegate: Item {
             id: cell
             required property int index
@@ -24,7 +24,7 @@ Grid {
             TpStatus {
                 id: words
                 width: parent.width
-                text: plots.session.readings[cell.index]
+                text: plots.session.plots.readings[cell.index]
                 font.pixelSize: Theme.smallSize
                 maximumLineCount: 3
                 elide: Text.ElideRight
@@ -35,7 +35,7 @@ Grid {
                 radius: 4
                 PlotItem {
                     anchors { fill: parent; margins: 4 }
-                    session: plots.session
+                    measurements: plots.session.plots
                     quantity: cell.modelData
                     lineColor: Theme.line
                     secondColor: Theme.finger

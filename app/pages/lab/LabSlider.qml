@@ -4,14 +4,14 @@ import TouchPhoto.Lab
 
 // A parameter that is a number, by its key.
 TpSlider {
-    required property LabSession session
+    required property LabTuning tuning
     required property string key
 
     objectName: key
-    valueText: session.words(key, value)
-    from: session.lowest(key)
-    to: session.highest(key)
-    stepSize: session.step(key)
-    setting: session.values[key]
-    onChosen: (value) => session.setNumber(key, value, label)
+    valueText: tuning.words(key, value)
+    from: tuning.lowest(key)
+    to: tuning.highest(key)
+    stepSize: tuning.step(key)
+    setting: tuning.values[key]
+    onChosen: (value) => tuning.setNumber(key, value, label)
 }

@@ -8,36 +8,36 @@ FocusScope {
     id: surface
 
     required property LabSession session
-    readonly property real legend: session.legendPixels / Screen.devicePixelRatio
-    readonly property real sheetWidth: Math.max(64, Math.min(width, (height - legend) * session.surfaceWidth / session.surfaceHeight))
-    readonly property real pixelsPerMm: sheetWidth / session.surfaceWidth
+    readonly property real legend: session.scene.legendPixels / Screen.devicePixelRatio
+    readonly property real sheetWidth: Math.max(64, Math.min(width, (height - legend) * session.scene.surfaceWidth / session.scene.surfaceHeight))
+    readonly property real pixelsPerMm: sheetWidth / session.scene.surfaceWidth
     readonly property real step: 2 // millimetres
 
-    implicitHeight: width * session.surfaceHeight / session.surfaceWidth + legend
+    implicitHeight: width * session.scene.surfaceHeight / session.scene.surfaceWidth + legend
     activeFocusOnTab: true
     Accessible.role: Accessible.Canvas
-    Accessible.name: session.fieldWords
+    Accessible.name: session.scene.fieldWords
     Accessible.description: qsTr("Arrow keys move the hand by 2 millimetres, with Shift by 10. Space starts and stops the servo.")
     Accessible.focusable: true
     Accessible.onPressAction: surface.toggle()
 
     function toggle() {
-        if (session.state === LabSession.Stopped)
-            session.start()
+        if (session.activity.stopped)
+            session.servo.start()
         else
             session.stop()
     }
-    onPixelsPerMmChanged: session.setFieldScale(pixelsPerMm * Screen.devicePixelRatio)
-    Component.onCompleted: session.setFieldScale(pixelsPerMm * Screen.devicePixelRatio)
+    onPixelsPerMmChanged: session.scene.setFieldScale(pixelsPerMm * Screen.devicePixelRatio)
+    Component.onCompleted: session.scene.setFieldScale(pixelsPerMm * Screen.devicePixelRatio)
 
     Keys.onPressed: (event) => {
         const far = event.modifiers & Qt.ShiftModifier ? 5 * step : step
         event.accepted = true
         switch (event.key) {
-        case Qt.Key_Left: session.nudge(-far, 0); break
-        case Qt.Key_Right: session.nudge(far, 0); break
-        case Qt.Key_Up: session.nudge(0, -far); break
-        case Qt.Key_Down: session.nudge(0, far); break
+        case Qt.Key_Left: session.hand.nudge(-far, 0); break
+        case Qt.Key_Right: session.hand.nudge(far, 0); break
+        case Qt.Key_Up: session.hand.nudge(0, -far); break
+        case Qt.Key_Down: session.hand.nudge(0, far); break
         case Qt.Key_Space:
         case Qt.Key_Return:
         case Qt.Key_Enter: surface.toggle(); break
@@ -48,14 +48,14 @@ FocusScope {
     Item {
         id: sheet
         width: surface.sheetWidth
-        height: width * surface.session.surfaceHeight / surface.session.surfaceWidth
+        height: width * surface.session.scene.surfaceHeight / surface.session.scene.surfaceWidth
         anchors.horizontalCenter: parent.horizontalCenter
 
         PictureItem {
             width: parent.width
             height: parent.height + surface.legend
             fill: PictureItem.Stretch
-            picture: surface.session.field
+            picture: surface.session.scene.field
         }
         LabMarks {
             anchors.fill: parent
@@ -67,13 +67,13 @@ FocusScope {
             anchors.fill: parent
             hoverEnabled: true
             preventStealing: true
-            onEntered: surface.session.touchDown(mouseX / surface.pixelsPerMm, mouseY / surface.pixelsPerMm)
+            onEntered: surface.session.hand.touchDown(mouseX / surface.pixelsPerMm, mouseY / surface.pixelsPerMm)
             onPressed: (mouse) => {
                 surface.forceActiveFocus(Qt.MouseFocusReason)
                 if (mouse.source !== Qt.MouseEventNotSynthesized)
-                    surface.session.touchDown(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
+                    surface.session.hand.touchDown(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
             }
-            onPositionChanged: (mouse) => surface.session.moveTo(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
+            onPositionChanged: (mouse) => surface.session.hand.moveTo(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
         }
         Item {
             width: parent.width

@@ -4,10 +4,10 @@ import TouchPhoto.Lab
 
 // A parameter that is on or off, by its key.
 TpToggle {
-    required property LabSession session
+    required property LabTuning tuning
     required property string key
 
     objectName: key
-    on: session.values[key]
-    onSwitched: (on) => session.setSwitch(key, on, text)
+    on: tuning.values[key]
+    onSwitched: (on) => tuning.setSwitch(key, on, text)
 }

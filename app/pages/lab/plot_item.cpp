@@ -72,21 +72,21 @@ PlotItem::PlotItem(QQuickItem* parent) : QQuickPaintedItem(parent) {
     connect(this, &PlotItem::changed, this, [this] { update(); });
 }
 
-void PlotItem::setSession(LabSession* session) {
-    if (session_ == session)
+void PlotItem::setMeasurements(LabMeasurements* measurements) {
+    if (measurements_ == measurements)
         return;
-    if (session_)
-        disconnect(session_, nullptr, this, nullptr);
-    session_ = session;
-    if (session_)
-        connect(session_, &LabSession::plotted, this, [this] { update(); });
+    if (measurements_)
+        disconnect(measurements_, nullptr, this, nullptr);
+    measurements_ = measurements;
+    if (measurements_)
+        connect(measurements_, &LabMeasurements::plotted, this, [this] { update(); });
     emit changed();
 }
 
 void PlotItem::paint(QPainter* painter) {
-    if (!session_)
+    if (!measurements_)
         return;
-    const LabTrace& trace = session_->trace();
+    const LabTrace& trace = measurements_->trace();
     const TracePlot& plot = trace_plot(static_cast<TraceQuantity>(quantity_));
     QFont font = painter->font();
     font.setPixelSize(static_cast<int>(text_size_));

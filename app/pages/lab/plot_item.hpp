@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/pages/lab/lab_session.hpp"
+#include "app/pages/lab/lab_measurements.hpp"
 
 #include <QColor>
 #include <QPainter>
@@ -13,12 +13,12 @@
 namespace tp {
 
 /// The last ten seconds of one quantity over time, with axes, their units and the least and most of it. A screen reader
-/// has the words that the session keeps for it instead.
+/// has the sentences beside it instead.
 class PlotItem : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    Q_PROPERTY(tp::LabSession* session READ session WRITE setSession NOTIFY changed)
-    Q_PROPERTY(tp::LabSession::Quantity quantity MEMBER quantity_ NOTIFY changed)
+    Q_PROPERTY(tp::LabMeasurements* measurements READ measurements WRITE setMeasurements NOTIFY changed)
+    Q_PROPERTY(tp::LabMeasurements::Quantity quantity MEMBER quantity_ NOTIFY changed)
     Q_PROPERTY(QColor lineColor MEMBER line_color_ NOTIFY changed)
     Q_PROPERTY(QColor secondColor MEMBER second_color_ NOTIFY changed)
     Q_PROPERTY(QColor textColor MEMBER text_color_ NOTIFY changed)
@@ -27,16 +27,16 @@ class PlotItem : public QQuickPaintedItem {
 public:
     explicit PlotItem(QQuickItem* parent = nullptr);
 
-    LabSession* session() const { return session_; }
-    void setSession(LabSession* session);
+    LabMeasurements* measurements() const { return measurements_; }
+    void setMeasurements(LabMeasurements* measurements);
     void paint(QPainter* painter) override;
 
 signals:
     void changed();
 
 private:
-    QPointer<LabSession> session_;
-    LabSession::Quantity quantity_ = LabSession::Position;
+    QPointer<LabMeasurements> measurements_;
+    LabMeasurements::Quantity quantity_ = LabMeasurements::Position;
     QColor line_color_ = Qt::white;
     QColor second_color_ = Qt::yellow;
     QColor text_color_ = Qt::white;

@@ -18,7 +18,7 @@ struct LabBench {
     tp::VirtualClock time;
     tp::LabSession session{narrator, preferences, settings()};
 
-    LabBench() { session.setFieldScale(0.5); } // a small picture is painted soon
+    LabBench() { session.scene()->setFieldScale(0.5); } // a small picture is painted soon
 
     tp::LabSettings settings() {
         tp::LabSettings settings;
@@ -32,6 +32,6 @@ struct LabBench {
     QString last() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
     /// The hand goes there; millimetres from the middle of the surface, y up.
     void hand(double x, double y) {
-        session.touchDown(x + 0.5 * session.surfaceWidth(), 0.5 * session.surfaceHeight() - y);
+        session.hand()->touchDown(x + 0.5 * session.scene()->surfaceWidth(), 0.5 * session.scene()->surfaceHeight() - y);
     }
 };

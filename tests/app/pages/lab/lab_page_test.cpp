@@ -40,18 +40,18 @@ private slots:
         PageWindow window(page, &bench.session, size);
         QVERIFY(window.exposed());
         enlarge_text(window, scale);
-        QTRY_VERIFY(!bench.session.field().isNull());
+        QTRY_VERIFY(!bench.session.scene()->field().isNull());
         QCOMPARE(window.faulty_targets().join("; "), QString());
         const QStringList tabbed = PageWindow::tab_order(window);
         QCOMPARE(tabbed, PageWindow::reading_order(window));
         QVERIFY(tabbed.size() > 25);
         if (const QString folder = qEnvironmentVariable("TP_SCREENSHOTS"); !folder.isEmpty()) {
-            bench.session.chooseScene(1);
-            bench.session.chooseLaw(scale > 1.0 ? 1 : 0);
+            bench.session.scene()->choose(1);
+            bench.session.tuning()->chooseLaw(scale > 1.0 ? 1 : 0);
             bench.hand(27.0, 10.0);
-            bench.session.start();
+            bench.session.servo()->start();
             for (int i = 0; i < 300; ++i) {
-                bench.session.nudge(-0.1, 0.04);
+                bench.session.hand()->nudge(-0.1, 0.04);
                 bench.session.advance(0.03);
             }
             window.setColor(QColor(0x0e, 0x12, 0x17));
@@ -67,23 +67,23 @@ private slots:
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
         QTest::keyClick(&window, Qt::Key_Space);
-        QCOMPARE(bench.session.state(), LabSession::Running);
-        const QPointF before = bench.session.pointer();
+        QCOMPARE(bench.session.activity()->state(), LabActivity::Running);
+        const QPointF before = bench.session.hand()->pointer();
         QTest::keyClick(&window, Qt::Key_Right);
         QTest::keyClick(&window, Qt::Key_Up, Qt::ShiftModifier);
-        QCOMPARE(bench.session.pointer(), before + QPointF(2.0, -10.0));
+        QCOMPARE(bench.session.hand()->pointer(), before + QPointF(2.0, -10.0));
         bench.session.advance(0.5);
         QTest::keyClick(&window, Qt::Key_W);
         QVERIFY(bench.last().startsWith("The finger is "));
         QTest::keyClick(&window, Qt::Key_P);
         QVERIFY(bench.last().contains("Force |F| now "));
         QTest::keyClick(&window, Qt::Key_Escape);
-        QCOMPARE(bench.session.state(), LabSession::Stopped);
+        QCOMPARE(bench.session.activity()->state(), LabActivity::Stopped);
         QTest::keyClick(&window, Qt::Key_R);
-        QVERIFY(bench.session.recording());
+        QVERIFY(bench.session.activity()->recording());
         bench.session.advance(0.1);
         QTest::keyClick(&window, Qt::Key_Escape);
-        QCOMPARE(bench.session.recordings().size(), 1);
+        QCOMPARE(bench.session.files()->recordings().size(), 1);
     }
 
     void a_screen_reader_turns_every_kind_of_control_and_takes_back() {
@@ -96,19 +96,19 @@ private slots:
         QCOMPARE(stiffness->valueInterface()->currentValue().toDouble(), 0.2);
         QCOMPARE(stiffness->valueInterface()->maximumValue().toDouble(), 0.5);
         stiffness->valueInterface()->setCurrentValue(0.4);
-        QCOMPARE(bench.session.parameters().stiffness, 0.4);
+        QCOMPARE(bench.session.tuning()->parameters().stiffness, 0.4);
         QCOMPARE(bench.last(), QString("Stiffness K: 0.40 newtons per millimetre."));
         QCOMPARE(stiffness->text(QAccessible::Description), QString("0.40 newtons per millimetre"));
         QVERIFY(window.press("Corner cue"));
-        QVERIFY(bench.session.parameters().corner_cue);
+        QVERIFY(bench.session.tuning()->parameters().corner_cue);
         QVERIFY(window.press("Law: Published Algorithm 1"));
-        QCOMPARE(bench.session.parameters().law, LawKind::published);
+        QCOMPARE(bench.session.tuning()->parameters().law, LawKind::published);
         QVERIFY(window.press("Scene: Triangle, 50 mm high"));
-        QCOMPARE(bench.session.scene(), 1);
+        QCOMPARE(bench.session.scene()->current(), 1);
         QVERIFY(window.press("Take back: the law"));
         QVERIFY(window.press("Take back: Corner cue"));
         QVERIFY(window.press("Take back: Stiffness K"));
-        QVERIFY(bench.session.parameters() == LabParameters{});
+        QVERIFY(bench.session.tuning()->parameters() == LabParameters{});
         QCOMPARE(stiffness->valueInterface()->currentValue().toDouble(), 0.2);
     }
 
@@ -122,9 +122,9 @@ private slots:
         bench.hand(43.0, 0.0);
         QVERIFY(window.press("Start the servo"));
         bench.session.advance(3.0);
-        for (const QString& sentence : bench.session.readings())
+        for (const QString& sentence : bench.session.plots()->readings())
             QVERIFY2(window.named(sentence) != nullptr, qPrintable(sentence));
-        QVERIFY(window.named(bench.session.fieldWords()) != nullptr);
+        QVERIFY(window.named(bench.session.scene()->fieldWords()) != nullptr);
         const QImage after = window.grabWindow();
         const int top = before.height() * 6 / 10; // where the plots are
         QVERIFY(before.copy(0, top, before.width() / 2, before.height() - top) !=
@@ -142,15 +142,15 @@ private slots:
         QVERIFY(surface != nullptr);
         const QPoint middle = surface->mapToScene({0.5 * surface->width(), 100.0}).toPoint();
         QTest::mousePress(&window, Qt::LeftButton, {}, middle);
-        QVERIFY(std::abs(bench.session.pointer().x() - 0.5 * bench.session.surfaceWidth()) < 1.0);
+        QVERIFY(std::abs(bench.session.hand()->pointer().x() - 0.5 * bench.session.scene()->surfaceWidth()) < 1.0);
         QTest::mouseMove(&window, middle + QPoint(60, 20));
-        QVERIFY(bench.session.pointer().x() > 0.5 * bench.session.surfaceWidth() + 5.0);
+        QVERIFY(bench.session.hand()->pointer().x() > 0.5 * bench.session.scene()->surfaceWidth() + 5.0);
         QTest::mouseRelease(&window, Qt::LeftButton, {}, middle + QPoint(60, 20));
         QTest::touchEvent(&window, touch).press(0, middle, &window);
-        QTRY_VERIFY(std::abs(bench.session.pointer().x() - 0.5 * bench.session.surfaceWidth()) < 1.0);
+        QTRY_VERIFY(std::abs(bench.session.hand()->pointer().x() - 0.5 * bench.session.scene()->surfaceWidth()) < 1.0);
         QTest::touchEvent(&window, touch).move(0, middle + QPoint(0, 40), &window);
         QTest::touchEvent(&window, touch).release(0, middle + QPoint(0, 40), &window);
-        QVERIFY(bench.session.state() == LabSession::Stopped);
+        QVERIFY(bench.session.activity()->state() == LabActivity::Stopped);
     }
 
     void a_recording_is_made_and_replayed_by_actions_and_nothing_can_be_turned_meanwhile() {
@@ -162,9 +162,9 @@ private slots:
         bench.session.advance(0.3);
         QVERIFY(window.named("As they were at first, not available") != nullptr);
         QVERIFY(window.press("End the recording"));
-        const QString name = bench.session.recordings().value(0);
+        const QString name = bench.session.files()->recordings().value(0);
         QVERIFY(window.press(QString("Replay %1, 1 of 1").arg(name)));
-        QTRY_COMPARE(bench.session.state(), LabSession::Replaying);
+        QTRY_COMPARE(bench.session.activity()->state(), LabActivity::Replaying);
         bench.session.advance(0.1);
         QVERIFY(window.press("Stop"));
         QVERIFY(window.press("Write the plots as a table"));

@@ -233,7 +233,7 @@ SettingsSession& Program::settings() {
     if (!settings_) {
         settings_ = std::make_unique<SettingsSession>(
             narrator_, preferences_,
-            SettingsSession::Stored{parts_.preferences, parts_.cache, [this] { discard_index_ = true; }},
+            StorageSettings::Stored{parts_.preferences, parts_.cache, [this] { discard_index_ = true; }},
             DeviceSettings::Setup{parts_.explore.devices, parts_.explore.device_servo, {}});
         connect(settings_.get(), &SettingsSession::pageAsked, &shell_, &Shell::open);
         connect(settings_.get(), &SettingsSession::questionsAsked, this, [this] {

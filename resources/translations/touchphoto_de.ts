@@ -4821,6 +4821,81 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>tp::FeelingSettings</name>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Beeps</source>
+        <translation>Pieptöne</translation>
+    </message>
+    <message>
+        <source>Spoken clock directions</source>
+        <translation>Gesprochene Richtungen als Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beides</translation>
+    </message>
+    <message>
+        <source>what guides the finger</source>
+        <translation>was den Finger führt</translation>
+    </message>
+    <message>
+        <source>the strongest force</source>
+        <translation>die größte Kraft</translation>
+    </message>
+    <message>
+        <source>At most %1 newtons.</source>
+        <translation>Höchstens %1 Newton.</translation>
+    </message>
+    <message>
+        <source>the force device</source>
+        <translation>das Kraftgerät</translation>
+    </message>
+    <message>
+        <source>Force device: %1.</source>
+        <translation>Kraftgerät: %1.</translation>
+    </message>
+    <message>
+        <source>brows</source>
+        <translation>Augenbrauen</translation>
+    </message>
+    <message>
+        <source>Brows are felt.</source>
+        <translation>Augenbrauen sind zu fühlen.</translation>
+    </message>
+    <message>
+        <source>Brows are not felt.</source>
+        <translation>Augenbrauen sind nicht zu fühlen.</translation>
+    </message>
+    <message>
+        <source>the nose</source>
+        <translation>die Nase</translation>
+    </message>
+    <message>
+        <source>The nose is felt.</source>
+        <translation>Die Nase ist zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The nose is not felt.</source>
+        <translation>Die Nase ist nicht zu fühlen.</translation>
+    </message>
+    <message>
+        <source>irises</source>
+        <translation>Iris</translation>
+    </message>
+    <message>
+        <source>Irises are felt.</source>
+        <translation>Die Iris ist zu fühlen.</translation>
+    </message>
+    <message>
+        <source>Irises are not felt.</source>
+        <translation>Die Iris ist nicht zu fühlen.</translation>
+    </message>
+</context>
+<context>
     <name>tp::FocusText</name>
     <message>
         <source>button</source>
@@ -5168,6 +5243,57 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Taken back: %1.</source>
         <translation>Zurückgenommen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LookSettings</name>
+    <message>
+        <source>Somebody who listens and feels</source>
+        <translation>Jemand, der zuhört und fühlt</translation>
+    </message>
+    <message>
+        <source>Somebody who looks after the album</source>
+        <translation>Jemand, der das Album pflegt</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Yellow on black</source>
+        <translation>Gelb auf Schwarz</translation>
+    </message>
+    <message>
+        <source>who uses the tablet</source>
+        <translation>wer das Tablet benutzt</translation>
+    </message>
+    <message>
+        <source>the colours</source>
+        <translation>die Farben</translation>
+    </message>
+    <message>
+        <source>the size of text</source>
+        <translation>die Textgröße</translation>
+    </message>
+    <message>
+        <source>Text at %1 percent.</source>
+        <translation>Text mit %1 Prozent.</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Pictures may move.</source>
+        <translation>Bilder dürfen sich bewegen.</translation>
+    </message>
+    <message>
+        <source>Nothing moves by itself.</source>
+        <translation>Nichts bewegt sich von selbst.</translation>
     </message>
 </context>
 <context>
@@ -5836,27 +5962,40 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>tp::SettingSteps</name>
+    <message>
+        <source>the reset</source>
+        <translation>das Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
+        <translation>Alle Einstellungen sind wie am Anfang. Die Ordner des Albums bleiben.</translation>
+    </message>
+    <message>
+        <source>There is nothing to take back.</source>
+        <translation>Es gibt nichts zurückzunehmen.</translation>
+    </message>
+    <message>
+        <source>Taken back: %1.</source>
+        <translation>Zurückgenommen: %1.</translation>
+    </message>
+</context>
+<context>
     <name>tp::SettingsSession</name>
-    <message>
-        <source>No folder was chosen.</source>
-        <translation>Es wurde kein Ordner ausgewählt.</translation>
-    </message>
-    <message>
-        <source>The album has this folder already.</source>
-        <translation>Das Album hat diesen Ordner schon.</translation>
-    </message>
-    <message>
-        <source>the album&apos;s new folder</source>
-        <translation>der neue Ordner des Albums</translation>
-    </message>
-    <message>
-        <source>%1 belongs to the album now.</source>
-        <translation>%1 gehört jetzt zum Album.</translation>
-    </message>
     <message>
         <source>Settings. Go through them by Tab; each change is kept at once. Control Z takes the last one back.</source>
         <translation>Einstellungen. Gehen Sie mit Tab hindurch; jede Änderung wird sofort gespeichert. Strg Z nimmt die letzte zurück.</translation>
     </message>
+</context>
+<context>
+    <name>tp::Shell</name>
+    <message>
+        <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the page before.</source>
+        <translation>Überall: Escape hält an, was klingt oder sich bewegt, und führt dann zur Startseite. F1: diese Hilfe. F2: der letzte Satz noch einmal. F3: Stimme ein oder aus. Alt und Pfeil links: die Seite davor.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::SpeechSettings</name>
     <message>
         <source>TouchPhoto speaks</source>
         <translation>TouchPhoto spricht</translation>
@@ -5929,185 +6068,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Sounds off.</source>
         <translation>Töne aus.</translation>
     </message>
-    <message>
-        <source>Somebody who listens and feels</source>
-        <translation>Jemand, der zuhört und fühlt</translation>
-    </message>
-    <message>
-        <source>Somebody who looks after the album</source>
-        <translation>Jemand, der das Album pflegt</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>Yellow on black</source>
-        <translation>Gelb auf Schwarz</translation>
-    </message>
-    <message>
-        <source>who uses the tablet</source>
-        <translation>wer das Tablet benutzt</translation>
-    </message>
-    <message>
-        <source>the colours</source>
-        <translation>die Farben</translation>
-    </message>
-    <message>
-        <source>the size of text</source>
-        <translation>die Textgröße</translation>
-    </message>
-    <message>
-        <source>Text at %1 percent.</source>
-        <translation>Text mit %1 Prozent.</translation>
-    </message>
-    <message>
-        <source>motion</source>
-        <translation>Bewegung</translation>
-    </message>
-    <message>
-        <source>Pictures may move.</source>
-        <translation>Bilder dürfen sich bewegen.</translation>
-    </message>
-    <message>
-        <source>Nothing moves by itself.</source>
-        <translation>Nichts bewegt sich von selbst.</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>Nichts</translation>
-    </message>
-    <message>
-        <source>Beeps</source>
-        <translation>Pieptöne</translation>
-    </message>
-    <message>
-        <source>Spoken clock directions</source>
-        <translation>Gesprochene Richtungen als Uhrzeit</translation>
-    </message>
-    <message>
-        <source>Both</source>
-        <translation>Beides</translation>
-    </message>
-    <message>
-        <source>what guides the finger</source>
-        <translation>was den Finger führt</translation>
-    </message>
-    <message>
-        <source>the strongest force</source>
-        <translation>die größte Kraft</translation>
-    </message>
-    <message>
-        <source>At most %1 newtons.</source>
-        <translation>Höchstens %1 Newton.</translation>
-    </message>
-    <message>
-        <source>brows</source>
-        <translation>Augenbrauen</translation>
-    </message>
-    <message>
-        <source>Brows are felt.</source>
-        <translation>Augenbrauen sind zu fühlen.</translation>
-    </message>
-    <message>
-        <source>Brows are not felt.</source>
-        <translation>Augenbrauen sind nicht zu fühlen.</translation>
-    </message>
-    <message>
-        <source>the nose</source>
-        <translation>die Nase</translation>
-    </message>
-    <message>
-        <source>The nose is felt.</source>
-        <translation>Die Nase ist zu fühlen.</translation>
-    </message>
-    <message>
-        <source>The nose is not felt.</source>
-        <translation>Die Nase ist nicht zu fühlen.</translation>
-    </message>
-    <message>
-        <source>irises</source>
-        <translation>Iris</translation>
-    </message>
-    <message>
-        <source>Irises are felt.</source>
-        <translation>Die Iris ist zu fühlen.</translation>
-    </message>
-    <message>
-        <source>Irises are not felt.</source>
-        <translation>Die Iris ist nicht zu fühlen.</translation>
-    </message>
-    <message>
-        <source>the folder that left the album</source>
-        <translation>der Ordner, der aus dem Album genommen wurde</translation>
-    </message>
-    <message>
-        <source>%1 no longer belongs to the album. Its photographs and recordings stay where they are.</source>
-        <translation>%1 gehört nicht mehr zum Album. Die Fotos und Aufnahmen darin bleiben, wo sie sind.</translation>
-    </message>
-    <message>
-        <source>the reset</source>
-        <translation>das Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
-        <translation>Alle Einstellungen sind wie am Anfang. Die Ordner des Albums bleiben.</translation>
-    </message>
-    <message>
-        <source>There is nothing to take back.</source>
-        <translation>Es gibt nichts zurückzunehmen.</translation>
-    </message>
-    <message>
-        <source>Taken back: %1.</source>
-        <translation>Zurückgenommen: %1.</translation>
-    </message>
-    <message>
-        <source>Nothing leaves this computer: TouchPhoto opens no connection to any other.</source>
-        <translation>Nichts verlässt diesen Computer: TouchPhoto stellt keine Verbindung zu einem anderen her.</translation>
-    </message>
-    <message>
-        <source>These settings, in %1.</source>
-        <translation>Diese Einstellungen, in %1.</translation>
-    </message>
-    <message>
-        <source>An index of the album, in %1 (%2). It can be thrown away at any time.</source>
-        <translation>Ein Index des Albums, in %1 (%2). Er kann jederzeit verworfen werden.</translation>
-    </message>
-    <message>
-        <source>Names, descriptions and recordings, beside the photographs in %1.</source>
-        <translation>Namen, Beschreibungen und Aufnahmen, neben den Fotos in %1.</translation>
-    </message>
-    <message>
-        <source>The photograph that you were at last: %1.</source>
-        <translation>Das Foto, bei dem Sie zuletzt waren: %1.</translation>
-    </message>
-    <message>
-        <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
-        <translation>Der Index wird verworfen, wenn TouchPhoto endet, und beim nächsten Start aus den Fotos neu angelegt.</translation>
-    </message>
-    <message>
-        <source>the force device</source>
-        <translation>das Kraftgerät</translation>
-    </message>
-    <message>
-        <source>Force device: %1.</source>
-        <translation>Kraftgerät: %1.</translation>
-    </message>
-    <message>
-        <source>Where your force device lies on the screen, in %1.</source>
-        <translation>Wo Ihr Kraftgerät auf dem Bildschirm liegt, in %1.</translation>
-    </message>
-</context>
-<context>
-    <name>tp::Shell</name>
-    <message>
-        <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the page before.</source>
-        <translation>Überall: Escape hält an, was klingt oder sich bewegt, und führt dann zur Startseite. F1: diese Hilfe. F2: der letzte Satz noch einmal. F3: Stimme ein oder aus. Alt und Pfeil links: die Seite davor.</translation>
-    </message>
 </context>
 <context>
     <name>tp::StartSession</name>
@@ -6170,6 +6130,61 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>For researchers: guidance laws, their parameters, plots, recordings</source>
         <translation>Für die Forschung: Führungsgesetze, ihre Parameter, Diagramme, Aufnahmen</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StorageSettings</name>
+    <message>
+        <source>No folder was chosen.</source>
+        <translation>Es wurde kein Ordner ausgewählt.</translation>
+    </message>
+    <message>
+        <source>The album has this folder already.</source>
+        <translation>Das Album hat diesen Ordner schon.</translation>
+    </message>
+    <message>
+        <source>the album&apos;s new folder</source>
+        <translation>der neue Ordner des Albums</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the album now.</source>
+        <translation>%1 gehört jetzt zum Album.</translation>
+    </message>
+    <message>
+        <source>the folder that left the album</source>
+        <translation>der Ordner, der aus dem Album genommen wurde</translation>
+    </message>
+    <message>
+        <source>%1 no longer belongs to the album. Its photographs and recordings stay where they are.</source>
+        <translation>%1 gehört nicht mehr zum Album. Die Fotos und Aufnahmen darin bleiben, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>Nothing leaves this computer: TouchPhoto opens no connection to any other.</source>
+        <translation>Nichts verlässt diesen Computer: TouchPhoto stellt keine Verbindung zu einem anderen her.</translation>
+    </message>
+    <message>
+        <source>These settings, in %1.</source>
+        <translation>Diese Einstellungen, in %1.</translation>
+    </message>
+    <message>
+        <source>An index of the album, in %1 (%2). It can be thrown away at any time.</source>
+        <translation>Ein Index des Albums, in %1 (%2). Er kann jederzeit verworfen werden.</translation>
+    </message>
+    <message>
+        <source>Where your force device lies on the screen, in %1.</source>
+        <translation>Wo Ihr Kraftgerät auf dem Bildschirm liegt, in %1.</translation>
+    </message>
+    <message>
+        <source>Names, descriptions and recordings, beside the photographs in %1.</source>
+        <translation>Namen, Beschreibungen und Aufnahmen, neben den Fotos in %1.</translation>
+    </message>
+    <message>
+        <source>The photograph that you were at last: %1.</source>
+        <translation>Das Foto, bei dem Sie zuletzt waren: %1.</translation>
+    </message>
+    <message>
+        <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
+        <translation>Der Index wird verworfen, wenn TouchPhoto endet, und beim nächsten Start aus den Fotos neu angelegt.</translation>
     </message>
 </context>
 <context>

@@ -4791,6 +4791,81 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>tp::FeelingSettings</name>
+    <message>
+        <source>Nothing</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>Beeps</source>
+        <translation>삐 소리</translation>
+    </message>
+    <message>
+        <source>Spoken clock directions</source>
+        <translation>몇 시 방향인지 말하기</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>둘 다</translation>
+    </message>
+    <message>
+        <source>what guides the finger</source>
+        <translation>손가락을 이끄는 방법</translation>
+    </message>
+    <message>
+        <source>the strongest force</source>
+        <translation>최대 힘</translation>
+    </message>
+    <message>
+        <source>At most %1 newtons.</source>
+        <translation>최대 %1뉴턴.</translation>
+    </message>
+    <message>
+        <source>the force device</source>
+        <translation>힘 장치</translation>
+    </message>
+    <message>
+        <source>Force device: %1.</source>
+        <translation>힘 장치: %1.</translation>
+    </message>
+    <message>
+        <source>brows</source>
+        <translation>눈썹</translation>
+    </message>
+    <message>
+        <source>Brows are felt.</source>
+        <translation>눈썹을 만질 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Brows are not felt.</source>
+        <translation>눈썹은 만져지지 않습니다.</translation>
+    </message>
+    <message>
+        <source>the nose</source>
+        <translation>코</translation>
+    </message>
+    <message>
+        <source>The nose is felt.</source>
+        <translation>코를 만질 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The nose is not felt.</source>
+        <translation>코는 만져지지 않습니다.</translation>
+    </message>
+    <message>
+        <source>irises</source>
+        <translation>홍채</translation>
+    </message>
+    <message>
+        <source>Irises are felt.</source>
+        <translation>홍채를 만질 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Irises are not felt.</source>
+        <translation>홍채는 만져지지 않습니다.</translation>
+    </message>
+</context>
+<context>
     <name>tp::FocusText</name>
     <message>
         <source>button</source>
@@ -5134,6 +5209,57 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Taken back: %1.</source>
         <translation>되돌렸습니다: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::LookSettings</name>
+    <message>
+        <source>Somebody who listens and feels</source>
+        <translation>듣고 만지는 사람</translation>
+    </message>
+    <message>
+        <source>Somebody who looks after the album</source>
+        <translation>앨범을 관리하는 사람</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>어둡게</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>밝게</translation>
+    </message>
+    <message>
+        <source>Yellow on black</source>
+        <translation>검은 바탕에 노란색</translation>
+    </message>
+    <message>
+        <source>who uses the tablet</source>
+        <translation>태블릿을 쓰는 사람</translation>
+    </message>
+    <message>
+        <source>the colours</source>
+        <translation>색</translation>
+    </message>
+    <message>
+        <source>the size of text</source>
+        <translation>글자 크기</translation>
+    </message>
+    <message>
+        <source>Text at %1 percent.</source>
+        <translation>글자 크기 %1퍼센트.</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>움직임</translation>
+    </message>
+    <message>
+        <source>Pictures may move.</source>
+        <translation>그림이 움직일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Nothing moves by itself.</source>
+        <translation>아무것도 저절로 움직이지 않습니다.</translation>
     </message>
 </context>
 <context>
@@ -5796,27 +5922,40 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>tp::SettingSteps</name>
+    <message>
+        <source>the reset</source>
+        <translation>처음 상태로 돌리기</translation>
+    </message>
+    <message>
+        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
+        <translation>모든 설정이 처음 상태로 돌아갔습니다. 앨범의 폴더는 그대로입니다.</translation>
+    </message>
+    <message>
+        <source>There is nothing to take back.</source>
+        <translation>되돌릴 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Taken back: %1.</source>
+        <translation>되돌렸습니다: %1.</translation>
+    </message>
+</context>
+<context>
     <name>tp::SettingsSession</name>
-    <message>
-        <source>No folder was chosen.</source>
-        <translation>폴더를 고르지 않았습니다.</translation>
-    </message>
-    <message>
-        <source>The album has this folder already.</source>
-        <translation>이미 앨범에 있는 폴더입니다.</translation>
-    </message>
-    <message>
-        <source>the album&apos;s new folder</source>
-        <translation>앨범의 새 폴더</translation>
-    </message>
-    <message>
-        <source>%1 belongs to the album now.</source>
-        <translation>이제 앨범에 속합니다: %1.</translation>
-    </message>
     <message>
         <source>Settings. Go through them by Tab; each change is kept at once. Control Z takes the last one back.</source>
         <translation>설정. 탭 키로 설정 사이를 이동하세요. 변경은 바로 저장됩니다. Ctrl Z는 마지막 변경을 되돌립니다.</translation>
     </message>
+</context>
+<context>
+    <name>tp::Shell</name>
+    <message>
+        <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the page before.</source>
+        <translation>어디서나: Escape 키는 소리나 움직임을 멈추고, 그다음에는 홈으로 갑니다. F1: 이 도움말. F2: 마지막 문장 다시. F3: 음성 켜기 또는 끄기. Alt와 왼쪽 화살표 키: 이전 페이지.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::SpeechSettings</name>
     <message>
         <source>TouchPhoto speaks</source>
         <translation>TouchPhoto가 말합니다</translation>
@@ -5889,185 +6028,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Sounds off.</source>
         <translation>소리가 꺼졌습니다.</translation>
     </message>
-    <message>
-        <source>Somebody who listens and feels</source>
-        <translation>듣고 만지는 사람</translation>
-    </message>
-    <message>
-        <source>Somebody who looks after the album</source>
-        <translation>앨범을 관리하는 사람</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>어둡게</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>밝게</translation>
-    </message>
-    <message>
-        <source>Yellow on black</source>
-        <translation>검은 바탕에 노란색</translation>
-    </message>
-    <message>
-        <source>who uses the tablet</source>
-        <translation>태블릿을 쓰는 사람</translation>
-    </message>
-    <message>
-        <source>the colours</source>
-        <translation>색</translation>
-    </message>
-    <message>
-        <source>the size of text</source>
-        <translation>글자 크기</translation>
-    </message>
-    <message>
-        <source>Text at %1 percent.</source>
-        <translation>글자 크기 %1퍼센트.</translation>
-    </message>
-    <message>
-        <source>motion</source>
-        <translation>움직임</translation>
-    </message>
-    <message>
-        <source>Pictures may move.</source>
-        <translation>그림이 움직일 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>Nothing moves by itself.</source>
-        <translation>아무것도 저절로 움직이지 않습니다.</translation>
-    </message>
-    <message>
-        <source>Nothing</source>
-        <translation>없음</translation>
-    </message>
-    <message>
-        <source>Beeps</source>
-        <translation>삐 소리</translation>
-    </message>
-    <message>
-        <source>Spoken clock directions</source>
-        <translation>몇 시 방향인지 말하기</translation>
-    </message>
-    <message>
-        <source>Both</source>
-        <translation>둘 다</translation>
-    </message>
-    <message>
-        <source>what guides the finger</source>
-        <translation>손가락을 이끄는 방법</translation>
-    </message>
-    <message>
-        <source>the strongest force</source>
-        <translation>최대 힘</translation>
-    </message>
-    <message>
-        <source>At most %1 newtons.</source>
-        <translation>최대 %1뉴턴.</translation>
-    </message>
-    <message>
-        <source>brows</source>
-        <translation>눈썹</translation>
-    </message>
-    <message>
-        <source>Brows are felt.</source>
-        <translation>눈썹을 만질 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>Brows are not felt.</source>
-        <translation>눈썹은 만져지지 않습니다.</translation>
-    </message>
-    <message>
-        <source>the nose</source>
-        <translation>코</translation>
-    </message>
-    <message>
-        <source>The nose is felt.</source>
-        <translation>코를 만질 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>The nose is not felt.</source>
-        <translation>코는 만져지지 않습니다.</translation>
-    </message>
-    <message>
-        <source>irises</source>
-        <translation>홍채</translation>
-    </message>
-    <message>
-        <source>Irises are felt.</source>
-        <translation>홍채를 만질 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>Irises are not felt.</source>
-        <translation>홍채는 만져지지 않습니다.</translation>
-    </message>
-    <message>
-        <source>the folder that left the album</source>
-        <translation>앨범에서 뺀 폴더</translation>
-    </message>
-    <message>
-        <source>%1 no longer belongs to the album. Its photographs and recordings stay where they are.</source>
-        <translation>이제 앨범에 속하지 않습니다: %1. 그 사진과 녹음은 그 자리에 그대로 남습니다.</translation>
-    </message>
-    <message>
-        <source>the reset</source>
-        <translation>처음 상태로 돌리기</translation>
-    </message>
-    <message>
-        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
-        <translation>모든 설정이 처음 상태로 돌아갔습니다. 앨범의 폴더는 그대로입니다.</translation>
-    </message>
-    <message>
-        <source>There is nothing to take back.</source>
-        <translation>되돌릴 것이 없습니다.</translation>
-    </message>
-    <message>
-        <source>Taken back: %1.</source>
-        <translation>되돌렸습니다: %1.</translation>
-    </message>
-    <message>
-        <source>Nothing leaves this computer: TouchPhoto opens no connection to any other.</source>
-        <translation>아무것도 이 컴퓨터를 떠나지 않습니다. TouchPhoto는 다른 컴퓨터에 연결하지 않습니다.</translation>
-    </message>
-    <message>
-        <source>These settings, in %1.</source>
-        <translation>이 설정이 저장된 곳: %1.</translation>
-    </message>
-    <message>
-        <source>An index of the album, in %1 (%2). It can be thrown away at any time.</source>
-        <translation>앨범 색인이 저장된 곳: %1 (%2). 언제든지 버려도 됩니다.</translation>
-    </message>
-    <message>
-        <source>Names, descriptions and recordings, beside the photographs in %1.</source>
-        <translation>사진 옆에 저장된 이름, 설명, 녹음: %1.</translation>
-    </message>
-    <message>
-        <source>The photograph that you were at last: %1.</source>
-        <translation>마지막으로 본 사진: %1.</translation>
-    </message>
-    <message>
-        <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
-        <translation>색인은 TouchPhoto가 끝날 때 버려지고, 다음에 시작할 때 사진에서 새로 만들어집니다.</translation>
-    </message>
-    <message>
-        <source>the force device</source>
-        <translation>힘 장치</translation>
-    </message>
-    <message>
-        <source>Force device: %1.</source>
-        <translation>힘 장치: %1.</translation>
-    </message>
-    <message>
-        <source>Where your force device lies on the screen, in %1.</source>
-        <translation>힘 장치가 화면의 어디에 놓이는지, %1에 있습니다.</translation>
-    </message>
-</context>
-<context>
-    <name>tp::Shell</name>
-    <message>
-        <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the page before.</source>
-        <translation>어디서나: Escape 키는 소리나 움직임을 멈추고, 그다음에는 홈으로 갑니다. F1: 이 도움말. F2: 마지막 문장 다시. F3: 음성 켜기 또는 끄기. Alt와 왼쪽 화살표 키: 이전 페이지.</translation>
-    </message>
 </context>
 <context>
     <name>tp::StartSession</name>
@@ -6130,6 +6090,61 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>For researchers: guidance laws, their parameters, plots, recordings</source>
         <translation>연구자용: 유도 법칙, 매개변수, 그래프, 기록</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StorageSettings</name>
+    <message>
+        <source>No folder was chosen.</source>
+        <translation>폴더를 고르지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The album has this folder already.</source>
+        <translation>이미 앨범에 있는 폴더입니다.</translation>
+    </message>
+    <message>
+        <source>the album&apos;s new folder</source>
+        <translation>앨범의 새 폴더</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the album now.</source>
+        <translation>이제 앨범에 속합니다: %1.</translation>
+    </message>
+    <message>
+        <source>the folder that left the album</source>
+        <translation>앨범에서 뺀 폴더</translation>
+    </message>
+    <message>
+        <source>%1 no longer belongs to the album. Its photographs and recordings stay where they are.</source>
+        <translation>이제 앨범에 속하지 않습니다: %1. 그 사진과 녹음은 그 자리에 그대로 남습니다.</translation>
+    </message>
+    <message>
+        <source>Nothing leaves this computer: TouchPhoto opens no connection to any other.</source>
+        <translation>아무것도 이 컴퓨터를 떠나지 않습니다. TouchPhoto는 다른 컴퓨터에 연결하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>These settings, in %1.</source>
+        <translation>이 설정이 저장된 곳: %1.</translation>
+    </message>
+    <message>
+        <source>An index of the album, in %1 (%2). It can be thrown away at any time.</source>
+        <translation>앨범 색인이 저장된 곳: %1 (%2). 언제든지 버려도 됩니다.</translation>
+    </message>
+    <message>
+        <source>Where your force device lies on the screen, in %1.</source>
+        <translation>힘 장치가 화면의 어디에 놓이는지, %1에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Names, descriptions and recordings, beside the photographs in %1.</source>
+        <translation>사진 옆에 저장된 이름, 설명, 녹음: %1.</translation>
+    </message>
+    <message>
+        <source>The photograph that you were at last: %1.</source>
+        <translation>마지막으로 본 사진: %1.</translation>
+    </message>
+    <message>
+        <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
+        <translation>색인은 TouchPhoto가 끝날 때 버려지고, 다음에 시작할 때 사진에서 새로 만들어집니다.</translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,7 @@ FocusScope {
 
     Keys.onPressed: (event) => {
         if (event.key === Qt.Key_Z && event.modifiers === Qt.ControlModifier)
-            session.undo()
+            session.steps.undo()
         else if (event.key === Qt.Key_Escape || event.key === Qt.Key_Backspace)
             event.accepted = session.back()
         else
@@ -23,15 +23,15 @@ FocusScope {
 
     TpScroll {
         anchors.fill: parent
-        focus: page.session.choosing
-        visible: page.session.choosing
+        focus: page.session.storage.choosing
+        visible: page.session.storage.choosing
         enabled: visible
         margin: 2 * Theme.gap
         Loader {
             width: parent.width
-            active: page.session.choosing
+            active: page.session.storage.choosing
             focus: true
-            sourceComponent: FolderChooserView { chooser: page.session.chooser }
+            sourceComponent: FolderChooserView { chooser: page.session.storage.chooser }
             onLoaded: item.forceActiveFocus()
         }
     }
@@ -48,7 +48,7 @@ FocusScope {
         onLoaded: item.forceActiveFocus()
     }
     TpScroll {
-        readonly property bool alone: !page.session.choosing && !page.session.devices.calibrating && !page.session.devices.measuring
+        readonly property bool alone: !page.session.storage.choosing && !page.session.devices.calibrating && !page.session.devices.measuring
         anchors.fill: parent
         focus: alone
         visible: alone
@@ -60,25 +60,25 @@ FocusScope {
             objectName: "voice"
             width: parent.width
             label: qsTr("Who speaks")
-            options: page.session.voices
-            current: page.session.voice
-            onPicked: (index) => page.session.chooseVoice(index)
+            options: page.session.speech.voices
+            current: page.session.speech.voice
+            onPicked: (index) => page.session.speech.chooseVoice(index)
         }
         TpChoice {
             objectName: "rate"
             width: parent.width
             label: qsTr("Speed of speech")
-            options: page.session.rates
-            current: page.session.rate
-            onPicked: (index) => page.session.chooseRate(index)
+            options: page.session.speech.rates
+            current: page.session.speech.rate
+            onPicked: (index) => page.session.speech.chooseRate(index)
         }
         TpChoice {
             objectName: "language"
             width: parent.width
             label: qsTr("Language")
-            options: page.session.languages
-            current: page.session.language
-            onPicked: (index) => page.session.chooseLanguage(index)
+            options: page.session.speech.languages
+            current: page.session.speech.language
+            onPicked: (index) => page.session.speech.chooseLanguage(index)
         }
         TpSlider {
             width: parent.width
@@ -87,15 +87,15 @@ FocusScope {
             from: 0.5
             to: 2
             stepSize: 0.25
-            setting: page.session.playbackSpeed
-            onChosen: (value) => page.session.setPlaybackSpeed(value)
+            setting: page.session.speech.playbackSpeed
+            onChosen: (value) => page.session.speech.setPlaybackSpeed(value)
         }
         TpToggle {
             objectName: "earcons"
             width: parent.width
             text: qsTr("Sounds for what happens")
-            on: page.session.earcons
-            onSwitched: (on) => page.session.setEarcons(on)
+            on: page.session.speech.earcons
+            onSwitched: (on) => page.session.speech.setEarcons(on)
         }
 
         TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("What it looks like") }
@@ -103,9 +103,9 @@ FocusScope {
             objectName: "theme"
             width: parent.width
             label: qsTr("Colours")
-            options: page.session.themes
-            current: page.session.theme
-            onPicked: (index) => page.session.chooseTheme(index)
+            options: page.session.looks.themes
+            current: page.session.looks.theme
+            onPicked: (index) => page.session.looks.chooseTheme(index)
         }
         TpSlider {
             objectName: "textScale"
@@ -115,21 +115,21 @@ FocusScope {
             from: 1
             to: 2
             stepSize: 0.25
-            setting: page.session.textScale
-            onChosen: (value) => page.session.setTextScale(value)
+            setting: page.session.looks.textScale
+            onChosen: (value) => page.session.looks.setTextScale(value)
         }
         TpToggle {
             width: parent.width
             text: qsTr("Pictures may move")
-            on: page.session.motion
-            onSwitched: (on) => page.session.setMotion(on)
+            on: page.session.looks.motion
+            onSwitched: (on) => page.session.looks.setMotion(on)
         }
         TpChoice {
             width: parent.width
             label: qsTr("Who uses the tablet most")
-            options: page.session.users
-            current: page.session.user
-            onPicked: (index) => page.session.chooseUser(index)
+            options: page.session.looks.users
+            current: page.session.looks.user
+            onPicked: (index) => page.session.looks.chooseUser(index)
         }
 
         TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("What is felt") }
@@ -141,8 +141,8 @@ FocusScope {
             from: 0.1
             to: 1.5
             stepSize: 0.1
-            setting: page.session.maxForce
-            onChosen: (value) => page.session.setMaxForce(value)
+            setting: page.session.feeling.maxForce
+            onChosen: (value) => page.session.feeling.setMaxForce(value)
         }
         TpChoice {
             objectName: "device"
@@ -150,7 +150,7 @@ FocusScope {
             label: qsTr("Force device")
             options: page.session.devices.names
             current: page.session.devices.current
-            onPicked: (index) => page.session.chooseDevice(index)
+            onPicked: (index) => page.session.feeling.chooseDevice(index)
         }
         TpStatus {
             width: parent.width
@@ -199,37 +199,37 @@ FocusScope {
         TpChoice {
             width: parent.width
             label: qsTr("What guides the finger where no force does")
-            options: page.session.guides
-            current: page.session.guide
-            onPicked: (index) => page.session.chooseGuide(index)
+            options: page.session.feeling.guides
+            current: page.session.feeling.guide
+            onPicked: (index) => page.session.feeling.chooseGuide(index)
         }
         TpToggle {
             width: parent.width
             text: qsTr("Brows")
-            on: page.session.brows
-            onSwitched: (on) => page.session.setBrows(on)
+            on: page.session.feeling.brows
+            onSwitched: (on) => page.session.feeling.setBrows(on)
         }
         TpToggle {
             width: parent.width
             text: qsTr("Nose")
-            on: page.session.nose
-            onSwitched: (on) => page.session.setNose(on)
+            on: page.session.feeling.nose
+            onSwitched: (on) => page.session.feeling.setNose(on)
         }
         TpToggle {
             width: parent.width
             text: qsTr("Irises")
-            on: page.session.irises
-            onSwitched: (on) => page.session.setIrises(on)
+            on: page.session.feeling.irises
+            onSwitched: (on) => page.session.feeling.setIrises(on)
         }
 
         TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Folders of the album") }
         TpText {
             width: parent.width
-            visible: page.session.folders.length === 0
+            visible: page.session.storage.folders.length === 0
             text: qsTr("No folder yet.")
         }
         Repeater {
-            model: page.session.folders
+            model: page.session.storage.folders
             delegate: Column {
                 id: folder
                 required property int index
@@ -245,7 +245,7 @@ FocusScope {
                     width: parent.width
                     text: qsTr("Take %1 off the album").arg(folder.modelData.split("/").pop())
                     hint: qsTr("The photographs stay where they are")
-                    onClicked: page.session.removeFolder(folder.index)
+                    onClicked: page.session.storage.removeFolder(folder.index)
                 }
             }
         }
@@ -253,12 +253,12 @@ FocusScope {
             objectName: "addFolder"
             width: parent.width
             text: qsTr("Add a folder")
-            onClicked: page.session.addFolder()
+            onClicked: page.session.storage.addFolder()
         }
 
         TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("What is stored about me") }
         Repeater {
-            model: page.session.stored
+            model: page.session.storage.stored
             delegate: TpText {
                 required property string modelData
                 width: parent.width
@@ -269,17 +269,17 @@ FocusScope {
         TpButton {
             width: parent.width
             text: qsTr("Throw the index away and make it anew")
-            onClicked: page.session.discardIndex()
+            onClicked: page.session.storage.discardIndex()
         }
 
         TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("All settings") }
         TpButton {
             objectName: "undo"
             width: parent.width
-            enabled: page.session.undoable !== ""
-            text: page.session.undoable === "" ? qsTr("Nothing to take back") : qsTr("Take back: %1").arg(page.session.undoable)
+            enabled: page.session.steps.undoable !== ""
+            text: page.session.steps.undoable === "" ? qsTr("Nothing to take back") : qsTr("Take back: %1").arg(page.session.steps.undoable)
             hint: qsTr("Key: Control Z")
-            onClicked: page.session.undo()
+            onClicked: page.session.steps.undo()
         }
         TpButton {
             width: parent.width
@@ -291,7 +291,7 @@ FocusScope {
             width: parent.width
             text: qsTr("Everything as it was at first")
             hint: qsTr("The album's folders stay; it can be taken back")
-            onClicked: page.session.reset()
+            onClicked: page.session.steps.reset()
         }
     }
 }

@@ -227,7 +227,7 @@ private slots:
         for (const char* words : {"Speed of speech: Normal, choice, chosen", "Colours: Light, choice", "Home, button",
                                   "Sounds for what happens, switch, on", "Size of text, slider, 100 percent"})
             QVERIFY2(said.contains(words), qPrintable(QString(words) + " is not in: " + said.join("; ")));
-        whole.program->settings().chooseVoice(1); // a screen reader says it itself
+        whole.program->settings().speech()->chooseVoice(1); // a screen reader says it itself
         whole.voice.clear();
         QTest::keyClick(whole.window.get(), Qt::Key_Tab);
         QCOMPARE(whole.voice.said(), QStringList());
@@ -353,11 +353,11 @@ private slots:
         QVERIFY(whole.shown());
         whole.shell().open("settings");
         QCOMPARE(whole.window->title(), QString("Settings – TouchPhoto"));
-        whole.program->settings().chooseLanguage(2);
+        whole.program->settings().speech()->chooseLanguage(2);
         QCOMPARE(whole.voice.language(), QString("de"));
         QCOMPARE(whole.window->title(), QString("Einstellungen – TouchPhoto"));
         QTRY_VERIFY(PageWindow::named(*whole.window, "Farben: Dunkel") != nullptr);
-        whole.program->settings().chooseLanguage(1);
+        whole.program->settings().speech()->chooseLanguage(1);
         QTRY_VERIFY(PageWindow::named(*whole.window, "Colours: Dark") != nullptr);
     }
 
@@ -367,7 +367,7 @@ private slots:
         QVERIFY(whole.shown());
         whole.shell().open("settings");
         const QColor dark = whole.window->grabWindow().pixelColor(2, 400);
-        whole.program->settings().chooseTheme(1);
+        whole.program->settings().looks()->chooseTheme(1);
         const QColor light = whole.window->grabWindow().pixelColor(2, 400);
         QVERIFY(dark.lightness() < 40 && light.lightness() > 215);
     }

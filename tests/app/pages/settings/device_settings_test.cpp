@@ -56,19 +56,19 @@ private slots:
                  QStringList({"None: sound, and a drawn finger", "force pad TPC-0042, over USB (HID)"}));
         QCOMPARE(bench.devices().current(), 1); // the first one found
         QVERIFY(bench.devices().calibration().startsWith("Not calibrated."));
-        bench.session.chooseDevice(0);
+        bench.session.feeling()->chooseDevice(0);
         QCOMPARE(bench.now().device, QString(no_device_key));
         QCOMPARE(bench.voice.said().back(), QString("Force device: None: sound, and a drawn finger."));
         QVERIFY(!bench.has_device());
-        bench.session.undo();
+        bench.session.steps()->undo();
         QCOMPARE(bench.now().device, QString());
-        bench.session.chooseDevice(1);
+        bench.session.feeling()->chooseDevice(1);
         QCOMPARE(bench.now().device, QString(DeviceSocket::serial_number));
         bench.socket.unplug();
         QTRY_VERIFY(!bench.has_device());
         QCOMPARE(bench.devices().names().back(), QString("TPC-0042, not plugged in"));
-        bench.session.chooseDevice(7);
-        bench.session.chooseDevice(-1);
+        bench.session.feeling()->chooseDevice(7);
+        bench.session.feeling()->chooseDevice(-1);
         QCOMPARE(bench.now().device, QString(DeviceSocket::serial_number));
         bench.session.leave();
         bench.socket.plug_in();
@@ -78,7 +78,7 @@ private slots:
 
     void the_strongest_force_is_felt_to_the_right_and_to_the_left() {
         Bench bench;
-        bench.session.setMaxForce(0.6);
+        bench.session.feeling()->setMaxForce(0.6);
         bench.socket.plug_in();
         QTRY_VERIFY(bench.has_device());
         bench.devices().tryForce();
@@ -220,7 +220,7 @@ private slots:
         QTRY_VERIFY(bench.has_device());
         bench.devices().tryForce();
         QTRY_VERIFY(bench.said("Close that program"));
-        bench.session.chooseDevice(0);
+        bench.session.feeling()->chooseDevice(0);
         bench.devices().calibrate();
         QCOMPARE(bench.voice.said().back(), QString("No force device is chosen. Choose one above."));
     }

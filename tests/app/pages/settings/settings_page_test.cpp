@@ -35,8 +35,8 @@ private slots:
         const Warnings warnings;
         SettingsBench bench;
         bench.preferences.change([](Choices& choices) { choices.folders = {"/home/x/Pictures/Familie"}; });
-        bench.session.setTextScale(1.0);
-        bench.session.chooseTheme(1);
+        bench.session.looks()->setTextScale(1.0);
+        bench.session.looks()->chooseTheme(1);
         PageWindow window(page, &bench.session, size);
         QVERIFY(window.exposed());
         QCOMPARE(window.faulty_targets().join("; "), QString());
@@ -82,18 +82,18 @@ private slots:
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
         QVERIFY(window.press("Add a folder"));
-        bench.session.chooser()->begin_in("/usr");
+        bench.session.storage()->chooser()->begin_in("/usr");
         QTRY_VERIFY(window.named("Take this folder") != nullptr);
         QCOMPARE(window.faulty_targets().join("; "), QString());
         QVERIFY(window.press("To the folder above"));
-        QCOMPARE(bench.session.chooser()->folder(), QString("/"));
+        QCOMPARE(bench.session.storage()->chooser()->folder(), QString("/"));
         QVERIFY(window.press("Take this folder"));
         QCOMPARE(bench.now().folders, QStringList("/"));
         QVERIFY(window.named("Add a folder") != nullptr);
         QVERIFY(window.press("Add a folder"));
         QTRY_VERIFY(window.named("Take this folder") != nullptr);
         QTest::keyClick(&window, Qt::Key_Escape);
-        QVERIFY(!bench.session.choosing());
+        QVERIFY(!bench.session.storage()->choosing());
     }
 
     void a_stick_is_measured_by_a_screen_reader_and_keys_data() {

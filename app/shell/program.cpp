@@ -216,7 +216,7 @@ void Program::care_for(const QString& photo) {
 /// The photograph that one was at last, where none is open.
 void Program::enter_explore() {
     const QString& last = preferences_.choices().last_photo;
-    if (explore().state() == ExploreSession::State::Empty && !last.isEmpty())
+    if (explore().view()->state() == ExploreView::State::Empty && !last.isEmpty())
         explore().open_file(last);
     explore().enter();
 }

@@ -4412,11 +4412,61 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
-    <name>tp::ExploreSession</name>
+    <name>tp::ExploreChoices</name>
     <message>
-        <source>Tour ended.</source>
-        <translation>Rundgang beendet.</translation>
+        <source>None</source>
+        <translation>Keine</translation>
     </message>
+    <message>
+        <source>Sonar</source>
+        <translation>Sonar</translation>
+    </message>
+    <message>
+        <source>Clock voice</source>
+        <translation>Uhrzeitansage</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beides</translation>
+    </message>
+    <message>
+        <source>Guide: %1.</source>
+        <translation>Führung: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreDevice</name>
+    <message>
+        <source>The force is on.</source>
+        <translation>Die Kraft ist ein.</translation>
+    </message>
+    <message>
+        <source>The device is ready. Its force is on.</source>
+        <translation>Das Gerät ist bereit. Seine Kraft ist an.</translation>
+    </message>
+    <message>
+        <source>The device is ready. Its force is off. Press Enter to switch it on.</source>
+        <translation>Das Gerät ist bereit. Seine Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its true size.</source>
+        <translation>Das Bild ist auf dem Bildschirm zu klein oder zu groß, um dort gefühlt zu werden, wo es zu sehen ist. Das Gerät fühlt es in seiner wahren Größe.</translation>
+    </message>
+    <message>
+        <source>Device: %1. Its force is on.</source>
+        <translation>Gerät: %1. Seine Kraft ist an.</translation>
+    </message>
+    <message>
+        <source>Device: %1. Its force is off. Press Enter to switch it on.</source>
+        <translation>Gerät: %1. Seine Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>%1 Until then the force is only drawn.</source>
+        <translation>%1 Bis dahin wird die Kraft nur gezeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreEar</name>
     <message numerus="yes">
         <source>%1 o&apos;clock, %n millimetre(s)</source>
         <translation>
@@ -4424,6 +4474,79 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
             <numerusform>%1 Uhr, %n Millimeter</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>tp::ExploreFinger</name>
+    <message>
+        <source>There is nothing to feel here.</source>
+        <translation>Hier gibt es nichts zu fühlen.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreHand</name>
+    <message>
+        <source>Move the finger with the device.</source>
+        <translation>Bewegen Sie den Finger mit dem Gerät.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 o&apos;clock, %n millimetre(s).</source>
+        <translation>
+            <numerusform>%1: %2 Uhr, %n Millimeter.</numerusform>
+            <numerusform>%1: %2 Uhr, %n Millimeter.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreSession</name>
+    <message>
+        <source>Explore. %1 Move a finger over the picture; W tells where it is.</source>
+        <translation>Erkunden. %1 Bewegen Sie einen Finger über das Bild; W sagt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Explore. %1</source>
+        <translation>Erkunden. %1</translation>
+    </message>
+    <message>
+        <source>Only a photograph that is a file on this computer can be opened.</source>
+        <translation>Nur ein Foto, das als Datei auf diesem Computer liegt, kann geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Stopped. The force is off. Press Enter to switch it on.</source>
+        <translation>Angehalten. Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreTour</name>
+    <message>
+        <source>The force is off. Press Enter to switch it on.</source>
+        <translation>Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>Tour round the %1.</source>
+        <translation>Rundgang: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tour of %1: %n feature(s). %2.</source>
+        <translation>
+            <numerusform>Rundgang: %1, %n Merkmal. %2.</numerusform>
+            <numerusform>Rundgang: %1, %n Merkmale. %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tour finished.</source>
+        <translation>Rundgang zu Ende.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>Tour ended.</source>
+        <translation>Rundgang beendet.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreView</name>
     <message>
         <source>the face</source>
         <translation>das Gesicht</translation>
@@ -4441,25 +4564,28 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Gesichter werden gesucht…</translation>
     </message>
     <message>
-        <source>Explore. %1 Move a finger over the picture; W tells where it is.</source>
-        <translation>Erkunden. %1 Bewegen Sie einen Finger über das Bild; W sagt, wo er ist.</translation>
-    </message>
-    <message>
-        <source>Explore. %1</source>
-        <translation>Erkunden. %1</translation>
-    </message>
-    <message>
-        <source>Only a photograph that is a file on this computer can be opened.</source>
-        <translation>Nur ein Foto, das als Datei auf diesem Computer liegt, kann geöffnet werden.</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Stopped looking. Press O to open a photograph.</source>
+        <translation>Suche abgebrochen. Drücken Sie O, um ein Foto zu öffnen.</translation>
+    </message>
+    <message>
+        <source>Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.</source>
+        <translation>Suche abgebrochen. %1 ist wieder geöffnet. Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>Stopped looking. %1 is open again.</source>
+        <translation>Suche abgebrochen. %1 ist wieder geöffnet.</translation>
     </message>
     <message>
         <source>face</source>
         <translation>Gesicht</translation>
     </message>
+</context>
+<context>
+    <name>tp::ExploreZoom</name>
     <message>
         <source>Zoomed out to the whole face.</source>
         <translation>Verkleinert: das ganze Gesicht.</translation>
@@ -4512,118 +4638,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Dieser Teil ist im Bild zu klein, um ihn zu vergrößern.</translation>
     </message>
     <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2.</translation>
+    </message>
+    <message>
         <source>This is the whole picture.</source>
         <translation>Das ist das ganze Bild.</translation>
     </message>
     <message>
         <source>There is nothing nearer to zoom to here.</source>
         <translation>Hier lässt sich nichts weiter vergrößern.</translation>
-    </message>
-    <message>
-        <source>The force is off. Press Enter to switch it on.</source>
-        <translation>Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
-    </message>
-    <message>
-        <source>Tour round the %1.</source>
-        <translation>Rundgang: %1.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Tour of %1: %n feature(s). %2.</source>
-        <translation>
-            <numerusform>Rundgang: %1, %n Merkmal. %2.</numerusform>
-            <numerusform>Rundgang: %1, %n Merkmale. %2.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Tour finished.</source>
-        <translation>Rundgang zu Ende.</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1.</translation>
-    </message>
-    <message>
-        <source>Stopped looking. Press O to open a photograph.</source>
-        <translation>Suche abgebrochen. Drücken Sie O, um ein Foto zu öffnen.</translation>
-    </message>
-    <message>
-        <source>Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.</source>
-        <translation>Suche abgebrochen. %1 ist wieder geöffnet. Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
-    </message>
-    <message>
-        <source>Stopped looking. %1 is open again.</source>
-        <translation>Suche abgebrochen. %1 ist wieder geöffnet.</translation>
-    </message>
-    <message>
-        <source>Stopped. The force is off. Press Enter to switch it on.</source>
-        <translation>Angehalten. Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
-    </message>
-    <message>
-        <source>The force is on.</source>
-        <translation>Die Kraft ist ein.</translation>
-    </message>
-    <message>
-        <source>There is nothing to feel here.</source>
-        <translation>Hier gibt es nichts zu fühlen.</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Sonar</source>
-        <translation>Sonar</translation>
-    </message>
-    <message>
-        <source>Clock voice</source>
-        <translation>Uhrzeitansage</translation>
-    </message>
-    <message>
-        <source>Both</source>
-        <translation>Beides</translation>
-    </message>
-    <message>
-        <source>Guide: %1.</source>
-        <translation>Führung: %1.</translation>
-    </message>
-    <message>
-        <source>Device: %1. Its force is on.</source>
-        <translation>Gerät: %1. Seine Kraft ist an.</translation>
-    </message>
-    <message>
-        <source>Device: %1. Its force is off. Press Enter to switch it on.</source>
-        <translation>Gerät: %1. Seine Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
-    </message>
-    <message>
-        <source>%1 Until then the force is only drawn.</source>
-        <translation>%1 Bis dahin wird die Kraft nur gezeichnet.</translation>
-    </message>
-    <message>
-        <source>Move the finger with the device.</source>
-        <translation>Bewegen Sie den Finger mit dem Gerät.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %2 o&apos;clock, %n millimetre(s).</source>
-        <translation>
-            <numerusform>%1: %2 Uhr, %n Millimeter.</numerusform>
-            <numerusform>%1: %2 Uhr, %n Millimeter.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its true size.</source>
-        <translation>Das Bild ist auf dem Bildschirm zu klein oder zu groß, um dort gefühlt zu werden, wo es zu sehen ist. Das Gerät fühlt es in seiner wahren Größe.</translation>
-    </message>
-    <message>
-        <source>%1 %2.</source>
-        <translation>%1 %2.</translation>
-    </message>
-    <message>
-        <source>The device is ready. Its force is on.</source>
-        <translation>Das Gerät ist bereit. Seine Kraft ist an.</translation>
-    </message>
-    <message>
-        <source>The device is ready. Its force is off. Press Enter to switch it on.</source>
-        <translation>Das Gerät ist bereit. Seine Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
     </message>
 </context>
 <context>

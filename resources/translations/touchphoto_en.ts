@@ -184,7 +184,7 @@
     </message>
 </context>
 <context>
-    <name>tp::ExploreSession</name>
+    <name>tp::ExploreEar</name>
     <message numerus="yes">
         <source>%1 o&apos;clock, %n millimetre(s)</source>
         <translation>
@@ -192,13 +192,19 @@
             <numerusform>%1 o&apos;clock, %n millimetres</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>tp::ExploreHand</name>
     <message numerus="yes">
-        <source>Zoomed out to all %n face(s).</source>
+        <source>%1: %2 o&apos;clock, %n millimetre(s).</source>
         <translation>
-            <numerusform>Zoomed out to all %n face.</numerusform>
-            <numerusform>Zoomed out to all %n faces.</numerusform>
+            <numerusform>%1: %2 o&apos;clock, %n millimetre.</numerusform>
+            <numerusform>%1: %2 o&apos;clock, %n millimetres.</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>tp::ExploreTour</name>
     <message numerus="yes">
         <source>Tour of %1: %n feature(s). %2.</source>
         <translation>
@@ -206,11 +212,14 @@
             <numerusform>Tour of %1: %n features. %2.</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>tp::ExploreZoom</name>
     <message numerus="yes">
-        <source>%1: %2 o&apos;clock, %n millimetre(s).</source>
+        <source>Zoomed out to all %n face(s).</source>
         <translation>
-            <numerusform>%1: %2 o&apos;clock, %n millimetre.</numerusform>
-            <numerusform>%1: %2 o&apos;clock, %n millimetres.</numerusform>
+            <numerusform>Zoomed out to all %n face.</numerusform>
+            <numerusform>Zoomed out to all %n faces.</numerusform>
         </translation>
     </message>
 </context>

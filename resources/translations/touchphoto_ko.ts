@@ -4389,17 +4389,138 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
-    <name>tp::ExploreSession</name>
+    <name>tp::ExploreChoices</name>
     <message>
-        <source>Tour ended.</source>
-        <translation>안내가 끝났습니다.</translation>
+        <source>None</source>
+        <translation>없음</translation>
     </message>
+    <message>
+        <source>Sonar</source>
+        <translation>소나</translation>
+    </message>
+    <message>
+        <source>Clock voice</source>
+        <translation>몇 시 방향인지 말하기</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>둘 다</translation>
+    </message>
+    <message>
+        <source>Guide: %1.</source>
+        <translation>길잡이: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreDevice</name>
+    <message>
+        <source>The force is on.</source>
+        <translation>힘이 켜졌습니다.</translation>
+    </message>
+    <message>
+        <source>The device is ready. Its force is on.</source>
+        <translation>장치가 준비되었습니다. 힘이 켜졌습니다.</translation>
+    </message>
+    <message>
+        <source>The device is ready. Its force is off. Press Enter to switch it on.</source>
+        <translation>장치가 준비되었습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
+    </message>
+    <message>
+        <source>The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its true size.</source>
+        <translation>사진이 화면에서 너무 작거나 커서 보이는 자리에서 느낄 수 없습니다. 장치는 원래 크기로 느끼게 합니다.</translation>
+    </message>
+    <message>
+        <source>Device: %1. Its force is on.</source>
+        <translation>장치: %1. 힘이 켜졌습니다.</translation>
+    </message>
+    <message>
+        <source>Device: %1. Its force is off. Press Enter to switch it on.</source>
+        <translation>장치: %1. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
+    </message>
+    <message>
+        <source>%1 Until then the force is only drawn.</source>
+        <translation>%1 그때까지 힘은 그림으로만 나타납니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreEar</name>
     <message numerus="yes">
         <source>%1 o&apos;clock, %n millimetre(s)</source>
         <translation>
             <numerusform>%1시 방향, %n밀리미터</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>tp::ExploreFinger</name>
+    <message>
+        <source>There is nothing to feel here.</source>
+        <translation>여기에는 만질 것이 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreHand</name>
+    <message>
+        <source>Move the finger with the device.</source>
+        <translation>장치로 손가락을 움직이세요.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2 o&apos;clock, %n millimetre(s).</source>
+        <translation>
+            <numerusform>%1: %2시 방향, %n밀리미터.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreSession</name>
+    <message>
+        <source>Explore. %1 Move a finger over the picture; W tells where it is.</source>
+        <translation>살펴보기. %1 사진 위에서 손가락을 움직이세요. W를 누르면 손가락의 위치를 말해 줍니다.</translation>
+    </message>
+    <message>
+        <source>Explore. %1</source>
+        <translation>살펴보기. %1</translation>
+    </message>
+    <message>
+        <source>Only a photograph that is a file on this computer can be opened.</source>
+        <translation>이 컴퓨터에 파일로 있는 사진만 열 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Stopped. The force is off. Press Enter to switch it on.</source>
+        <translation>멈췄습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreTour</name>
+    <message>
+        <source>The force is off. Press Enter to switch it on.</source>
+        <translation>힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
+    </message>
+    <message>
+        <source>Tour round the %1.</source>
+        <translation>%1 둘레를 안내합니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tour of %1: %n feature(s). %2.</source>
+        <translation>
+            <numerusform>%1 안내, 부위 %n개. %2.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tour finished.</source>
+        <translation>안내를 마쳤습니다.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>Tour ended.</source>
+        <translation>안내가 끝났습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreView</name>
     <message>
         <source>the face</source>
         <translation>얼굴</translation>
@@ -4417,25 +4538,28 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴을 찾는 중…</translation>
     </message>
     <message>
-        <source>Explore. %1 Move a finger over the picture; W tells where it is.</source>
-        <translation>살펴보기. %1 사진 위에서 손가락을 움직이세요. W를 누르면 손가락의 위치를 말해 줍니다.</translation>
-    </message>
-    <message>
-        <source>Explore. %1</source>
-        <translation>살펴보기. %1</translation>
-    </message>
-    <message>
-        <source>Only a photograph that is a file on this computer can be opened.</source>
-        <translation>이 컴퓨터에 파일로 있는 사진만 열 수 있습니다.</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Stopped looking. Press O to open a photograph.</source>
+        <translation>찾기를 멈췄습니다. O를 눌러 사진을 여세요.</translation>
+    </message>
+    <message>
+        <source>Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.</source>
+        <translation>찾기를 멈췄습니다. %1 사진이 다시 열렸습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
+    </message>
+    <message>
+        <source>Stopped looking. %1 is open again.</source>
+        <translation>찾기를 멈췄습니다. %1 사진이 다시 열렸습니다.</translation>
     </message>
     <message>
         <source>face</source>
         <translation>얼굴</translation>
     </message>
+</context>
+<context>
+    <name>tp::ExploreZoom</name>
     <message>
         <source>Zoomed out to the whole face.</source>
         <translation>얼굴 전체가 보이도록 축소했습니다.</translation>
@@ -4487,116 +4611,16 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 부분은 사진에서 너무 작아 확대할 수 없습니다.</translation>
     </message>
     <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2.</translation>
+    </message>
+    <message>
         <source>This is the whole picture.</source>
         <translation>사진 전체가 보입니다.</translation>
     </message>
     <message>
         <source>There is nothing nearer to zoom to here.</source>
         <translation>여기에는 더 확대할 것이 없습니다.</translation>
-    </message>
-    <message>
-        <source>The force is off. Press Enter to switch it on.</source>
-        <translation>힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
-    </message>
-    <message>
-        <source>Tour round the %1.</source>
-        <translation>%1 둘레를 안내합니다.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Tour of %1: %n feature(s). %2.</source>
-        <translation>
-            <numerusform>%1 안내, 부위 %n개. %2.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Tour finished.</source>
-        <translation>안내를 마쳤습니다.</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1.</translation>
-    </message>
-    <message>
-        <source>Stopped looking. Press O to open a photograph.</source>
-        <translation>찾기를 멈췄습니다. O를 눌러 사진을 여세요.</translation>
-    </message>
-    <message>
-        <source>Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.</source>
-        <translation>찾기를 멈췄습니다. %1 사진이 다시 열렸습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
-    </message>
-    <message>
-        <source>Stopped looking. %1 is open again.</source>
-        <translation>찾기를 멈췄습니다. %1 사진이 다시 열렸습니다.</translation>
-    </message>
-    <message>
-        <source>Stopped. The force is off. Press Enter to switch it on.</source>
-        <translation>멈췄습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
-    </message>
-    <message>
-        <source>The force is on.</source>
-        <translation>힘이 켜졌습니다.</translation>
-    </message>
-    <message>
-        <source>There is nothing to feel here.</source>
-        <translation>여기에는 만질 것이 없습니다.</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>없음</translation>
-    </message>
-    <message>
-        <source>Sonar</source>
-        <translation>소나</translation>
-    </message>
-    <message>
-        <source>Clock voice</source>
-        <translation>몇 시 방향인지 말하기</translation>
-    </message>
-    <message>
-        <source>Both</source>
-        <translation>둘 다</translation>
-    </message>
-    <message>
-        <source>Guide: %1.</source>
-        <translation>길잡이: %1.</translation>
-    </message>
-    <message>
-        <source>Device: %1. Its force is on.</source>
-        <translation>장치: %1. 힘이 켜졌습니다.</translation>
-    </message>
-    <message>
-        <source>Device: %1. Its force is off. Press Enter to switch it on.</source>
-        <translation>장치: %1. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
-    </message>
-    <message>
-        <source>%1 Until then the force is only drawn.</source>
-        <translation>%1 그때까지 힘은 그림으로만 나타납니다.</translation>
-    </message>
-    <message>
-        <source>Move the finger with the device.</source>
-        <translation>장치로 손가락을 움직이세요.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %2 o&apos;clock, %n millimetre(s).</source>
-        <translation>
-            <numerusform>%1: %2시 방향, %n밀리미터.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its true size.</source>
-        <translation>사진이 화면에서 너무 작거나 커서 보이는 자리에서 느낄 수 없습니다. 장치는 원래 크기로 느끼게 합니다.</translation>
-    </message>
-    <message>
-        <source>%1 %2.</source>
-        <translation>%1 %2.</translation>
-    </message>
-    <message>
-        <source>The device is ready. Its force is on.</source>
-        <translation>장치가 준비되었습니다. 힘이 켜졌습니다.</translation>
-    </message>
-    <message>
-        <source>The device is ready. Its force is off. Press Enter to switch it on.</source>
-        <translation>장치가 준비되었습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
     </message>
 </context>
 <context>

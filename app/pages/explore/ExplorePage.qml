@@ -26,7 +26,7 @@ FocusScope {
         const first = !dialog.active
         dialog.active = true
         if (dialog.status === Loader.Error) {
-            session.tellProblem(qsTr("The file dialog is not installed. Drop a photograph on this window instead."))
+            session.words.tellProblem(qsTr("The file dialog is not installed. Drop a photograph on this window instead."))
             return
         }
         if (first)
@@ -38,22 +38,22 @@ FocusScope {
         const step = event.modifiers & Qt.ShiftModifier ? 10 : 2
         event.accepted = true
         switch (event.key) {
-        case Qt.Key_Left: session.nudge(-step, 0); break
-        case Qt.Key_Right: session.nudge(step, 0); break
-        case Qt.Key_Up: session.nudge(0, -step); break
-        case Qt.Key_Down: session.nudge(0, step); break
-        case Qt.Key_Space: session.toggleTour(); break
-        case Qt.Key_T: session.toggleFaceTour(); break
+        case Qt.Key_Left: session.hand.nudge(-step, 0); break
+        case Qt.Key_Right: session.hand.nudge(step, 0); break
+        case Qt.Key_Up: session.hand.nudge(0, -step); break
+        case Qt.Key_Down: session.hand.nudge(0, step); break
+        case Qt.Key_Space: session.tour.toggle(); break
+        case Qt.Key_T: session.tour.toggleFace(); break
         case Qt.Key_Escape: event.accepted = session.stop(); break
         case Qt.Key_Backspace: session.back(); break
-        case Qt.Key_Z: event.modifiers & Qt.ShiftModifier ? session.zoomOut() : session.zoomIn(); break
-        case Qt.Key_G: session.nextGuide(); break
+        case Qt.Key_Z: event.modifiers & Qt.ShiftModifier ? session.zoom.zoomOut() : session.zoom.zoomIn(); break
+        case Qt.Key_G: session.choices.nextGuide(); break
         case Qt.Key_Return:
         case Qt.Key_Enter:
-        case Qt.Key_E: session.engage(); break
-        case Qt.Key_W: session.whereAmI(); break
-        case Qt.Key_F: session.nextFace(); break
-        case Qt.Key_V: session.voiceOn = !session.voiceOn; break
+        case Qt.Key_E: session.device.engage(); break
+        case Qt.Key_W: session.finger.whereAmI(); break
+        case Qt.Key_F: session.zoom.nextFace(); break
+        case Qt.Key_V: session.words.voiceOn = !session.words.voiceOn; break
         case Qt.Key_O: page.openDialog(); break
         default: event.accepted = false
         }
@@ -83,7 +83,7 @@ FocusScope {
                 session: page.session
                 parent: page.tight ? panel.slot : slot
                 anchors.centerIn: parent
-                readonly property real aspect: page.session.surfaceWidth / page.session.surfaceHeight
+                readonly property real aspect: page.session.view.surfaceWidth / page.session.view.surfaceHeight
                 width: Math.min(parent.width, parent.height * aspect)
                 height: width / aspect
                 focus: true

@@ -11,7 +11,7 @@ Item {
     required property real pixelsPerMm
 
     Repeater {
-        model: targets.session.faces
+        model: targets.session.view.faces
         delegate: Item {
             id: face
             required property var modelData
@@ -25,7 +25,7 @@ Item {
             Accessible.role: Accessible.Button
             Accessible.name: modelData.name
             Accessible.description: qsTr("Fits this face into the surface")
-            Accessible.onPressAction: targets.session.chooseFace(face.index)
+            Accessible.onPressAction: targets.session.zoom.chooseFace(face.index)
 
             Repeater {
                 model: face.modelData.features
@@ -40,7 +40,7 @@ Item {
                     Accessible.role: Accessible.Button
                     Accessible.name: modelData.name
                     Accessible.description: qsTr("Sets the finger down there")
-                    Accessible.onPressAction: targets.session.goToFeature(modelData.index)
+                    Accessible.onPressAction: targets.session.hand.goToFeature(modelData.index)
                 }
             }
         }

@@ -12,16 +12,16 @@ Item {
     required property real pixelsPerMm
 
     readonly property real millimetresPerNewton: 24
-    readonly property point finger: session.finger
-    readonly property point pointer: session.pointer
-    readonly property point force: session.force
+    readonly property point finger: session.finger.place
+    readonly property point pointer: session.finger.pointer
+    readonly property point force: session.finger.force
     readonly property real fingerX: finger.x * pixelsPerMm
     readonly property real fingerY: finger.y * pixelsPerMm
     readonly property real pointerX: pointer.x * pixelsPerMm
     readonly property real pointerY: pointer.y * pixelsPerMm
-    readonly property real arrowLength: session.newtons * millimetresPerNewton * pixelsPerMm
+    readonly property real arrowLength: session.finger.newtons * millimetresPerNewton * pixelsPerMm
     readonly property real arrowAngle: Math.atan2(force.y, force.x) * 180 / Math.PI
-    readonly property bool arrowShown: session.newtons > 0.02
+    readonly property bool arrowShown: session.finger.newtons > 0.02
 
     Rectangle { // the spring
         readonly property real dx: marks.fingerX - marks.pointerX
@@ -104,7 +104,7 @@ Item {
         PlainText {
             id: newtons
             anchors.centerIn: parent
-            text: qsTr("%1 N").arg(marks.session.newtons.toFixed(2))
+            text: qsTr("%1 N").arg(marks.session.finger.newtons.toFixed(2))
             font.pixelSize: Theme.smallSize
             font.bold: true
             color: Theme.text

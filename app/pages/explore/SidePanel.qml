@@ -9,7 +9,7 @@ TpScroll {
     id: panel
 
     required property ExploreSession session
-    readonly property bool ready: session.state === ExploreSession.Ready
+    readonly property bool ready: session.view.state === ExploreView.Ready
     readonly property alias help: keys.text
     property bool holdsSurface: false   // on a small page the touch surface scrolls with the rest …
     readonly property alias slot: slot  // … and lies here, never so high that there is no room left to scroll by
@@ -34,7 +34,7 @@ TpScroll {
     }
     TpHeading {
         width: parent.width
-        text: panel.session.title === "" ? qsTr("Explore") : panel.session.title
+        text: panel.session.view.title === "" ? qsTr("Explore") : panel.session.view.title
         elide: Text.ElideMiddle
         wrapMode: Text.NoWrap
     }
@@ -44,31 +44,31 @@ TpScroll {
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.textSize
         verticalAlignment: Text.AlignVCenter
-        text: panel.session.featureName === "" ? "–" : panel.session.featureName
+        text: panel.session.finger.featureName === "" ? "–" : panel.session.finger.featureName
         font.pixelSize: Math.max(Theme.headingSize, Math.min(Theme.bigSize, width / (width > 560 ? 14 : 9)))
         font.bold: true
         lineHeight: 0.95
-        color: panel.session.featureName === "" ? Theme.quiet : Theme.accent
-        Accessible.name: panel.session.featureName === "" ? qsTr("Under the finger: nothing")
-                                                          : qsTr("Under the finger: %1").arg(panel.session.featureName)
+        color: panel.session.finger.featureName === "" ? Theme.quiet : Theme.accent
+        Accessible.name: panel.session.finger.featureName === "" ? qsTr("Under the finger: nothing")
+                                                          : qsTr("Under the finger: %1").arg(panel.session.finger.featureName)
     }
     TpStatus {
         width: parent.width
         visible: text !== ""
-        text: panel.session.faultSentence
+        text: panel.session.device.faultSentence
         color: Theme.finger
     }
     TpStatus {
         width: parent.width
-        visible: panel.session.deviceName !== ""
-        text: qsTr("Device: %1").arg(panel.session.deviceName)
+        visible: panel.session.device.name !== ""
+        text: qsTr("Device: %1").arg(panel.session.device.name)
         font.pixelSize: Theme.smallSize
         color: Theme.quiet
     }
     TpStatus {
         width: parent.width
         visible: text !== ""
-        text: panel.session.voiceProblem
+        text: panel.session.words.voiceProblem
         font.pixelSize: Theme.smallSize
         color: Theme.quiet
     }
@@ -76,14 +76,14 @@ TpScroll {
     Pair {
         Half {
             primary: panel.ready
-            text: panel.session.touring ? qsTr("End the tour") : qsTr("Guided tour")
+            text: panel.session.tour.touring ? qsTr("End the tour") : qsTr("Guided tour")
             hint: qsTr("Leads the finger once round the feature. Key: Space")
-            onClicked: panel.session.toggleTour()
+            onClicked: panel.session.tour.toggle()
         }
         Half {
             text: qsTr("Tour of the face")
             hint: qsTr("Leads the finger round every feature, each named before. Key: T")
-            onClicked: panel.session.toggleFaceTour()
+            onClicked: panel.session.tour.toggleFace()
         }
     }
     Pair {
@@ -91,11 +91,11 @@ TpScroll {
             enabled: true
             text: qsTr("Where am I?")
             hint: qsTr("Tells face, feature, direction and distance. Key: W")
-            onClicked: panel.session.whereAmI()
+            onClicked: panel.session.finger.whereAmI()
         }
         Half {
-            text: panel.session.engaged ? qsTr("Stop") : qsTr("Force on")
-            hint: panel.session.engaged ? qsTr("Ends tour, speech and force. Key: Escape") : qsTr("Key: Enter")
+            text: panel.session.device.engaged ? qsTr("Stop") : qsTr("Force on")
+            hint: panel.session.device.engaged ? qsTr("Ends tour, speech and force. Key: Escape") : qsTr("Key: Enter")
             onClicked: panel.session.stopOrStart()
         }
     }
@@ -103,33 +103,33 @@ TpScroll {
         Half {
             text: qsTr("Zoom in")
             hint: qsTr("To the face, its eyes, its mouth, and back. Key: Z")
-            onClicked: panel.session.zoomIn()
+            onClicked: panel.session.zoom.zoomIn()
         }
         Half {
             text: qsTr("Zoom out")
             hint: qsTr("Key: Shift and Z")
-            onClicked: panel.session.zoomOut()
+            onClicked: panel.session.zoom.zoomOut()
         }
     }
     Pair {
         Half {
             text: qsTr("Next feature")
             hint: qsTr("Sets the finger down on it. Key: Tab")
-            onClicked: if (!panel.session.stepFeature(1)) panel.session.stepFeature(1)
+            onClicked: if (!panel.session.hand.stepFeature(1)) panel.session.hand.stepFeature(1)
         }
         Half {
-            visible: panel.session.faceCount > 1
+            visible: panel.session.view.faceCount > 1
             text: qsTr("Next face")
             hint: qsTr("Fits one face after the other into the surface. Key: F")
-            onClicked: panel.session.nextFace()
+            onClicked: panel.session.zoom.nextFace()
         }
     }
     TpChoice {
         width: parent.width
         label: qsTr("Guide")
-        options: panel.session.guideNames
-        current: panel.session.guide
-        onPicked: (index) => panel.session.guide = index
+        options: panel.session.choices.guideNames
+        current: panel.session.choices.guide
+        onPicked: (index) => panel.session.choices.guide = index
     }
     TpSlider {
         width: parent.width
@@ -138,14 +138,14 @@ TpScroll {
         from: 0.1
         to: 1.5
         stepSize: 0.1
-        setting: panel.session.maxForce
-        onChosen: (value) => panel.session.maxForce = value
+        setting: panel.session.choices.maxForce
+        onChosen: (value) => panel.session.choices.maxForce = value
     }
     TpToggle {
         width: parent.width
         text: qsTr("Voice")
-        on: panel.session.voiceOn
-        onSwitched: (on) => panel.session.voiceOn = on
+        on: panel.session.words.voiceOn
+        onSwitched: (on) => panel.session.words.voiceOn = on
     }
     TpButton {
         width: parent.width

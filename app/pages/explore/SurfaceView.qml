@@ -8,13 +8,13 @@ FocusScope {
     id: surface
 
     required property ExploreSession session
-    readonly property real pixelsPerMm: width / session.surfaceWidth
-    readonly property rect photoRect: session.photoRect
+    readonly property real pixelsPerMm: width / session.view.surfaceWidth
+    readonly property rect photoRect: session.view.photoRect
 
     // Where it lies on the screen, for a device that lies there too.
     function tellPlace() {
         const corner = mapToGlobal(0, 0)
-        session.sheetLies(corner.x / Screen.pixelDensity, corner.y / Screen.pixelDensity, pixelsPerMm / Screen.pixelDensity)
+        session.device.sheetLies(corner.x / Screen.pixelDensity, corner.y / Screen.pixelDensity, pixelsPerMm / Screen.pixelDensity)
     }
     onPixelsPerMmChanged: Qt.callLater(tellPlace)
     Window.onWindowChanged: Qt.callLater(tellPlace)
@@ -29,12 +29,12 @@ FocusScope {
     Accessible.name: qsTr("Touch surface")
     Accessible.description: qsTr("Move a finger to hear what is under it. Arrow keys move the hand, Tab goes from feature to feature, Space starts the guided tour, Z zooms in.")
     Accessible.focusable: true
-    Accessible.onPressAction: session.whereAmI()
-    Accessible.onIncreaseAction: session.zoomIn()
-    Accessible.onDecreaseAction: session.zoomOut()
+    Accessible.onPressAction: session.finger.whereAmI()
+    Accessible.onIncreaseAction: session.zoom.zoomIn()
+    Accessible.onDecreaseAction: session.zoom.zoomOut()
 
-    Keys.onTabPressed: (event) => event.accepted = session.stepFeature(1)
-    Keys.onBacktabPressed: (event) => event.accepted = session.stepFeature(-1)
+    Keys.onTabPressed: (event) => event.accepted = session.hand.stepFeature(1)
+    Keys.onBacktabPressed: (event) => event.accepted = session.hand.stepFeature(-1)
 
     Rectangle {
         anchors.fill: parent
@@ -43,10 +43,10 @@ FocusScope {
     }
     PictureItem {
         anchors.fill: parent
-        picture: surface.session.photo
+        picture: surface.session.view.photo
         place: Qt.rect(surface.photoRect.x * surface.pixelsPerMm, surface.photoRect.y * surface.pixelsPerMm,
                        surface.photoRect.width * surface.pixelsPerMm, surface.photoRect.height * surface.pixelsPerMm)
-        opacity: surface.session.state === ExploreSession.Looking ? 0.3 : 0.9
+        opacity: surface.session.view.state === ExploreView.Looking ? 0.3 : 0.9
         Behavior on opacity { enabled: Theme.motion; NumberAnimation { duration: 200 } }
     }
     ContoursItem {
@@ -65,14 +65,14 @@ FocusScope {
     FingerMarks {
         anchors.fill: parent
         clip: true
-        visible: surface.session.state === ExploreSession.Ready
+        visible: surface.session.view.state === ExploreView.Ready
         session: surface.session
         pixelsPerMm: surface.pixelsPerMm
     }
     TpText {
         anchors.centerIn: parent
         width: parent.width - 8 * Theme.gap
-        visible: surface.session.state === ExploreSession.Empty
+        visible: surface.session.view.state === ExploreView.Empty
         text: qsTr("No photograph yet. Press O, or drop one here.")
         horizontalAlignment: Text.AlignHCenter
         font.pixelSize: Theme.headingSize
@@ -82,10 +82,10 @@ FocusScope {
         anchors.fill: parent
         hoverEnabled: true
         preventStealing: true
-        onEntered: surface.session.touchDown(mouseX / surface.pixelsPerMm, mouseY / surface.pixelsPerMm)
-        onExited: surface.session.handGone()
+        onEntered: surface.session.hand.touchDown(mouseX / surface.pixelsPerMm, mouseY / surface.pixelsPerMm)
+        onExited: surface.session.hand.handGone()
         onPressed: surface.forceActiveFocus(Qt.MouseFocusReason)
-        onPositionChanged: (mouse) => surface.session.moveTo(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
+        onPositionChanged: (mouse) => surface.session.hand.moveTo(mouse.x / surface.pixelsPerMm, mouse.y / surface.pixelsPerMm)
     }
     MultiPointTouchArea {
         anchors.fill: parent
@@ -93,17 +93,17 @@ FocusScope {
         onPressed: (points) => {
             surface.forceActiveFocus(Qt.MouseFocusReason)
             for (const point of points)
-                surface.session.fingerDown(point.pointId, point.x / surface.pixelsPerMm, point.y / surface.pixelsPerMm)
+                surface.session.hand.fingerDown(point.pointId, point.x / surface.pixelsPerMm, point.y / surface.pixelsPerMm)
         }
         onUpdated: (points) => {
             for (const point of points)
-                surface.session.fingerMoved(point.pointId, point.x / surface.pixelsPerMm, point.y / surface.pixelsPerMm)
+                surface.session.hand.fingerMoved(point.pointId, point.x / surface.pixelsPerMm, point.y / surface.pixelsPerMm)
         }
         onReleased: (points) => {
             for (const point of points)
-                surface.session.fingerUp(point.pointId)
+                surface.session.hand.fingerUp(point.pointId)
         }
-        onCanceled: surface.session.fingersCancelled()
+        onCanceled: surface.session.hand.fingersCancelled()
         onGestureStarted: (gesture) => gesture.grab() // from a column that scrolls
     }
     FocusRing { target: surface; corner: 0 }

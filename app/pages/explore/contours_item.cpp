@@ -31,12 +31,14 @@ ContoursItem::ContoursItem(QQuickItem* parent) : QQuickPaintedItem(parent) {
 void ContoursItem::setSession(ExploreSession* session) {
     if (session_ == session)
         return;
-    if (session_)
-        disconnect(session_, nullptr, this, nullptr);
+    if (session_) {
+        disconnect(session_->view(), nullptr, this, nullptr);
+        disconnect(session_->finger(), nullptr, this, nullptr);
+    }
     session_ = session;
     if (session_) {
-        connect(session_, &ExploreSession::sceneChanged, this, [this] { update(); });
-        connect(session_, &ExploreSession::featureChanged, this, [this] { update(); });
+        connect(session_->view(), &ExploreView::sceneChanged, this, [this] { update(); });
+        connect(session_->finger(), &ExploreFinger::featureChanged, this, [this] { update(); });
     }
     emit changed();
 }
@@ -45,14 +47,14 @@ void ContoursItem::paint(QPainter* painter) {
     if (!session_)
         return;
     painter->setRenderHint(QPainter::Antialiasing);
-    const std::vector<Polyline>& lines = session_->felt().lines;
+    const std::vector<Polyline>& lines = session_->view()->felt().lines;
     const double thin = 2.0;
     QColor edge = edge_color_;
     edge.setAlpha(170);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const bool here = static_cast<int>(i) == session_->feature();
+        const bool here = static_cast<int>(i) == session_->finger()->feature();
         const double width = here ? 2.0 * thin : thin;
-        const QPainterPath path = path_of(lines[i], session_->frame(), pixels_per_mm_);
+        const QPainterPath path = path_of(lines[i], session_->view()->frame(), pixels_per_mm_);
         painter->strokePath(path, pen(edge, width + 3.0));
         painter->strokePath(path, pen(here ? highlight_color_ : line_color_, width));
     }

@@ -35,16 +35,17 @@ Demonstration::Demonstration(ExploreSession& session) : session_(session) {
 }
 
 void Demonstration::step() {
-    if (session_.state() == ExploreSession::State::Looking)
+    const ExploreView& view = *session_.view();
+    if (view.state() == ExploreView::State::Looking)
         return;
-    if (session_.state() == ExploreSession::State::Ready) {
+    if (view.ready()) {
         const double share = std::min(1.0, steps_ / static_cast<double>(moving_steps));
         const double below = from_mm + share * (beside_mm - from_mm);
-        const QPointF place = session_.frame().from_surface(below_an_eye(session_.felt()) - Vec2(0.0, below));
+        const QPointF place = view.frame().from_surface(below_an_eye(view.felt()) - Vec2(0.0, below));
         if (steps_ == 0)
-            session_.touchDown(place.x(), place.y());
+            session_.hand()->touchDown(place.x(), place.y());
         else
-            session_.moveTo(place.x(), place.y());
+            session_.hand()->moveTo(place.x(), place.y());
     }
     if (++steps_ < moving_steps + resting_steps)
         return;

@@ -1,135 +1,195 @@
 // SPDX-License-Identifier: Apache-2.0
-// The device of an ExploreSession: found, opened and given back while the page is in sight.
-#include "app/pages/explore/explore_session.hpp"
+#include "app/pages/explore/explore_device.hpp"
 
+#include "app/parts/devices/fault_words.hpp"
 #include "audio/sentences/sentences.hpp"
 
+#include <memory>
 #include <utility>
 
 namespace tp {
 
 namespace {
-constexpr double least_stretch = 0.5; ///< from the screen's millimetres to the sheet's
-constexpr double most_stretch = 1.5;  ///< 0.2 N/mm becomes 0.45 N/mm, for which the damping near a line suffices
-} // namespace
+constexpr int sheet_settles_ms = 300; ///< a window that is moved or made larger tells of each step
+}
 
-QString ExploreSession::faultSentence() const {
-    const QString why = faults_.shown() == Fault::motors_off ? in_persons_language(servo_.complaint()) : QString();
+ExploreDevice::ExploreDevice(FingerServo& servo, ExploreView& view, ExploreFinger& finger, ExploreTour& tour,
+                             ExploreEar& ear, ExploreChoices& choices, ExploreWords& words,
+                             const ExploreSettings& settings)
+    : servo_(servo), view_(view), finger_(finger), tour_(tour), ear_(ear), choices_(choices), words_(words),
+      servo_settings_(settings.device_servo), sheet_(view.frame()), desk_(settings.devices) {
+    connect(&view_, &ExploreView::fresh, this, [this] {
+        force_wanted_ = true;
+        if (here())
+            let_in();
+        look();
+    });
+    connect(&desk_, &DeviceDesk::looked, this, &ExploreDevice::look);
+    connect(&desk_, &DeviceDesk::opened, this,
+            [this](const std::shared_ptr<OpenDevice>& open) { use(*open); });
+    connect(&desk_, &DeviceDesk::refused, this, &ExploreDevice::refuse);
+    sheet_settles_.setSingleShot(true);
+    sheet_settles_.setInterval(sheet_settles_ms);
+    connect(&sheet_settles_, &QTimer::timeout, this, &ExploreDevice::follow_sheet);
+}
+
+QString ExploreDevice::faultSentence() const {
+    const QString why =
+        faults_.shown() == Fault::motors_off ? in_persons_language(servo_.complaint()) : QString();
     return why.isEmpty() ? fault_words(faults_.shown()) : why;
 }
 
-QString ExploreSession::deviceName() const { return servo_.real() ? device_about_ : QString(); }
+// --- the force ---
 
-/// The page has come into sight.
-void ExploreSession::want_device() {
-    refused_.clear();
-    device_expected_ = true;
-    desk_.watch(!servo_.real());
+void ExploreDevice::let_in() {
+    servo_.engage();
+    emit changed();
 }
 
-void ExploreSession::leave_device() {
+void ExploreDevice::enter() {
+    want();
+    if (view_.ready() && force_wanted_)
+        let_in();
+}
+
+void ExploreDevice::leave() {
+    force_wanted_ = engaged() || !view_.ready();
+    disengage();
+    give_back();
+    state_ = State::Away;
+}
+
+void ExploreDevice::engage() {
+    if (!view_.ready())
+        return;
+    ear_.listen();
+    refused_.clear(); // where one was refused, it is asked again
+    if (state_ == State::Awaited)
+        state_ = State::Expected;
+    let_in();
+    words_.tell(tr("The force is on."), Priority::touch);
+    look();
+}
+
+void ExploreDevice::disengage() {
+    servo_.disengage();
+    emit changed();
+}
+
+void ExploreDevice::watch(Fault fault, double now) {
+    const Fault shown = faults_.shown();
+    const bool must_tell = faults_.must_tell(fault, now);
+    if (disables(fault) && engaged())
+        emit disabled();
+    if (must_tell)
+        words_.tell(Earcon::fault, faultSentence(), Priority::fault);
+    if (faults_.must_tell_ready(now))
+        words_.tell(engaged() ? tr("The device is ready. Its force is on.")
+                              : tr("The device is ready. Its force is off. Press Enter to switch it on."),
+                    Priority::message);
+    if (faults_.shown() != shown)
+        emit changed();
+    if (fault == Fault::device_lost && state_ == State::InUse)
+        lose();
+}
+
+// --- the device ---
+
+/// The person wants one: it is looked for.
+void ExploreDevice::want() {
+    refused_.clear();
+    if (state_ != State::InUse)
+        state_ = State::Expected;
+    desk_.watch(state_ != State::InUse);
+}
+
+void ExploreDevice::give_back() {
     desk_.watch(false);
     desk_.cancel();
-    if (servo_.real())
+    if (state_ == State::InUse)
         desk_.release(servo_.use_simulated());
+    state_ = State::Awaited;
 }
 
 /// Opens the device that the person wants as soon as there is something to feel.
-void ExploreSession::devices_seen() {
-    if (!here_ || state_ != State::Ready || servo_.real() || desk_.opening() || !desk_.knows())
+void ExploreDevice::look() {
+    if (!here() || !view_.ready() || state_ == State::InUse || desk_.opening() || !desk_.knows())
         return;
-    const ListedDevice* device = device_for(desk_.there(), preferences_.choices().device);
+    const ListedDevice* device = device_for(desk_.there(), choices_.device());
     if (device == nullptr) {
-        device_expected_ = false;
+        state_ = State::Awaited;
         refused_.clear();
-        fit_to_reach({});
+        view_.reach({});
     } else if (device->name != refused_) {
         desk_.open(*device);
     }
 }
 
-void ExploreSession::sheetLies(double left, double top, double scale) {
-    if (!(scale > 0.0))
-        return;
-    const Vec2 middle = Vec2(left, -top) + scale * 0.5 * Vec2(frame_.width_mm, -frame_.height_mm);
-    screen_to_surface_ = {glm::dmat2(1.0 / scale), -middle / scale};
-    sheet_settles_.start();
-}
-
-/// A device that lies on the screen feels the sheet where it lies now: it is opened anew with the new map.
-void ExploreSession::follow_sheet() {
-    const bool still = device_sheet_ && device_sheet_->linear == screen_to_surface_.linear &&
-                       device_sheet_->offset == screen_to_surface_.offset;
-    if (!here_ || !servo_.real() || !device_sheet_ || still)
-        return;
-    const bool on = engaged();
-    leave_device();
-    if (on)
-        servo_.engage();
-    want_device();
-}
-
-/// Device → surface for a device that lies on the screen; nothing where the sheet is drawn so small or large that its
-/// stiffness, which the map changes by its square, would be another thing.
-std::optional<Affine> ExploreSession::on_the_sheet(const Calibration& calibration) const {
-    const double real_mm = 1.0 / screen_to_surface_.linear[0].x;
-    if (real_mm < 1.0 / most_stretch || real_mm > 1.0 / least_stretch)
-        return std::nullopt;
-    return compose(screen_to_surface_, calibration.device_to_surface);
-}
-
-/// The photograph is laid where the device reaches all that is felt; without a device over the whole sheet.
-void ExploreSession::fit_to_reach(std::vector<Vec2> reach) {
-    if (reach == settings_.surface.reach)
-        return;
-    settings_.surface.reach = std::move(reach);
-    if (state_ == State::Ready)
-        build(false);
-}
-
-void ExploreSession::use_device(OpenDevice& open) {
-    const bool at_once = device_expected_ && engaged();
-    device_expected_ = false;
-    if (touring())
-        end_tour(tr("Tour ended."));
-    ServoSettings servo = settings_.device_servo;
-    const std::optional<Affine> calibrated = open.calibration ? on_the_sheet(*open.calibration) : std::nullopt;
+void ExploreDevice::use(OpenDevice& open) {
+    const bool at_once = state_ == State::Expected && engaged();
+    if (tour_.touring())
+        tour_.end_told();
+    ServoSettings servo = servo_settings_;
+    const std::optional<Affine> calibrated =
+        open.calibration ? sheet_.from_device(*open.calibration) : std::nullopt;
     servo.device_to_surface = calibrated.value_or(middle_on_middle(open.can));
-    device_sheet_ = open.calibration ? std::optional(screen_to_surface_) : std::nullopt;
-    device_about_ = in_persons_language(open.listed.about);
-    device_was_at_ = {};
+    device_sheet_ = open.calibration ? std::optional(sheet_) : std::nullopt;
+    about_ = in_persons_language(open.listed.about);
     faults_ = {}; // what was told of another, or before it was plugged in again, is told anew
     desk_.watch(false);
     desk_.release(servo_.use(std::make_unique<DeviceDrive>(std::move(open.device), open.can, servo)));
-    fit_to_reach(reach_of(open.can, servo.device_to_surface));
-    lift();
+    state_ = State::InUse;
+    finger_.take_handle();
+    view_.reach(reach_of(open.can, servo.device_to_surface));
+    ear_.lift();
     if (at_once)
         servo_.engage();
-    emit modeChanged();
+    emit changed();
     if (open.calibration && !calibrated)
-        tell(tr("The picture is too small or too large on the screen to be felt where it is seen. The device feels it in its "
-                "true size."),
-             Priority::message);
-    tell(at_once ? tr("Device: %1. Its force is on.").arg(device_about_)
-                 : tr("Device: %1. Its force is off. Press Enter to switch it on.").arg(device_about_),
-         Priority::message);
+        words_.tell(tr("The picture is too small or too large on the screen to be felt where it is seen. The "
+                       "device feels it in its "
+                       "true size."),
+                    Priority::message);
+    words_.tell(at_once ? tr("Device: %1. Its force is on.").arg(about_)
+                        : tr("Device: %1. Its force is off. Press Enter to switch it on.").arg(about_),
+                Priority::message);
 }
 
-void ExploreSession::device_refused(const QString& sentence) {
-    device_expected_ = false;
-    if (const ListedDevice* device = device_for(desk_.there(), preferences_.choices().device))
+void ExploreDevice::refuse(const QString& sentence) {
+    state_ = State::Awaited;
+    if (const ListedDevice* device = device_for(desk_.there(), choices_.device()))
         refused_ = device->name;
-    earcons_.play(Earcon::fault);
-    tell(tr("%1 Until then the force is only drawn.").arg(sentence), Priority::fault);
+    words_.tell(Earcon::fault, tr("%1 Until then the force is only drawn.").arg(sentence), Priority::fault);
 }
 
 /// It was unplugged; where it comes back the person lets its force in.
-void ExploreSession::device_gone() {
-    desk_.release(servo_.use_simulated());
-    device_expected_ = false;
-    lift();
-    emit modeChanged();
+void ExploreDevice::lose() {
+    if (tour_.touring())
+        tour_.end();
+    give_back();
+    ear_.lift();
+    emit changed();
     desk_.watch(true);
+}
+
+// --- where the sheet lies ---
+
+void ExploreDevice::sheetLies(double left, double top, double scale) {
+    if (sheet_.lies(left, top, scale))
+        sheet_settles_.start();
+}
+
+/// A device that lies on the screen feels the sheet where it lies now: it is opened anew with the new map.
+void ExploreDevice::follow_sheet() {
+    if (state_ != State::InUse || !device_sheet_ || *device_sheet_ == sheet_)
+        return;
+    const bool on = engaged();
+    if (tour_.touring())
+        tour_.end_told();
+    give_back();
+    if (on)
+        servo_.engage();
+    want();
 }
 
 } // namespace tp

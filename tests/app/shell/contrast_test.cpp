@@ -72,7 +72,7 @@ public:
             whole.program->start().answer(static_cast<int>(whole.program->start().answers().size()) - 2);
         QTRY_VERIFY_WITH_TIMEOUT(whole.complete(), 60000);
         if (page == "explore")
-            QTRY_COMPARE_WITH_TIMEOUT(whole.program->explore().state(), ExploreSession::State::Ready, 60000);
+            QTRY_COMPARE_WITH_TIMEOUT(whole.program->explore().view()->state(), ExploreView::State::Ready, 60000);
         if (page == "mend")
             QTRY_COMPARE_WITH_TIMEOUT(whole.program->mend().photo()->state(), MendedPhoto::State::Ready, 60000);
         if (page == "print")

@@ -41,7 +41,7 @@ private slots:
                 whole.shell().open(page);
             if (i % 16 == 0)
                 QCoreApplication::processEvents();
-            const double newtons = whole.program->explore().newtons();
+            const double newtons = whole.program->explore().finger()->newtons();
             QVERIFY2(newtons <= whole.program->preferences().choices().max_force_n + 1e-9, qPrintable(monkey.last()));
             QVERIFY2(Warnings::all().isEmpty(), qPrintable(monkey.last() + ": " + Warnings::all().join('\n')));
         }

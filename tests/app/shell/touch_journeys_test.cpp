@@ -97,15 +97,15 @@ struct Person : ByTouch {
     ExploreSession& explore() { return whole.program->explore(); }
     QPoint pixel(QPointF place) const {
         const QQuickItem* surface = hand.item("surface");
-        return surface->mapToScene(surface->width() / whole.program->explore().surfaceWidth() * place).toPoint();
+        return surface->mapToScene(surface->width() / whole.program->explore().view()->surfaceWidth() * place).toPoint();
     }
     /// A point of the feature of this name.
     QPoint on_feature(const QString& name) {
-        for (const QVariant& face : explore().faces())
+        for (const QVariant& face : explore().view()->faces())
             for (const QVariant& feature : face.toMap()["features"].toList())
                 if (feature.toMap()["name"].toString().contains(name))
-                    return pixel(explore().frame().from_surface(
-                        explore().felt().lines[static_cast<std::size_t>(feature.toMap()["index"].toInt())].points[0]));
+                    return pixel(explore().view()->frame().from_surface(
+                        explore().view()->felt().lines[static_cast<std::size_t>(feature.toMap()["index"].toInt())].points[0]));
         qFatal("there is no %s", qPrintable(name));
     }
     /// Slides over the letters from the first to this one, and lifts the finger there.

@@ -77,7 +77,7 @@ public:
     }
     /// Its album is read, no photograph is searched for faces any more, and all of the page is made.
     bool complete() const {
-        return !program->album().scanning() && program->explore().state() != tp::ExploreSession::State::Looking &&
+        return !program->album().scanning() && program->explore().view()->state() != tp::ExploreView::State::Looking &&
                PageWindow::complete(*window->contentItem());
     }
     std::filesystem::path file(const char* name) const { return folder.filePath(name).toStdString(); }

@@ -85,6 +85,6 @@ bool ExploreSounds::hears(Earcon earcon) {
 }
 
 double distance_to_feature(const ExploreSession& session, int feature, QPointF place) {
-    return distance_to(session.felt().lines.at(static_cast<std::size_t>(feature)),
-                       session.frame().to_surface(place));
+    return distance_to(session.view()->felt().lines.at(static_cast<std::size_t>(feature)),
+                       session.view()->frame().to_surface(place));
 }

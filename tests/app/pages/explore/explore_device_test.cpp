@@ -47,12 +47,12 @@ struct Bench {
         session.enter();
         session.show(drawn_photo());
     }
-    bool with_device() const { return !session.deviceName().isEmpty(); }
+    bool with_device() { return !session.device()->name().isEmpty(); }
     /// The middle of the device's reach, (0, 100) mm, lies on the middle of the surface.
     static Vec2 in_device(Vec2 surface) { return surface + Vec2(0.0, 100.0); }
     /// A place left of the outline's left side by so much, surface frame.
     Vec2 left_of_outline(double away) const {
-        const auto& points = session.felt().lines.at(outline).points;
+        const auto& points = session.view()->felt().lines.at(outline).points;
         return 0.5 * (points[0] + points[1]) - Vec2(away, 0.0);
     }
     bool said(const QString& part) const { return !voice.said().filter(part).isEmpty(); }
@@ -69,18 +69,18 @@ private slots:
         bench.socket.plug_in();
         bench.begin();
         QTRY_VERIFY(bench.with_device());
-        bench.session.zoomIn();
-        const Vec2 eye = bench.session.felt().lines.at(left_eye).points[0];
-        bench.session.zoomOut();
+        bench.session.zoom()->zoomIn();
+        const Vec2 eye = bench.session.view()->felt().lines.at(left_eye).points[0];
+        bench.session.zoom()->zoomOut();
         bench.socket.hold_at(Bench::in_device(eye - Vec2(1.5 * FeatureTracker::enter_mm, 0.0)));
         QTest::qWait(100);
         time += 10.0;
-        bench.session.zoomIn();
+        bench.session.zoom()->zoomIn();
         QVERIFY(bench.said("Zoomed to the eyes."));
         bench.voice.clear();
         time += 0.1;
         bench.socket.hold_at(Bench::in_device(eye)); // as the force draws it
-        QTRY_COMPARE(bench.session.feature(), left_eye);
+        QTRY_COMPARE(bench.session.finger()->feature(), left_eye);
         time += 0.5;
         QTest::qWait(100); // it is looked at many times meanwhile
         QCOMPARE(bench.voice.said(), QStringList());
@@ -93,21 +93,21 @@ private slots:
         bench.socket.plug_in();
         bench.begin();
         QTRY_VERIFY(bench.with_device());
-        QCOMPARE(bench.session.deviceName(), QString("force pad"));
-        QVERIFY(bench.session.engaged());
+        QCOMPARE(bench.session.device()->name(), QString("force pad"));
+        QVERIFY(bench.session.device()->engaged());
         QTRY_VERIFY(bench.said("Device: force pad. Its force is on."));
         // Its handle is the finger, and the mouse is not.
         const Vec2 place = bench.left_of_outline(4.0);
         bench.socket.hold_at(Bench::in_device(place));
-        const QPointF finger = bench.session.frame().from_surface(place);
-        QTRY_VERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
-        bench.session.touchDown(10.0, 10.0);
-        bench.session.moveTo(12.0, 10.0);
+        const QPointF finger = bench.session.view()->frame().from_surface(place);
+        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        bench.session.hand()->touchDown(10.0, 10.0);
+        bench.session.hand()->moveTo(12.0, 10.0);
         QTRY_VERIFY(bench.socket.force().x > 0.75); // 0.8 N at 4 mm, to the right, onto the line
         QVERIFY(std::abs(bench.socket.force().y) < 1e-9);
-        QVERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
+        QVERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
         bench.voice.clear();
-        bench.session.whereAmI();
+        bench.session.finger()->whereAmI();
         QVERIFY(bench.voice.said().back().endsWith("Face outline at 3 o'clock, 4 millimetre(s)."));
     }
 
@@ -116,7 +116,7 @@ private slots:
         bench.begin();
         const auto extent = [&] {
             Rect all{Vec2(1e9), Vec2(-1e9)};
-            for (const Polyline& line : bench.session.felt().lines) {
+            for (const Polyline& line : bench.session.view()->felt().lines) {
                 const Rect one = bounds_of(line.points);
                 all = {glm::min(all.min, one.min), glm::max(all.max, one.max)};
             }
@@ -124,21 +124,21 @@ private slots:
         };
         const Rect everywhere = extent();
         QVERIFY(everywhere.width() > 180.0 || everywhere.height() > 130.0);
-        const QRectF drawn = bench.session.photoRect();
+        const QRectF drawn = bench.session.view()->photoRect();
         bench.socket.reach({60.0, 30.0});
         bench.socket.plug_in();
         QTRY_VERIFY(bench.with_device());
         QTRY_VERIFY(extent().height() < 53.0);
         QVERIFY(extent().min.x >= -56.0 && extent().max.x <= 56.0);
         QVERIFY(extent().width() > 111.0 || extent().height() > 51.0);
-        QVERIFY(bench.session.photoRect().height() < 0.5 * drawn.height());
-        bench.session.zoomIn();
+        QVERIFY(bench.session.view()->photoRect().height() < 0.5 * drawn.height());
+        bench.session.zoom()->zoomIn();
         QVERIFY(extent().height() < 53.0 && extent().width() < 113.0);
-        bench.session.zoomOut();
+        bench.session.zoom()->zoomOut();
         bench.socket.unplug();
         QTRY_VERIFY(!bench.with_device());
         QTRY_COMPARE(extent().width(), everywhere.width());
-        QCOMPARE(bench.session.photoRect(), drawn);
+        QCOMPARE(bench.session.view()->photoRect(), drawn);
     }
 
     void never_more_than_the_persons_own_strongest_force() {
@@ -150,7 +150,7 @@ private slots:
         bench.socket.hold_at(Bench::in_device(bench.left_of_outline(4.0)));
         QTRY_VERIFY(bench.socket.force().x > 0.299);
         QVERIFY(bench.socket.strongest() < 0.3 + 1e-9);
-        bench.session.setMaxForce(0.5);
+        bench.session.choices()->setMaxForce(0.5);
         QTRY_VERIFY(bench.socket.force().x > 0.499);
         QVERIFY(bench.socket.strongest() < 0.5 + 1e-9);
     }
@@ -165,7 +165,7 @@ private slots:
         QVERIFY(bench.session.stop());
         QTRY_VERIFY(bench.socket.force() == Vec2(0.0));
         QVERIFY(bench.with_device());
-        bench.session.engage();
+        bench.session.device()->engage();
         QTRY_VERIFY(bench.socket.force().x > 0.5);
         QCOMPARE(bench.socket.opened(), 1);
     }
@@ -184,23 +184,23 @@ private slots:
         QCOMPARE(bench.voice.last_priority(), Priority::fault);
         QVERIFY(bench.socket.force() == Vec2(0.0));
         QTRY_VERIFY(!bench.with_device());
-        QVERIFY(!bench.session.engaged());
+        QVERIFY(!bench.session.device()->engaged());
         QTRY_VERIFY(!bench.socket.in_use());
         // Without it: sound and a drawn finger.
-        const QPointF beside = bench.session.frame().from_surface(bench.left_of_outline(12.0));
-        bench.session.fingerDown(0, beside.x(), beside.y());
-        bench.session.whereAmI();
+        const QPointF beside = bench.session.view()->frame().from_surface(bench.left_of_outline(12.0));
+        bench.session.hand()->fingerDown(0, beside.x(), beside.y());
+        bench.session.finger()->whereAmI();
         QVERIFY(bench.said("Face outline at 3 o'clock, 12 millimetre(s)."));
-        bench.session.fingerUp(0);
+        bench.session.hand()->fingerUp(0);
         // It is found again, and gives nothing before the person wants it.
         bench.voice.clear();
         bench.socket.plug_in();
         QTRY_VERIFY(bench.with_device());
         QTRY_VERIFY(bench.said("Its force is off. Press Enter to switch it on."));
-        QVERIFY(!bench.session.engaged());
+        QVERIFY(!bench.session.device()->engaged());
         QTest::qWait(50);
         QVERIFY(bench.socket.force() == Vec2(0.0));
-        bench.session.engage();
+        bench.session.device()->engage();
         QTRY_VERIFY(bench.socket.force().x > 0.5);
         QCOMPARE(bench.socket.opened(), 2);
         // A second time is said as the first was.
@@ -212,11 +212,11 @@ private slots:
     void plugged_in_later_it_waits_for_the_person_though_the_drawn_force_is_on() {
         Bench bench;
         bench.begin();
-        QVERIFY(bench.session.engaged());
+        QVERIFY(bench.session.device()->engaged());
         QTRY_VERIFY(bench.socket.looks() > 1); // the first has found nothing
         bench.socket.plug_in();
         QTRY_VERIFY(bench.with_device());
-        QVERIFY(!bench.session.engaged());
+        QVERIFY(!bench.session.device()->engaged());
         QVERIFY(bench.said("Its force is off. Press Enter"));
         QCOMPARE(bench.socket.strongest(), 0.0);
     }
@@ -227,13 +227,13 @@ private slots:
         bench.socket.plug_in();
         bench.begin();
         QTRY_VERIFY(bench.said("Close that program and try again. Until then the force is only drawn."));
-        QVERIFY(bench.session.engaged());
+        QVERIFY(bench.session.device()->engaged());
         QTest::qWait(50);
         QCOMPARE(bench.socket.tried(), 1);
         bench.socket.refuse({});
-        bench.session.engage();
+        bench.session.device()->engage();
         QTRY_VERIFY(bench.with_device());
-        QVERIFY(bench.session.engaged());
+        QVERIFY(bench.session.device()->engaged());
     }
 
     void one_that_was_refused_is_tried_again_when_it_is_plugged_in_again() {
@@ -249,7 +249,7 @@ private slots:
         QTRY_VERIFY(bench.socket.looks() > looks + 2); // one of them has found nothing
         bench.socket.plug_in();
         QTRY_VERIFY(bench.with_device());
-        QVERIFY(!bench.session.engaged());
+        QVERIFY(!bench.session.device()->engaged());
     }
 
     void out_of_sight_it_is_given_back_and_taken_again() {
@@ -266,12 +266,12 @@ private slots:
         QVERIFY(!bench.socket.in_use());
         bench.session.enter();
         QTRY_VERIFY(bench.with_device());
-        QVERIFY(bench.session.engaged());
+        QVERIFY(bench.session.device()->engaged());
         bench.session.stop();
         bench.session.leave();
         bench.session.enter(); // who switched the force off finds it off
         QTRY_VERIFY(bench.with_device());
-        QVERIFY(!bench.session.engaged());
+        QVERIFY(!bench.session.device()->engaged());
     }
 
     void who_wants_no_device_gets_none_and_a_page_without_a_photograph_opens_none() {
@@ -284,7 +284,7 @@ private slots:
         bench.session.show(drawn_photo());
         QTest::qWait(50);
         QCOMPARE(bench.socket.tried(), 0);
-        QVERIFY(bench.session.engaged());
+        QVERIFY(bench.session.device()->engaged());
     }
 
     void the_motors_own_reason_is_told() {
@@ -294,9 +294,9 @@ private slots:
         QTRY_VERIFY(bench.with_device());
         bench.socket.switch_motors_off("The force pad's motors are too hot. It goes on by itself when they have cooled.");
         QTRY_VERIFY(bench.said("motors are too hot"));
-        QVERIFY(bench.session.faultSentence().contains("too hot"));
+        QVERIFY(bench.session.device()->faultSentence().contains("too hot"));
         bench.socket.switch_motors_off({});
-        QTRY_VERIFY(bench.session.faultSentence().isEmpty());
+        QTRY_VERIFY(bench.session.device()->faultSentence().isEmpty());
         QTRY_VERIFY(bench.said("The device is ready. Its force is on."));
     }
 
@@ -308,7 +308,7 @@ private slots:
         bench.begin();
         QTRY_VERIFY(bench.with_device());
         bench.socket.hold_at(Bench::in_device(bench.left_of_outline(2.0)));
-        bench.session.engage();
+        bench.session.device()->engage();
         const auto asked = [&] { return bench.voice.said().filter("Home it.").size(); };
         const auto wait_until = [&](auto holds) { // the session's clock runs on meanwhile
             return QTest::qWaitFor([&] { return time += 0.1, holds(); }, 60000);
@@ -328,23 +328,23 @@ private slots:
         bench.socket.plug_in();
         bench.begin();
         QTRY_VERIFY(bench.with_device());
-        const Vec2 above = bench.session.felt().lines[left_eye].points[0] + Vec2(0.0, 9.0);
+        const Vec2 above = bench.session.view()->felt().lines[left_eye].points[0] + Vec2(0.0, 9.0);
         bench.socket.hold_at(Bench::in_device(above));
-        const QPointF finger = bench.session.frame().from_surface(above);
-        QTRY_VERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
-        bench.session.goToFeature(left_eye);
+        const QPointF finger = bench.session.view()->frame().from_surface(above);
+        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        bench.session.hand()->goToFeature(left_eye);
         QCOMPARE(bench.voice.said().back(), QString("Left eye: 6 o'clock, 9 millimetre(s)."));
-        bench.session.nudge(2.0, 0.0);
+        bench.session.hand()->nudge(2.0, 0.0);
         QCOMPARE(bench.voice.said().back(), QString("Move the finger with the device."));
         QTest::qWait(30);
-        QVERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
+        QVERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
     }
 
     void beside_its_force_the_guide_is_quieter_and_silent_in_its_reach() {
         Bench drawn;
         drawn.begin();
-        const QPointF far = drawn.session.frame().from_surface(drawn.left_of_outline(15.0));
-        drawn.session.fingerDown(0, far.x(), far.y());
+        const QPointF far = drawn.session.view()->frame().from_surface(drawn.left_of_outline(15.0));
+        drawn.session.hand()->fingerDown(0, far.x(), far.y());
         const double loud = drawn.sounds.guide_peak(1.0);
         Bench felt;
         felt.socket.plug_in();
@@ -363,7 +363,7 @@ private slots:
         // It lies turned by a quarter on the screen, and the picture is drawn there at 0.8 of its millimetres.
         const Calibration calibration{{glm::dmat2(0.0, 1.0, -1.0, 0.0), {150.0, -100.0}}, 0.4, 60};
         QCOMPARE(keep_calibration(bench.calibrations(), DeviceSocket::serial_number, calibration), std::string());
-        bench.session.sheetLies(20.0, 10.0, 0.8);
+        bench.session.device()->sheetLies(20.0, 10.0, 0.8);
         bench.socket.plug_in();
         bench.begin();
         QTRY_VERIFY(bench.with_device());
@@ -372,32 +372,32 @@ private slots:
         const Vec2 on_screen = Vec2(20.0, -10.0) + 0.8 * (place + Vec2(100.0, -75.0));
         const Vec2 off = on_screen - calibration.device_to_surface.offset;
         bench.socket.hold_at({off.y, -off.x});
-        const QPointF finger = bench.session.frame().from_surface(place);
-        QTRY_VERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
+        const QPointF finger = bench.session.view()->frame().from_surface(place);
+        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
         // 0.8 N to the right on the surface, whose millimetre is 0.8 of the device's: 1 N does the same work there.
         QTRY_VERIFY(bench.socket.force().y < -0.99);
         QVERIFY(std::abs(bench.socket.force().x) < 1e-9);
         QVERIFY(bench.socket.strongest() < 1.0 + 1e-9);
-        QTRY_VERIFY(std::abs(bench.session.force().x() - 0.8) < 0.01);
+        QTRY_VERIFY(std::abs(bench.session.finger()->force().x() - 0.8) < 0.01);
         // The window is moved by 5 mm to the right: what lies under the handle lies 6.25 mm further left on the sheet.
-        bench.session.sheetLies(25.0, 10.0, 0.8);
-        QTRY_VERIFY(std::abs(bench.session.finger().x() - (finger.x() - 6.25)) < 1e-6);
-        QVERIFY(std::abs(bench.session.finger().y() - finger.y()) < 1e-6);
-        QVERIFY(bench.session.engaged());
+        bench.session.device()->sheetLies(25.0, 10.0, 0.8);
+        QTRY_VERIFY(std::abs(bench.session.finger()->place().x() - (finger.x() - 6.25)) < 1e-6);
+        QVERIFY(std::abs(bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QVERIFY(bench.session.device()->engaged());
         QCOMPARE(bench.socket.opened(), 2);
     }
 
     void a_picture_too_small_on_the_screen_is_felt_in_its_true_size() {
         Bench bench(true);
         QCOMPARE(keep_calibration(bench.calibrations(), DeviceSocket::serial_number, {{}, 0.4, 60}), std::string());
-        bench.session.sheetLies(20.0, 10.0, 0.6);
+        bench.session.device()->sheetLies(20.0, 10.0, 0.6);
         bench.socket.plug_in();
         bench.begin();
         QTRY_VERIFY(bench.with_device());
         QTRY_VERIFY(bench.said("too small or too large on the screen"));
         bench.socket.hold_at(Bench::in_device({7.0, 3.0}));
-        const QPointF finger = bench.session.frame().from_surface(Vec2(7.0, 3.0));
-        QTRY_VERIFY(std::hypot(bench.session.finger().x() - finger.x(), bench.session.finger().y() - finger.y()) < 1e-6);
+        const QPointF finger = bench.session.view()->frame().from_surface(Vec2(7.0, 3.0));
+        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
     }
 
     void it_leads_the_finger_round_a_feature() {
@@ -405,13 +405,13 @@ private slots:
         bench.socket.plug_in();
         bench.begin();
         QTRY_VERIFY(bench.with_device());
-        const Vec2 start = bench.session.felt().lines[left_eye].points[0];
+        const Vec2 start = bench.session.view()->felt().lines[left_eye].points[0];
         bench.socket.hold_at(Bench::in_device(start));
-        QTRY_COMPARE(bench.session.featureName(), QString("left eye"));
-        bench.session.toggleTour();
-        bench.session.moveTo(5.0, 5.0); // neither mouse nor screen ends it
-        bench.session.moveTo(90.0, 90.0);
-        QVERIFY(bench.session.touring());
+        QTRY_COMPARE(bench.session.finger()->featureName(), QString("left eye"));
+        bench.session.tour()->toggle();
+        bench.session.hand()->moveTo(5.0, 5.0); // neither mouse nor screen ends it
+        bench.session.hand()->moveTo(90.0, 90.0);
+        QVERIFY(bench.session.tour()->touring());
         QTRY_VERIFY(length(bench.socket.force()) > 0.05);
         QVERIFY(bench.session.stop());
         QTRY_VERIFY(bench.socket.force() == Vec2(0.0));

@@ -56,33 +56,33 @@ private slots:
         Bench bench;
         bench.session.enter();
         bench.session.show(face_under_the_knob());
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session.deviceName(), QString("force pad"), 60000);
-        QVERIFY(bench.session.engaged());
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.device()->name(), QString("force pad"), 60000);
+        QVERIFY(bench.session.device()->engaged());
         // The knob stands 10 mm right and 2 mm above the middle; nobody holds it, and the lips draw it.
-        const double before = distance_to_feature(bench.session, lips, bench.session.frame().from_surface(Vec2(10.0, 2.0)));
+        const double before = distance_to_feature(bench.session, lips, bench.session.view()->frame().from_surface(Vec2(10.0, 2.0)));
         QVERIFY2(before > 1.0 && before < 7.0, qPrintable(QString::number(before)));
         QTRY_VERIFY_WITH_TIMEOUT(bed.seen().motors, 60000);
-        QTRY_VERIFY_WITH_TIMEOUT(distance_to_feature(bench.session, lips, bench.session.finger()) < 0.5, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(distance_to_feature(bench.session, lips, bench.session.finger()->place()) < 0.5, 60000);
         QTRY_VERIFY(bench.said("lips"));
 
         bench.voice.clear();
         bed.unplug();
         bed.forget();
         QTRY_VERIFY_WITH_TIMEOUT(bench.said("it no longer answers. Check its cable"), 60000);
-        QVERIFY(!bench.session.engaged());
-        QTRY_COMPARE(bench.session.newtons(), 0.0);
-        QVERIFY(bench.session.deviceName().isEmpty());
+        QVERIFY(!bench.session.device()->engaged());
+        QTRY_COMPARE(bench.session.finger()->newtons(), 0.0);
+        QVERIFY(bench.session.device()->name().isEmpty());
 
         bench.voice.clear();
         const long taken = bed.seen().taken;
         QVERIFY(bed.plug_in());
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session.deviceName(), QString("force pad"), 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.device()->name(), QString("force pad"), 60000);
         QTRY_VERIFY(bench.said("Its force is off. Press Enter to switch it on."));
         QTRY_VERIFY_WITH_TIMEOUT(bed.seen().taken > taken + 100, 60000);
         QCOMPARE(bed.seen().x_mn, std::int16_t(0));
         QCOMPARE(bed.seen().y_mn, std::int16_t(0));
-        QCOMPARE(bench.session.newtons(), 0.0);
-        bench.session.engage();
+        QCOMPARE(bench.session.finger()->newtons(), 0.0);
+        bench.session.device()->engage();
         QTRY_VERIFY_WITH_TIMEOUT(bed.seen().motors, 60000);
 
         bench.session.leave(); // the way out leaves no force, and the interface to others
@@ -102,11 +102,11 @@ private slots:
         bench.session.enter();
         bench.session.show(face_under_the_knob());
         QTRY_VERIFY_WITH_TIMEOUT(bench.said("Another program uses the force pad. Close that program and try again."), 60000);
-        QVERIFY(bench.session.deviceName().isEmpty());
+        QVERIFY(bench.session.device()->name().isEmpty());
         bed.behave({});
-        bench.session.engage();
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session.deviceName(), QString("force pad"), 60000);
-        QVERIFY(bench.session.engaged());
+        bench.session.device()->engage();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.device()->name(), QString("force pad"), 60000);
+        QVERIFY(bench.session.device()->engaged());
     }
 };
 

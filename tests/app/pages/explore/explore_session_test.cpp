@@ -1,29 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
+// What concerns several parts of the page at once. Each part has a test of its own.
 #include "app/parts/controls/recording_announcer.hpp"
 #include "explore_bench.hpp"
 #include "places.hpp"
 
+#include <QCoreApplication>
+#include <QSignalSpy>
 #include <QTest>
+#include <QTranslator>
 #include <QVariantMap>
 
 using namespace tp;
 
 namespace {
 
+constexpr int left_eye = 0;
+constexpr int outline = 3;
+
 struct Bench {
+    double time = 100.0;
     RecordingVoice voice;
     RecordingAnnouncer announcer;
     Narrator narrator{voice, announcer};
     ExploreSounds sounds;
     ExploreSession session;
 
-    explicit Bench(int faces = 1, std::vector<QString> names = {}, const ExploreSettings& settings = patient_settings())
-        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings) {
+    explicit Bench(int faces = 1, std::vector<QString> names = {})
+        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings_at(time)) {
         session.show(drawn_photo(faces, std::move(names)));
     }
+    /// A place so many millimetres right of and above a feature's first point (sheet frame).
+    QPointF by(int feature, double right = 0.0, double up = 0.0) const {
+        return session.view()->frame().from_surface(session.view()->felt().lines.at(static_cast<std::size_t>(feature)).points[0] +
+                                            Vec2(right, up));
+    }
+    /// A place left of the outline's left side.
+    QPointF left_of_outline(double away) const {
+        const auto& points = session.view()->felt().lines.at(outline).points;
+        return session.view()->frame().from_surface(0.5 * (points[0] + points[1]) - Vec2(away, 0.0));
+    }
+    void down(QPointF place, int id = 0) { session.hand()->fingerDown(id, place.x(), place.y()); }
+    void move(QPointF place, double later = 0.016) {
+        time += later;
+        session.hand()->fingerMoved(0, place.x(), place.y());
+    }
+    void stay(QPointF place, double seconds) {
+        for (double end = time + seconds; time < end;)
+            move(place, 0.01);
+    }
+    void tap(int fingers, QPointF place, double held = 0.1) {
+        time += 0.2;
+        for (int i = 0; i < fingers; ++i)
+            down(place + QPointF(20.0 * i, 0.0), i);
+        time += held;
+        for (int i = 0; i < fingers; ++i)
+            session.hand()->fingerUp(i);
+    }
+    QString said() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
 };
-
-constexpr int left_eye = 0;
 
 } // namespace
 
@@ -32,46 +66,25 @@ class ExploreSessionTest : public QObject {
 private slots:
     void what_was_found_is_told_and_the_force_is_on() {
         Bench bench;
-        QCOMPARE(bench.session.state(), ExploreSession::State::Ready);
+        QCOMPARE(bench.session.view()->state(), ExploreView::State::Ready);
         QCOMPARE(bench.voice.said(), QStringList("One face. Eyes, mouth and outline can be felt."));
-        QCOMPARE(bench.session.sentence(), bench.voice.said().back());
-        QVERIFY(bench.session.engaged());
-        QCOMPARE(bench.session.featureCount(), 4);
-    }
-
-    void extra_features_are_felt_by_those_who_asked_for_them() {
-        RecordingVoice voice;
-        RecordingAnnouncer announcer;
-        Narrator narrator(voice, announcer);
-        ExploreSounds sounds;
-        sounds.preferences.change([](Choices& choices) { choices.nose = true; });
-        ExploreSession session(narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings());
-        auto photo = std::make_shared<LoadedPhoto>(*drawn_photo());
-        photo->extraction.faces[0].extras = {
-            contour_through(feature::nose, {{95, 80}, {100, 84}, {105, 80}}, false),
-            contour_through(feature::left_brow, {{110, 50}, {120, 50}, {120, 48}}, true)};
-        session.show(photo);
-        QCOMPARE(voice.said(), QStringList("One face. Eyes, mouth, outline and nose can be felt."));
-        QCOMPARE(session.featureCount(), 5);
-        QCOMPARE(QString::fromStdString(session.felt().names.back()), QString("nose"));
-        sounds.preferences.change([](Choices& choices) { choices.brows = true; }); // while it is felt
-        QCOMPARE(session.featureCount(), 6);
-        sounds.preferences.change([](Choices& choices) { choices.brows = choices.nose = false; });
-        QCOMPARE(session.featureCount(), 4);
+        QCOMPARE(bench.session.words()->sentence(), bench.voice.said().back());
+        QVERIFY(bench.session.device()->engaged());
+        QCOMPARE(bench.session.view()->featureCount(), 4);
     }
 
     void a_search_can_be_stopped() {
         Bench bench;
-        const QString name = bench.session.photoName();
+        const QString name = bench.session.view()->photoName();
         bench.session.open_file(tp::test::in_source("resources/samples/anna_smiling.jpg"));
-        QCOMPARE(bench.session.state(), ExploreSession::State::Looking);
+        QCOMPARE(bench.session.view()->state(), ExploreView::State::Looking);
         bench.session.stopOrStart();
-        QCOMPARE(bench.session.state(), ExploreSession::State::Ready); // what was open before
-        QCOMPARE(bench.session.photoName(), name);
-        QVERIFY(!bench.session.engaged());
-        QVERIFY(bench.session.sentence().startsWith("Stopped looking. " + name + " is open again."));
+        QCOMPARE(bench.session.view()->state(), ExploreView::State::Ready); // what was open before
+        QCOMPARE(bench.session.view()->photoName(), name);
+        QVERIFY(!bench.session.device()->engaged());
+        QVERIFY(bench.session.words()->sentence().startsWith("Stopped looking. " + name + " is open again."));
         bench.session.stopOrStart();
-        QVERIFY(bench.session.engaged());
+        QVERIFY(bench.session.device()->engaged());
 
         RecordingVoice voice;
         RecordingAnnouncer announcer;
@@ -85,147 +98,38 @@ private slots:
         connect(&later, &PhotoLoader::loaded, this, [&] { answered = true; });
         later.load(tp::test::in_source("resources/samples/anna_smiling.jpg"));
         QTRY_VERIFY_WITH_TIMEOUT(answered, 60000);
-        QCOMPARE(first.state(), ExploreSession::State::Empty);
-        QCOMPARE(first.sentence(), QString("Stopped looking. Press O to open a photograph."));
-    }
-
-    void the_photograph_lies_under_its_lines() {
-        Bench bench;
-        // The left eye's centre, 15 px right of and 15 px above the middle of 200 × 150 px, centres of
-        // pixels.
-        const QRectF photo = bench.session.photoRect();
-        const QVariantMap face = bench.session.faces().front().toMap();
-        const QRectF eye = face["features"].toList().front().toMap()["rect"].toRectF();
-        const QPointF share((eye.center().x() - photo.x()) / photo.width(),
-                            (eye.center().y() - photo.y()) / photo.height());
-        QVERIFY(std::abs(share.x() - 115.5 / 200.0) < 1e-9);
-        QVERIFY(std::abs(share.y() - 60.5 / 150.0) < 1e-9);
-    }
-
-    void the_finger_is_drawn_into_the_line() {
-        Bench bench;
-        const QPointF corner = bench.session.frame().from_surface(bench.session.felt().lines[3].points[1]);
-        const QPointF beside = corner + QPointF(-5.0, -30.0);
-        bench.session.touchDown(beside.x(), beside.y());
-        QTRY_VERIFY(bench.session.newtons() > 0.2);
-        QTRY_VERIFY(distance_to_feature(bench.session, 3, bench.session.finger()) < 3.0);
-        QCOMPARE(bench.session.pointer(), beside);
-    }
-
-    void a_feature_is_spoken_when_it_is_entered_and_not_again_while_staying() {
-        Bench bench;
-        bench.voice.clear();
-        QVERIFY(bench.session.felt().names[left_eye] == "left_eye");
-        const QPointF on = bench.session.frame().from_surface(bench.session.felt().lines[left_eye].points[0]);
-        bench.session.touchDown(on.x(), on.y());
-        QTRY_COMPARE(bench.voice.said(), QStringList("left eye"));
-        QCOMPARE(bench.session.featureName(), QString("left eye"));
-        QCOMPARE(bench.voice.last_priority(), Priority::touch);
-        bench.session.moveTo(on.x() + 1.0, on.y());
-        QTest::qWait(200);
-        QCOMPARE(bench.voice.said(), QStringList("left eye"));
-    }
-
-    void tab_order_goes_through_the_features_and_out() {
-        Bench bench;
-        bench.voice.clear();
-        for (int i = 0; i < 4; ++i)
-            QVERIFY(bench.session.stepFeature(1));
-        QVERIFY(!bench.session.stepFeature(1));
-        QCOMPARE(bench.voice.said(), QStringList({"left eye", "right eye", "lips", "face outline"}));
-        QVERIFY(bench.session.stepFeature(-1)); // back in from the other side
-        QCOMPARE(bench.voice.said().back(), QString("face outline"));
+        QCOMPARE(first.view()->state(), ExploreView::State::Empty);
+        QCOMPARE(first.words()->sentence(), QString("Stopped looking. Press O to open a photograph."));
     }
 
     void escape_takes_the_force_away_and_gives_it_back() {
         Bench bench;
-        const QPointF corner = bench.session.frame().from_surface(bench.session.felt().lines[3].points[1]);
-        bench.session.touchDown(corner.x() - 5.0, corner.y() - 30.0);
-        QTRY_VERIFY(bench.session.newtons() > 0.1);
+        const QPointF corner = bench.session.view()->frame().from_surface(bench.session.view()->felt().lines[3].points[1]);
+        bench.session.hand()->touchDown(corner.x() - 5.0, corner.y() - 30.0);
+        QTRY_VERIFY(bench.session.finger()->newtons() > 0.1);
         bench.session.stopOrStart();
-        QVERIFY(!bench.session.engaged());
+        QVERIFY(!bench.session.device()->engaged());
         QVERIFY(bench.voice.stops() > 0);
         QVERIFY(bench.voice.said().back().contains("The force is off"));
-        QTRY_COMPARE(bench.session.newtons(), 0.0);
+        QTRY_COMPARE(bench.session.finger()->newtons(), 0.0);
         QTest::qWait(100);
-        QCOMPARE(bench.session.newtons(), 0.0);
+        QCOMPARE(bench.session.finger()->newtons(), 0.0);
         bench.session.stopOrStart();
         QCOMPARE(bench.voice.said().back(), QString("The force is on."));
-        QTRY_VERIFY(bench.session.newtons() > 0.1);
-    }
-
-    void a_tour_goes_round_the_feature_and_lets_go() {
-        Bench bench;
-        bench.session.goToFeature(left_eye);
-        bench.session.toggleTour();
-        QVERIFY(bench.session.touring());
-        QCOMPARE(bench.voice.said().back(), QString("Tour round the left eye."));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session.tourProgress() > 0.5, 30000);
-        QVERIFY(distance_to_feature(bench.session, left_eye, bench.session.finger()) < 3.0);
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.session.touring(), 60000);
-        QCOMPARE(bench.voice.said().back(), QString("Tour finished."));
-        QVERIFY(distance_to_feature(bench.session, left_eye, bench.session.pointer()) < 4.0); // no jump back
-        QTRY_COMPARE(bench.session.featureName(), QString("left eye"));
-    }
-
-    void a_hand_that_moves_ends_the_tour_and_one_that_trembles_does_not() {
-        Bench bench;
-        bench.session.goToFeature(left_eye);
-        bench.session.moveTo(20.0, 20.0);
-        bench.session.toggleTour();
-        bench.session.moveTo(22.0, 22.0);
-        QVERIFY(bench.session.touring());
-        bench.session.moveTo(25.0, 22.0);
-        QVERIFY(!bench.session.touring());
-        QCOMPARE(bench.voice.said().back(), QString("Tour ended."));
-    }
-
-    void there_is_no_tour_without_force() {
-        Bench bench;
-        bench.session.stopOrStart();
-        bench.session.toggleTour();
-        QVERIFY(!bench.session.touring());
-        QVERIFY(bench.voice.said().back().contains("The force is off"));
-    }
-
-    void where_am_i_is_answered() {
-        Bench bench;
-        bench.session.goToFeature(left_eye);
-        bench.session.whereAmI();
-        QVERIFY2(bench.voice.said().back().startsWith("The face. On the left eye, at its "),
-                 qPrintable(bench.voice.said().back()));
-        QVERIFY(bench.voice.said().back().endsWith(" from its middle."));
-    }
-
-    void several_faces_are_felt_together_or_one_by_one() {
-        Bench bench(2);
-        QCOMPARE(bench.voice.said().back(),
-                 QString("Two faces. Eyes, mouth and outline of each can be felt."));
-        QCOMPARE(bench.session.featureCount(), 8);
-        bench.session.goToFeature(5);
-        QCOMPARE(bench.voice.said().back(), QString("right eye of face 2"));
-        bench.session.nextFace();
-        QCOMPARE(bench.voice.said().back(), QString("Zoomed to face 1."));
-        QCOMPARE(bench.session.featureCount(), 4);
-        QCOMPARE(bench.session.faces().size(), 2); // the other one can still be chosen
-        bench.session.nextFace();
-        bench.session.goToFeature(0);
-        QCOMPARE(bench.voice.said().back(), QString("left eye"));
-        bench.session.nextFace();
-        QCOMPARE(bench.session.featureCount(), 8);
+        QTRY_VERIFY(bench.session.finger()->newtons() > 0.1);
     }
 
     void a_bad_file_is_told_and_a_good_one_opens_after_it() {
         Bench bench;
         bench.session.open_file("/nowhere/at all.jpg");
-        QCOMPARE(bench.session.state(), ExploreSession::State::Looking);
+        QCOMPARE(bench.session.view()->state(), ExploreView::State::Looking);
         QCOMPARE(bench.voice.said().back(), QString("Looking for faces…"));
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session.state(), ExploreSession::State::Problem, 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.view()->state(), ExploreView::State::Problem, 30000);
         QVERIFY(bench.voice.said().back().contains("at all.jpg"));
-        QCOMPARE(bench.session.sentence(), bench.voice.said().back());
-        QCOMPARE(bench.session.newtons(), 0.0);
+        QCOMPARE(bench.session.words()->sentence(), bench.voice.said().back());
+        QCOMPARE(bench.session.finger()->newtons(), 0.0);
         bench.session.open(QUrl::fromLocalFile(tp::test::in_source("resources/samples/anna_smiling.jpg")));
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session.state(), ExploreSession::State::Ready, 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.view()->state(), ExploreView::State::Ready, 60000);
         QVERIFY(bench.voice.said().back().startsWith("One face."));
     }
 
@@ -233,7 +137,7 @@ private slots:
         Bench bench;
         bench.session.open(QUrl("https://example.org/face.jpg"));
         QVERIFY(bench.voice.said().back().contains("file on this computer"));
-        QCOMPARE(bench.session.state(), ExploreSession::State::Ready);
+        QCOMPARE(bench.session.view()->state(), ExploreView::State::Ready);
     }
 
     void before_any_photograph_nothing_goes_wrong() {
@@ -242,15 +146,15 @@ private slots:
         Narrator narrator(voice, announcer);
         ExploreSounds sounds;
         ExploreSession session(narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings());
-        session.moveTo(10.0, 10.0);
-        session.touchDown(10.0, 10.0);
-        session.nudge(1.0, 1.0);
-        session.goToFeature(0);
-        session.nextFace();
-        session.engage();
+        session.hand()->moveTo(10.0, 10.0);
+        session.hand()->touchDown(10.0, 10.0);
+        session.hand()->nudge(1.0, 1.0);
+        session.hand()->goToFeature(0);
+        session.zoom()->nextFace();
+        session.device()->engage();
         session.stopOrStart();
-        QVERIFY(!session.stepFeature(1));
-        session.toggleTour();
+        QVERIFY(!session.hand()->stepFeature(1));
+        session.tour()->toggle();
         QVERIFY(voice.said().back().contains("no photograph yet"));
     }
 
@@ -263,12 +167,166 @@ private slots:
         ExploreSounds sounds;
         ExploreSession session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings);
         session.show(drawn_photo());
-        QTRY_VERIFY(session.faultSentence().contains("switched off"));
-        QVERIFY(!session.engaged());
+        QTRY_VERIFY(session.device()->faultSentence().contains("switched off"));
+        QVERIFY(!session.device()->engaged());
         QCOMPARE(voice.last_priority(), Priority::fault);
-        session.engage();
-        QVERIFY(session.engaged());
-        QTRY_VERIFY(!session.engaged()); // still too late, so off again
+        session.device()->engage();
+        QVERIFY(session.device()->engaged());
+        QTRY_VERIFY(!session.device()->engaged()); // still too late, so off again
+    }
+
+    void escape_silences_the_guide_until_the_next_touch() {
+        Bench bench;
+        bench.down(bench.left_of_outline(10.0));
+        QVERIFY(bench.session.stop());
+        QVERIFY(!bench.sounds.guide.sounds());
+        bench.move(bench.left_of_outline(11.0));
+        QVERIFY(!bench.sounds.guide.sounds());
+        QVERIFY(!bench.session.stop()); // nothing more to stop: the shell may go home
+        bench.session.hand()->fingerUp(0);
+        bench.down(bench.left_of_outline(10.0));
+        QVERIFY(bench.sounds.guide.sounds());
+    }
+
+    void out_of_sight_nothing_sounds_and_nothing_is_said() {
+        Bench bench(1, {"Anna"});
+        bench.voice.clear();
+        bench.down(bench.by(left_eye));
+        bench.session.leave();
+        QVERIFY(!bench.sounds.guide.sounds());
+        QVERIFY(!bench.session.device()->engaged());
+        bench.stay(bench.by(left_eye), 1.0);
+        bench.session.show(drawn_photo(1, {"Tom"}));
+        bench.session.finger()->whereAmI();
+        QCOMPARE(bench.voice.said(), QStringList());
+        QVERIFY(!bench.sounds.guide.sounds());
+        QVERIFY(!bench.session.device()->engaged());
+        bench.session.enter();
+        QVERIFY(bench.said().startsWith("Explore. Tom. One face. "));
+        QVERIFY(bench.session.device()->engaged());
+    }
+
+    void a_photograph_without_a_face_is_told_on_each_entering_and_asked_for() {
+        Bench bench;
+        auto nothing = std::make_shared<LoadedPhoto>(*drawn_photo());
+        nothing->extraction.faces.clear();
+        bench.session.show(nothing);
+        for (int i = 0; i < 2; ++i) {
+            bench.session.leave();
+            bench.session.enter();
+            QCOMPARE(bench.said(), QString("Explore. No face was found in this picture."));
+        }
+        bench.session.finger()->whereAmI();
+        QCOMPARE(bench.said(), QString("No face was found in this picture."));
+        QVERIFY(!bench.session.stop());
+    }
+
+    void in_another_language_everything_has_another_name() {
+        class Brackets final : public QTranslator {
+            QString translate(const char*, const char* source, const char*, int) const override {
+                return "[" + QString::fromUtf8(source) + "]";
+            }
+            bool isEmpty() const override { return false; }
+        };
+        Bench bench(1, {"Anna"});
+        Brackets brackets;
+        QSignalSpy changes(bench.session.view(), &ExploreView::sceneChanged);
+        QCoreApplication::installTranslator(&brackets);
+        QVERIFY(changes.count() > 0);
+        const QVariantMap face = bench.session.view()->faces().front().toMap();
+        QCOMPARE(face["name"].toString(), QString("Anna"));
+        QCOMPARE(face["features"].toList().front().toMap()["name"].toString(), QString("[[left eye] of Anna]"));
+        QCOMPARE(bench.session.choices()->guideNames().front(), QString("[None]"));
+        QCoreApplication::removeTranslator(&brackets);
+        QCOMPARE(bench.session.choices()->guideNames().front(), QString("None"));
+    }
+
+    void a_person_who_switched_the_force_off_finds_it_off_again() {
+        Bench bench;
+        bench.session.stop();
+        bench.session.leave();
+        bench.session.enter();
+        QVERIFY(!bench.session.device()->engaged());
+    }
+
+    void taps() {
+        Bench bench;
+        const QPointF place = bench.left_of_outline(20.0);
+        bench.tap(3, place);
+        QVERIFY(bench.said().startsWith("Beside the face. "));
+        bench.voice.clear();
+        bench.time += 2.0;
+        bench.tap(1, place);
+        bench.tap(1, place);
+        QVERIFY2(bench.said().startsWith("Beside the face. "), qPrintable(bench.said()));
+        bench.time += 2.0;
+        bench.tap(2, place);
+        QVERIFY(!bench.session.device()->engaged());
+        QVERIFY(bench.said().startsWith("Stopped."));
+        bench.time += 2.0;
+        bench.tap(2, place);
+        QVERIFY(bench.session.device()->engaged());
+        QVERIFY(!bench.sounds.guide.sounds());
+    }
+
+    void two_taps_with_two_fingers_start_a_tour_and_end_one() {
+        for (const bool engaged_before : {true, false}) {
+            Bench bench;
+            if (!engaged_before)
+                bench.session.stop();
+            bench.tap(2, bench.by(left_eye));
+            bench.tap(2, bench.by(left_eye));
+            QVERIFY(bench.session.tour()->touring());
+            bench.time += 2.0;
+            bench.tap(2, bench.by(left_eye));
+            bench.tap(2, bench.by(left_eye));
+            QVERIFY(!bench.session.tour()->touring());
+        }
+    }
+
+    void double_tap_and_hold_zooms_to_what_is_there_and_out_where_nothing_is() {
+        Bench bench(1, {"Anna"});
+        bench.tap(1, bench.by(2)); // the lips
+        bench.tap(1, bench.by(2), 0.8);
+        QCOMPARE(bench.said(), QString("Zoomed to the mouth of Anna."));
+        QCOMPARE(bench.session.view()->featureCount(), 1);
+        bench.time += 2.0;
+        const QPointF corner(1.0, 1.0);
+        bench.tap(1, corner);
+        bench.tap(1, corner, 0.8);
+        QVERIFY(bench.said().startsWith("There is nothing nearer") || bench.said().startsWith("Zoomed out"));
+        bench.session.zoom()->zoomOut();
+        bench.time += 2.0;
+        bench.tap(1, bench.left_of_outline(40.0));
+        bench.tap(1, bench.left_of_outline(40.0), 0.8);
+        QCOMPARE(bench.said(), QString("This is the whole picture."));
+        bench.time += 2.0;
+        bench.tap(1, bench.by(left_eye));
+        bench.tap(1, bench.by(left_eye), 0.8);
+        QCOMPARE(bench.said(), QString("Zoomed to the eyes of Anna."));
+        QCOMPARE(bench.session.view()->featureCount(), 2);
+        bench.time += 2.0;
+        bench.tap(1, bench.by(left_eye));
+        bench.tap(1, bench.by(left_eye), 0.8);
+        QCOMPARE(bench.said(), QString("Zoomed to the left eye of Anna."));
+        QCOMPARE(bench.session.view()->featureCount(), 1);
+    }
+
+    void a_tour_of_the_face_can_be_stopped_while_a_name_is_spoken() {
+        Bench bench;
+        bench.session.tour()->toggleFace();
+        QVERIFY(bench.session.stop());
+        QVERIFY(!bench.session.tour()->touring());
+        bench.session.device()->engage();
+        bench.session.tour()->toggleFace();
+        bench.session.tour()->toggleFace();
+        QCOMPARE(bench.said(), QString("Tour ended."));
+        bench.session.tour()->toggleFace();
+        bench.session.hand()->goToFeature(left_eye);
+        QVERIFY(!bench.session.tour()->touring());
+        bench.session.stop();
+        bench.session.tour()->toggleFace();
+        QVERIFY(bench.said().startsWith("The force is off."));
     }
 };
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/pages/explore/dwell.hpp"
+#include "app/pages/explore/finger_servo.hpp"
+#include "app/parts/devices/device_access.hpp"
+#include "app/photo/scene/extra_features.hpp"
+#include "app/photo/scene/scene_builder.hpp"
+#include "core/servo/servo_loop.hpp"
+#include "device/simulated/simulated_device.hpp"
+
+#include <functional>
+
+namespace tp {
+
+/// What a program or a test gives to the explore page.
+struct ExploreSettings {
+    SurfaceSize surface;
+    ExtraFeatures extras; ///< felt beside those that the person has chosen
+    ServoSettings servo = settings_for_a_drawn_finger();
+    SimulatedPlant plant;
+    DeviceAccess devices;            ///< that move a real finger; without one the force is only drawn
+    ServoSettings device_servo;      ///< theirs
+    double dwell_s = Dwell::usual_s; ///< how long a finger stays on a feature before it is told
+    std::function<double()> now;     ///< seconds; empty: real time since the session was made
+};
+
+} // namespace tp

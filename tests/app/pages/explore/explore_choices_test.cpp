@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explore_parts.hpp"
+
+#include <QTest>
+
+using namespace tp;
+
+class ExploreChoicesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void the_force_limit_is_the_persons_and_is_kept() {
+        ExploreParts bench;
+        QCOMPARE(bench.choices.maxForce(), 1.0);
+        bench.choices.setMaxForce(0.4);
+        QCOMPARE(bench.sounds.preferences.choices().max_force_n, 0.4);
+        bench.sounds.preferences.change([](Choices& choices) { choices.max_force_n = 0.2; });
+        QCOMPARE(bench.choices.maxForce(), 0.2);
+        const auto& points = bench.view.felt().lines[outline].points;
+        const QPointF beside =
+            bench.view.frame().from_surface(0.5 * (points[0] + points[1]) + Vec2(5.0, 0.0));
+        bench.hand.touchDown(beside.x(), beside.y());
+        QTRY_VERIFY(bench.finger.newtons() > 0.1);
+        QVERIFY(bench.finger.newtons() <= 0.2 + 1e-9);
+    }
+
+    void the_guide_can_be_changed_by_one_key() {
+        ExploreParts bench;
+        QCOMPARE(bench.choices.guide(), static_cast<int>(Choices::Guide::both));
+        bench.choices.nextGuide();
+        QCOMPARE(bench.said(), QString("Guide: None."));
+        bench.choices.nextGuide();
+        QCOMPARE(bench.said(), QString("Guide: Sonar."));
+        QCOMPARE(bench.sounds.preferences.choices().guide, Choices::Guide::sonar);
+    }
+
+    void a_guide_beeps_speaks_or_does_both() {
+        ExploreParts bench(0);
+        const bool beeps[]{false, true, false, true};
+        const bool speaks[]{false, false, true, true};
+        for (int i = 0; i < 4; ++i) {
+            bench.choices.setGuide(i);
+            QCOMPARE(bench.choices.beeps(), beeps[i]);
+            QCOMPARE(bench.choices.speaks(), speaks[i]);
+        }
+        bench.choices.setGuide(4); // there is none
+        QCOMPARE(bench.choices.guide(), 3);
+    }
+
+    void what_the_program_adds_is_felt_beside_what_the_person_wants() {
+        ExploreParts bench(0);
+        bench.settings.extras.irises = true;
+        ExploreChoices choices(bench.sounds.preferences, bench.servo, bench.words, bench.settings);
+        bench.sounds.preferences.change([](Choices& wanted) { wanted.nose = true; });
+        QVERIFY(choices.extras().irises && choices.extras().nose && !choices.extras().brows);
+    }
+};
+
+QTEST_GUILESS_MAIN(ExploreChoicesTest)
+#include "explore_choices_test.moc"

@@ -201,6 +201,83 @@ private slots:
         QVERIFY(flatten(Contour{}).points.empty());
     }
 
+    /// A segment more than the bounds ask for is work at each of a thousand ticks a second; one less is felt.
+    void one_segment_where_the_chord_allows_it_and_two_where_not_data() {
+        QTest::addColumn<Piece>("piece");
+        QTest::addColumn<bool>("one");
+        const auto row = [](const char* name, const Piece& piece, bool one) {
+            QTest::newRow(name) << piece << one;
+        };
+        // A quadratic leaves its chord by half of what its handle does.
+        row("quadratic_within", Quadratic{{0, 0}, {5, 0.0199}, {10, 0}}, true);
+        row("quadratic_beyond", Quadratic{{0, 0}, {5, 0.0201}, {10, 0}}, false);
+        row("quadratic_below_the_chord", Quadratic{{0, 0}, {5, -0.0201}, {10, 0}}, false);
+        // A cubic by three quarters.
+        row("cubic_within", Cubic{{0, 0}, {3, 0.0133}, {7, 0.0133}, {10, 0}}, true);
+        row("cubic_beyond", Cubic{{0, 0}, {3, 0.0134}, {7, 0.0134}, {10, 0}}, false);
+        row("cubic_beyond_by_its_first_handle", Cubic{{0, 0}, {3, 0.0134}, {7, 0.0}, {10, 0}}, false);
+        row("cubic_beyond_by_its_second_handle", Cubic{{0, 0}, {3, 0.0}, {7, -0.0134}, {10, 0}}, false);
+    }
+    void one_segment_where_the_chord_allows_it_and_two_where_not() {
+        QFETCH(Piece, piece);
+        QFETCH(bool, one);
+        const Polyline line = flatten(curve(piece), {0.01, 180.0, 12});
+        QCOMPARE(line.segment_count() == 1, one);
+        QVERIFY(chord_error(piece, line) <= 0.01);
+    }
+
+    void one_segment_where_the_turn_allows_it_and_two_where_not_data() {
+        QTest::addColumn<Piece>("piece");
+        QTest::addColumn<bool>("one");
+        const auto row = [](const char* name, const Piece& piece, bool one) {
+            QTest::newRow(name) << piece << one;
+        };
+        const auto bend = [](double degrees) {
+            const double angle = degrees * std::numbers::pi / 180.0;
+            return 10.0 * Vec2(std::cos(angle), std::sin(angle));
+        };
+        const Vec2 at(10, 0);
+        row("quadratic_within", Quadratic{{0, 0}, at, at + bend(1.98)}, true);
+        row("quadratic_beyond", Quadratic{{0, 0}, at, at + bend(2.02)}, false);
+        row("quadratic_to_the_other_side", Quadratic{{0, 0}, at, at + bend(-2.02)}, false);
+        row("cubic_within", Cubic{{0, 0}, at, at + bend(0.99), at + bend(0.99) + bend(1.98)}, true);
+        row("cubic_beyond", Cubic{{0, 0}, at, at + bend(1.01), at + bend(1.01) + bend(2.02)}, false);
+        row("cubic_there_and_back", Cubic{{0, 0}, at, at + bend(1.01), at + bend(1.01) + bend(0.0)}, false);
+        row("cubic_of_one_handle_within", Cubic{{0, 0}, at, at, at + bend(1.98)}, true);
+        row("cubic_of_one_handle_beyond", Cubic{{0, 0}, at, at, at + bend(2.02)}, false);
+        row("cubic_that_turns_at_its_start_alone", Cubic{{0, 0}, at, at + bend(1.98), at + 2.0 * bend(1.98)},
+            true);
+    }
+    void one_segment_where_the_turn_allows_it_and_two_where_not() {
+        QFETCH(Piece, piece);
+        QFETCH(bool, one);
+        QCOMPARE(flatten(curve(piece), {100.0, 2.0, 12}).segment_count() == 1, one);
+    }
+
+    /// A quarter of a circle as drawing programs make it: 90 degrees in steps of two are 45, and halving
+    /// makes 64.
+    void a_quarter_circle_is_no_more_segments_than_it_needs() {
+        constexpr double handle = 0.5522847498;
+        const Piece quarter = Cubic{{50, 0}, {50, 50 * handle}, {50 * handle, 50}, {0, 50}};
+        QCOMPARE(flatten(curve(quarter)).segment_count(), std::size_t{64});
+        const Piece parabola = Quadratic{{50, 0}, {50, 50}, {0, 50}};
+        QVERIFY(flatten(curve(parabola)).segment_count() <= std::size_t{80});
+    }
+
+    /// A line that returns to where it began is not closed by that: the segment that leads back to the start
+    /// stays.
+    void an_open_line_keeps_its_end_though_it_is_its_start() {
+        const Contour contour = contour_through("a", {{0, 0}, {10, 0}, {10, 10}, {0, 0}}, false);
+        const Polyline line = flatten(contour);
+        QCOMPARE(line.points.size(), std::size_t{4});
+        QCOMPARE(length_of(line), 20.0 + std::hypot(10.0, 10.0));
+        // A closed one ends where it likes: what leads back is the closing segment.
+        const Polyline closed = flatten({"b", {Line{{0, 0}, {10, 0}}, Line{{10, 0}, {10, 10}}}, true});
+        QCOMPARE(closed.points.size(), std::size_t{3});
+        QCOMPARE(flatten({"dot", {Line{{1, 1}, {1, 1}}, Line{{1, 1}, {1, 1}}}, true}).points.size(),
+                 std::size_t{1});
+    }
+
     void a_dot_is_one_point() {
         for (const bool closed : {false, true})
             QCOMPARE(flatten(contour_through("dot", {{3, 4}}, closed)).points.size(), std::size_t{1});

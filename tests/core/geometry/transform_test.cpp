@@ -52,6 +52,21 @@ private slots:
         }
     }
 
+    /// A map that presses a metre to a picometre is no way back: what is felt would jump by rounding.
+    void a_map_is_singular_below_a_millionth_of_a_millionth() {
+        for (const double scale : {1e-3, 1.0, 50.0})
+            for (const bool turned : {false, true}) {
+                const auto pressed = [&](double to) {
+                    return turned ? Affine{glm::dmat2(0, scale, -to * scale, 0), {0, 0}}
+                                  : Affine{glm::dmat2(to * scale, 0, 0, scale), {0, 0}};
+                };
+                QVERIFY(pressed(1.2e-12).inverse().ok());
+                QVERIFY(pressed(-1.2e-12).inverse().ok());
+                QVERIFY(!pressed(0.8e-12).inverse().ok());
+                QVERIFY(!pressed(-0.8e-12).inverse().ok());
+            }
+    }
+
     void small_and_large_maps_have_one() {
         for (const double scale : {1e-9, 1e-3, 1e6, 1e12}) {
             const Affine map{glm::dmat2(scale, 0, 0, -scale), {1, 2}};
@@ -118,6 +133,9 @@ private slots:
             QVERIFY(!fit_photo_to_surface(good, bad).ok());
         }
         QVERIFY(!fit_photo_to_surface({{0, 0}, {5e-324, 5e-324}}, good).ok());
+        QVERIFY(!fit_photo_to_surface({{0, 0}, {1e300, 1e300}}, {{0, 0}, {1e-300, 1e-300}}).ok());
+        QVERIFY(!fit_photo_to_surface({{1e308, 1e308}, {1.7e308, 1.7e308}}, good)
+                     .ok()); // whose centre is nowhere
     }
 };
 

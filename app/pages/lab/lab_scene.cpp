@@ -4,7 +4,7 @@
 #include "app/pages/lab/lab_photo.hpp"
 #include "app/pages/lab/sample_scenes.hpp"
 #include "audio/sentences/sentences.hpp"
-#include "faces/face_extractor.hpp"
+#include "faces/extract/face_extractor.hpp"
 
 #include <QFileInfo>
 #include <QLocale>

@@ -100,7 +100,7 @@ std::string confine(const Limits& limits) {
         return reason("limits");
 #if !defined(TP_SANITIZED) // which take terabytes of addresses for themselves
     if (!limit(RLIMIT_AS, limits.memory_bytes))
-        return reason("limit of memory");
+        return reason("memory");
 #endif
     if (prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
         return reason("privileges");

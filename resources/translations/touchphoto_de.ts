@@ -3412,6 +3412,30 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>it lists more people, words or recordings than any photograph has.</source>
         <translation>Die Datei zählt mehr Personen, Wörter oder Aufnahmen auf, als irgendein Foto hat.</translation>
     </message>
+    <message>
+        <source>Such files are decoded in a process that can do nothing else, and this system does not allow that (%1): save the picture as JPEG.</source>
+        <translation>Solche Dateien werden in einem Prozess entschlüsselt, der sonst nichts kann, und dieses System lässt das nicht zu (%1): Speichern Sie das Bild als JPEG.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be decoded: decoding it broke off. The file may be damaged.</source>
+        <translation>Das Bild kann nicht entschlüsselt werden: Das Entschlüsseln brach ab. Die Datei ist vielleicht beschädigt.</translation>
+    </message>
+    <message>
+        <source>The picture takes too long to decode; it was not read.</source>
+        <translation>Das Entschlüsseln des Bildes dauert zu lange; es wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The program %1, which decodes such files, cannot be started: install TouchPhoto anew.</source>
+        <translation>Das Programm %1, das solche Dateien entschlüsselt, lässt sich nicht starten: Installieren Sie TouchPhoto neu.</translation>
+    </message>
+    <message>
+        <source>its sound cannot be decoded: decoding it broke off. It may be damaged.</source>
+        <translation>Der Ton kann nicht entschlüsselt werden: Das Entschlüsseln brach ab. Vielleicht ist er beschädigt.</translation>
+    </message>
+    <message>
+        <source>its sound takes too long to decode.</source>
+        <translation>Das Entschlüsseln des Tons dauert zu lange.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -3399,6 +3399,30 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>it lists more people, words or recordings than any photograph has.</source>
         <translation>어떤 사진에 있는 것보다 많은 사람, 낱말 또는 녹음을 나열합니다.</translation>
     </message>
+    <message>
+        <source>Such files are decoded in a process that can do nothing else, and this system does not allow that (%1): save the picture as JPEG.</source>
+        <translation>이런 파일은 다른 일은 할 수 없는 프로세스에서 해독하는데, 이 시스템에서는 그렇게 할 수 없습니다(%1). 사진을 JPEG로 저장하세요.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be decoded: decoding it broke off. The file may be damaged.</source>
+        <translation>사진을 해독할 수 없습니다. 해독이 중단되었습니다. 파일이 손상되었을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The picture takes too long to decode; it was not read.</source>
+        <translation>사진을 해독하는 데 시간이 너무 오래 걸려 읽지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The program %1, which decodes such files, cannot be started: install TouchPhoto anew.</source>
+        <translation>이런 파일을 해독하는 프로그램 %1을(를) 시작할 수 없습니다. TouchPhoto를 다시 설치하세요.</translation>
+    </message>
+    <message>
+        <source>its sound cannot be decoded: decoding it broke off. It may be damaged.</source>
+        <translation>소리를 해독할 수 없습니다. 해독이 중단되었습니다. 손상되었을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>its sound takes too long to decode.</source>
+        <translation>소리를 해독하는 데 시간이 너무 오래 걸립니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

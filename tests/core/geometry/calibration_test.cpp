@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 using namespace tp;
 
@@ -34,7 +36,8 @@ double farthest_apart(const Affine& a, const Affine& b) {
 }
 
 /// As four corners are touched: a cluster of samples at each.
-std::vector<FramePair> corner_touches(const Affine& truth, test::RandomPoints& random, double noise, int each = 15) {
+std::vector<FramePair> corner_touches(const Affine& truth, test::RandomPoints& random, double noise,
+                                      int each = 15) {
     std::vector<FramePair> pairs;
     for (const Vec2 corner : {Vec2(-90, -65), Vec2(90, -65), Vec2(90, 65), Vec2(-90, 65)})
         for (int i = 0; i < each; ++i) {
@@ -131,6 +134,85 @@ private slots:
         QVERIFY(!calibrate(huge).ok());
     }
 
+    /// Each of the four numbers of a touch; no device and no screen is larger than a hundred metres.
+    void a_touch_beyond_every_screen_is_no_place_data() {
+        QTest::addColumn<double>("reach");
+        QTest::addColumn<bool>("place");
+        QTest::newRow("within") << 0.9e5 << true;
+        QTest::newRow("beyond") << 1.1e5 << false;
+        QTest::newRow("beyond_in_the_other_direction") << -1.1e5 << false;
+        QTest::newRow("not_a_number") << not_a_number << false;
+    }
+    void a_touch_beyond_every_screen_is_no_place() {
+        QFETCH(double, reach);
+        QFETCH(bool, place);
+        for (const int number : {0, 1, 2, 3}) {
+            std::vector<FramePair> pairs = {{{0, 0}, {0, 0}}, {{10, 0}, {10, 0}}, {{0, 10}, {0, 10}}};
+            Vec2& touched = number < 2 ? pairs[1].device : pairs[1].surface;
+            (number % 2 == 0 ? touched.x : touched.y) = reach;
+            const std::string said = calibrate(pairs).error(); // a map like a needle is another complaint
+            QCOMPARE(said.find("is no place") == std::string::npos, place);
+        }
+    }
+
+    /// As exact as a touchscreen gets: half a millimetre beside the others counts, more does not.
+    void a_touch_beside_exact_ones_counts_within_half_a_millimetre() {
+        test::RandomPoints random(15);
+        for (const Vec2 direction : {Vec2(1, 0), Vec2(0, -1), Vec2(0.6, 0.8)})
+            for (const bool within : {true, false}) {
+                auto pairs = samples({}, random, 0.0);
+                pairs[4].surface += (within ? 0.45 : 0.6) * direction;
+                const auto found = calibrate(pairs);
+                QVERIFY2(found.ok(), found.error().c_str());
+                QCOMPARE(found->used, within ? std::size_t(9) : std::size_t(8));
+            }
+    }
+
+    /// Where touches scatter, what is far off is judged by that scatter: 2.5 robust standard deviations.
+    void how_far_off_is_too_far_goes_by_the_scatter() {
+        for (const bool near : {true, false}) {
+            test::RandomPoints random(16);
+            auto pairs = corner_touches({}, random, 2.0);
+            for (std::size_t i = 0; i < 6; ++i) {
+                const double angle = static_cast<double>(i);
+                pairs[10 * i].surface =
+                    pairs[10 * i].device + (near ? 4.2 : 9.0) * Vec2(std::cos(angle), std::sin(angle));
+            }
+            const auto found = calibrate(pairs, 100.0);
+            QVERIFY2(found.ok(), found.error().c_str());
+            QCOMPARE(found->used, near ? std::size_t(60) : std::size_t(54));
+            QVERIFY(farthest_apart(found->device_to_surface, {}) < 1.5);
+        }
+    }
+
+    /// Marks in a strip: across it, a map would be guessed from how the finger trembles.
+    void marks_in_a_narrow_strip_are_a_line() {
+        for (const double half_width : {1.0, 1.6})
+            for (const bool upright : {false, true}) {
+                std::vector<FramePair> pairs;
+                for (const double along : {-60.0, -30.0, 0.0, 30.0, 60.0})
+                    for (const double across : {-half_width, half_width}) {
+                        const Vec2 place = upright ? Vec2(across, along) : Vec2(along, across);
+                        pairs.push_back({place, place});
+                    }
+                const auto found = calibrate(pairs);
+                QCOMPARE(found.ok(), half_width > 1.5);
+                if (!found)
+                    QVERIFY2(found.error().find("one line") != std::string::npos, found.error().c_str());
+            }
+    }
+
+    /// A touchscreen as narrow as that makes lines of all that is felt.
+    void a_surface_in_a_narrow_strip_is_a_line() {
+        for (const double squeezed : {0.025, 0.06}) {
+            std::vector<FramePair> pairs;
+            for (const double x : {-60.0, 0.0, 60.0})
+                for (const double y : {-60.0, 0.0, 60.0})
+                    pairs.push_back({{x, y}, {x, squeezed * y}});
+            QCOMPARE(calibrate(pairs).ok(), squeezed > 0.03);
+        }
+    }
+
     void one_mark_that_is_wrong_does_not_count() {
         test::RandomPoints random(8);
         auto pairs = samples({}, random, 0.0);
@@ -150,7 +232,8 @@ private slots:
                     const Affine truth = frame(degrees, mirrored);
                     auto pairs = corner_touches(truth, random, 0.5);
                     for (std::size_t i = 0; i < pairs.size() / 5; ++i)
-                        pairs[5 * i + random.below(5)].surface = clustered ? Vec2(150.0, 150.0) : random.point(150.0);
+                        pairs[5 * i + random.below(5)].surface =
+                            clustered ? Vec2(150.0, 150.0) : random.point(150.0);
                     const auto found = calibrate(pairs);
                     QVERIFY2(found.ok(), found.error().c_str());
                     QVERIFY2(farthest_apart(found->device_to_surface, truth) < 0.5,
@@ -182,7 +265,8 @@ private slots:
                 pairs.push_back({{2.0 * i - 40.0, i - 20.0}, {2.0 * i - 40.0, i - 20.0}});
             for (int i = 0; i < 8; ++i)
                 pairs[static_cast<std::size_t>(5 * i)] =
-                    one_place ? FramePair{{30.0, -40.0}, {-20.0, 60.0}} : FramePair{random.point(80.0), random.point(80.0)};
+                    one_place ? FramePair{{30.0, -40.0}, {-20.0, 60.0}}
+                              : FramePair{random.point(80.0), random.point(80.0)};
             const auto found = calibrate(pairs);
             QVERIFY(!found.ok());
             QVERIFY2(found.error().find("touch") != std::string::npos, found.error().c_str());
@@ -193,7 +277,8 @@ private slots:
         test::RandomPoints random(13);
         const auto found = calibrate(corner_touches(frame(0.0, false), random, 6.0));
         QVERIFY(!found.ok());
-        QVERIFY2(found.error().find("more than the 2.0 mm allowed") != std::string::npos, found.error().c_str());
+        QVERIFY2(found.error().find("more than the 2.0 mm allowed") != std::string::npos,
+                 found.error().c_str());
         const auto small = calibrate(corner_touches(frame(0.0, false), random, 1.5));
         QVERIFY2(small.ok(), small.error().c_str());
         QVERIFY(small->residual_mm > 0.5 && small->residual_mm < 2.0);

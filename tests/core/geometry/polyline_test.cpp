@@ -199,6 +199,19 @@ private slots:
                 }
     }
 
+    void an_edge_belongs_to_its_rectangle() {
+        const Rect box{{-2, 5}, {1, 7}};
+        for (const Vec2 inside : {Vec2(0, 6), Vec2(-2, 5), Vec2(1, 7), Vec2(-2, 7), Vec2(1, 5)})
+            QVERIFY(box.contains(inside));
+        for (const Vec2 outside : {Vec2(-2.1, 6), Vec2(1.1, 6), Vec2(0, 4.9), Vec2(0, 7.1), Vec2(-3, 8)})
+            QVERIFY(!box.contains(outside));
+        QCOMPARE(box.width(), 3.0);
+        QCOMPARE(box.height(), 2.0);
+        QVERIFY(box.centre() == Vec2(-0.5, 6.0));
+        const Rect empty{{1, 0}, {0, 1}};
+        QVERIFY(!empty.contains({0.5, 0.5}));
+    }
+
     void bounds() {
         QVERIFY(bounds_of({}).min == Vec2(0, 0));
         QVERIFY(bounds_of({}).max == Vec2(0, 0));

@@ -4029,7 +4029,42 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
-    <name>tp::BrowseSession</name>
+    <name>tp::BrowseAlbum</name>
+    <message>
+        <source>There is no album yet. Choose the folders of your photographs on the settings page, or import photographs.</source>
+        <translation>Es gibt noch kein Album. Wählen Sie auf der Seite Einstellungen die Ordner Ihrer Fotos aus oder importieren Sie Fotos.</translation>
+    </message>
+    <message>
+        <source>Looking for photographs in your folders.</source>
+        <translation>Fotos werden in Ihren Ordnern gesucht.</translation>
+    </message>
+    <message>
+        <source>There is no photograph in your folders yet. Import some, or choose other folders on the settings page.</source>
+        <translation>In Ihren Ordnern ist noch kein Foto. Importieren Sie welche oder wählen Sie auf der Seite Einstellungen andere Ordner aus.</translation>
+    </message>
+    <message>
+        <source>Looking for what is new in your folders</source>
+        <translation>Neues wird in Ihren Ordnern gesucht</translation>
+    </message>
+    <message>
+        <source>Reading new photographs, %1 of %2</source>
+        <translation>Neue Fotos werden gelesen, %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <comment>progress, and a time</comment>
+        <translation>%1, noch etwa %2</translation>
+    </message>
+</context>
+<context>
+    <name>tp::BrowseDetails</name>
+    <message>
+        <source>%1 is gone from this list. Now: %2</source>
+        <translation>%1 ist nicht mehr in dieser Liste. Jetzt: %2</translation>
+    </message>
+</context>
+<context>
+    <name>tp::BrowseLists</name>
     <message>
         <source>People</source>
         <translation>Personen</translation>
@@ -4139,28 +4174,13 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         </translation>
     </message>
     <message>
-        <source>%1.</source>
-        <comment>what was found</comment>
-        <translation>%1.</translation>
-    </message>
-    <message>
-        <source>Search for %1: %2.</source>
-        <translation>Suche nach %1: %2.</translation>
-    </message>
-    <message>
-        <source>%1: there are none yet.</source>
-        <comment>a list</comment>
-        <translation>%1: noch keine.</translation>
-    </message>
-    <message>
-        <source>%1: %2. Choose one with the arrow keys and Return.</source>
-        <comment>a list, how many</comment>
-        <translation>%1: %2. Wählen Sie mit den Pfeiltasten und der Eingabetaste.</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <comment>a row and what belongs to it</comment>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Go to a row first.</source>
+        <translation>Gehen Sie zuerst zu einer Zeile.</translation>
     </message>
     <message>
         <source>Found: %1</source>
@@ -4168,90 +4188,9 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Gefunden: %1</translation>
     </message>
     <message>
-        <source>All photographs</source>
-        <translation>Alle Fotos</translation>
-    </message>
-    <message>
-        <source>%1 is gone from this list. Now: %2</source>
-        <translation>%1 ist nicht mehr in dieser Liste. Jetzt: %2</translation>
-    </message>
-    <message>
-        <source>There is no album yet. Choose the folders of your photographs on the settings page, or import photographs.</source>
-        <translation>Es gibt noch kein Album. Wählen Sie auf der Seite Einstellungen die Ordner Ihrer Fotos aus oder importieren Sie Fotos.</translation>
-    </message>
-    <message>
-        <source>Looking for photographs in your folders.</source>
-        <translation>Fotos werden in Ihren Ordnern gesucht.</translation>
-    </message>
-    <message>
-        <source>There is no photograph in your folders yet. Import some, or choose other folders on the settings page.</source>
-        <translation>In Ihren Ordnern ist noch kein Foto. Importieren Sie welche oder wählen Sie auf der Seite Einstellungen andere Ordner aus.</translation>
-    </message>
-    <message>
-        <source>Looking for what is new in your folders</source>
-        <translation>Neues wird in Ihren Ordnern gesucht</translation>
-    </message>
-    <message>
-        <source>Reading new photographs, %1 of %2</source>
-        <translation>Neue Fotos werden gelesen, %1 von %2</translation>
-    </message>
-    <message>
-        <source>%1, about %2 left</source>
-        <comment>progress, and a time</comment>
-        <translation>%1, noch etwa %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <comment>a place in a list</comment>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Swipe or use the arrow keys to go on; double tap or press Return to hear.</source>
-        <translation>Wischen Sie oder drücken Sie die Pfeiltasten, um weiterzugehen; zum Anhören tippen Sie doppelt oder drücken Sie die Eingabetaste.</translation>
-    </message>
-    <message>
-        <source>Swipe or use the arrow keys to go on.</source>
-        <translation>Wischen Sie oder drücken Sie die Pfeiltasten, um weiterzugehen.</translation>
-    </message>
-    <message>
-        <source>Your photographs, %1: %2 %3</source>
-        <comment>place, summary, what can be done</comment>
-        <translation>Ihre Fotos, %1: %2 %3</translation>
-    </message>
-    <message>
-        <source>This is the last photograph.</source>
-        <translation>Das ist das letzte Foto.</translation>
-    </message>
-    <message>
-        <source>This is the first photograph.</source>
-        <translation>Das ist das erste Foto.</translation>
-    </message>
-    <message>
-        <source>%1 Paused: %2, at %3.</source>
-        <comment>where one is; the recording and the time in it</comment>
-        <translation>%1 Pause: %2, bei %3.</translation>
-    </message>
-    <message>
-        <source>This photograph has no recordings yet.</source>
-        <translation>Dieses Foto hat noch keine Aufnahmen.</translation>
-    </message>
-    <message>
-        <source>%1, %2 of %3</source>
-        <comment>a recording, and times in it</comment>
-        <translation>%1, %2 von %3</translation>
-    </message>
-    <message>
-        <source>Speed %1</source>
-        <comment>of recordings</comment>
-        <translation>Tempo %1</translation>
-    </message>
-    <message>
-        <source>Go to a row first.</source>
-        <translation>Gehen Sie zuerst zu einer Zeile.</translation>
-    </message>
-    <message>
-        <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two fingers goes back, three fingers tell where you are.</source>
-        <translation>Links und rechts: voriges und nächstes Foto. Auf und ab: was darüber bekannt ist. Eingabetaste: Aufnahmen hören oder anhalten. Escape: Stopp. Plus und Minus: schneller und langsamer. Pos1 und Ende: erstes und letztes Foto. S: Suche. P: Personen. Y: Jahre. L: Orte. K: Stichwörter. R: ein beliebiges Foto. A: alle Fotos. Rücktaste: zurück. E: das Gesicht fühlen. C: dieses Foto pflegen. W: wo bin ich. H: diese Tasten. Ein Wischen wirkt wie seine Pfeiltaste, doppeltes Tippen spielt ab, zwei Finger halten an, ein Z mit zwei Fingern geht zurück, drei Finger sagen, wo Sie sind.</translation>
+        <source>%1.</source>
+        <comment>what was found</comment>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>There is no letter to take away.</source>
@@ -4271,8 +4210,89 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Suche. Geben Sie einen Namen, einen Ort oder ein Wort ein, oder fahren Sie mit einem Finger über die Buchstaben und heben ihn auf einem ab. Die Pfeiltasten gehen durch das Gefundene.</translation>
     </message>
     <message>
+        <source>Search for %1: %2.</source>
+        <translation>Suche nach %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: there are none yet.</source>
+        <comment>a list</comment>
+        <translation>%1: noch keine.</translation>
+    </message>
+    <message>
+        <source>%1: %2. Choose one with the arrow keys and Return.</source>
+        <comment>a list, how many</comment>
+        <translation>%1: %2. Wählen Sie mit den Pfeiltasten und der Eingabetaste.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::BrowsePlayback</name>
+    <message>
+        <source>This photograph has no recordings yet.</source>
+        <translation>Dieses Foto hat noch keine Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3</source>
+        <comment>a recording, and times in it</comment>
+        <translation>%1, %2 von %3</translation>
+    </message>
+    <message>
+        <source>Speed %1</source>
+        <comment>of recordings</comment>
+        <translation>Tempo %1</translation>
+    </message>
+</context>
+<context>
+    <name>tp::BrowseSession</name>
+    <message>
+        <source>%1, %2: %3</source>
+        <comment>list, place in it, summary</comment>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Swipe or use the arrow keys to go on; double tap or press Return to hear.</source>
+        <translation>Wischen Sie oder drücken Sie die Pfeiltasten, um weiterzugehen; zum Anhören tippen Sie doppelt oder drücken Sie die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Swipe or use the arrow keys to go on.</source>
+        <translation>Wischen Sie oder drücken Sie die Pfeiltasten, um weiterzugehen.</translation>
+    </message>
+    <message>
+        <source>Your photographs, %1: %2 %3</source>
+        <comment>place, summary, what can be done</comment>
+        <translation>Ihre Fotos, %1: %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 Paused: %2, at %3.</source>
+        <comment>where one is; the recording and the time in it</comment>
+        <translation>%1 Pause: %2, bei %3.</translation>
+    </message>
+    <message>
+        <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two fingers goes back, three fingers tell where you are.</source>
+        <translation>Links und rechts: voriges und nächstes Foto. Auf und ab: was darüber bekannt ist. Eingabetaste: Aufnahmen hören oder anhalten. Escape: Stopp. Plus und Minus: schneller und langsamer. Pos1 und Ende: erstes und letztes Foto. S: Suche. P: Personen. Y: Jahre. L: Orte. K: Stichwörter. R: ein beliebiges Foto. A: alle Fotos. Rücktaste: zurück. E: das Gesicht fühlen. C: dieses Foto pflegen. W: wo bin ich. H: diese Tasten. Ein Wischen wirkt wie seine Pfeiltaste, doppeltes Tippen spielt ab, zwei Finger halten an, ein Z mit zwei Fingern geht zurück, drei Finger sagen, wo Sie sind.</translation>
+    </message>
+    <message>
         <source>Your photographs.</source>
         <translation>Ihre Fotos.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::BrowseTrail</name>
+    <message>
+        <source>All photographs</source>
+        <translation>Alle Fotos</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a place in a list</comment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>This is the last photograph.</source>
+        <translation>Das ist das letzte Foto.</translation>
+    </message>
+    <message>
+        <source>This is the first photograph.</source>
+        <translation>Das ist das erste Foto.</translation>
     </message>
 </context>
 <context>

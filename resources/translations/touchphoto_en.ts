@@ -122,7 +122,7 @@
     </message>
 </context>
 <context>
-    <name>tp::BrowseSession</name>
+    <name>tp::BrowseLists</name>
     <message numerus="yes">
         <source>%n photograph(s)</source>
         <translation>

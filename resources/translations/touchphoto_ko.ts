@@ -4014,7 +4014,42 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
-    <name>tp::BrowseSession</name>
+    <name>tp::BrowseAlbum</name>
+    <message>
+        <source>There is no album yet. Choose the folders of your photographs on the settings page, or import photographs.</source>
+        <translation>아직 앨범이 없습니다. 설정 페이지에서 사진 폴더를 고르거나 사진을 가져오세요.</translation>
+    </message>
+    <message>
+        <source>Looking for photographs in your folders.</source>
+        <translation>폴더에서 사진을 찾는 중입니다.</translation>
+    </message>
+    <message>
+        <source>There is no photograph in your folders yet. Import some, or choose other folders on the settings page.</source>
+        <translation>폴더에 아직 사진이 없습니다. 사진을 가져오거나, 설정 페이지에서 다른 폴더를 고르세요.</translation>
+    </message>
+    <message>
+        <source>Looking for what is new in your folders</source>
+        <translation>폴더에서 새로운 것을 찾는 중</translation>
+    </message>
+    <message>
+        <source>Reading new photographs, %1 of %2</source>
+        <translation>새 사진을 읽는 중, %2장 중 %1장</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <comment>progress, and a time</comment>
+        <translation>%1, 약 %2 남음</translation>
+    </message>
+</context>
+<context>
+    <name>tp::BrowseDetails</name>
+    <message>
+        <source>%1 is gone from this list. Now: %2</source>
+        <translation>%1: 이 목록에서 사라졌습니다. 현재: %2</translation>
+    </message>
+</context>
+<context>
+    <name>tp::BrowseLists</name>
     <message>
         <source>People</source>
         <translation>사람</translation>
@@ -4117,28 +4152,13 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         </translation>
     </message>
     <message>
-        <source>%1.</source>
-        <comment>what was found</comment>
-        <translation>%1.</translation>
-    </message>
-    <message>
-        <source>Search for %1: %2.</source>
-        <translation>검색어 %1: %2.</translation>
-    </message>
-    <message>
-        <source>%1: there are none yet.</source>
-        <comment>a list</comment>
-        <translation>%1: 아직 없습니다.</translation>
-    </message>
-    <message>
-        <source>%1: %2. Choose one with the arrow keys and Return.</source>
-        <comment>a list, how many</comment>
-        <translation>%1: %2. 화살표 키로 고르고 엔터 키를 누르세요.</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <comment>a row and what belongs to it</comment>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Go to a row first.</source>
+        <translation>먼저 목록의 줄로 이동하세요.</translation>
     </message>
     <message>
         <source>Found: %1</source>
@@ -4146,90 +4166,9 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>검색 결과: %1</translation>
     </message>
     <message>
-        <source>All photographs</source>
-        <translation>모든 사진</translation>
-    </message>
-    <message>
-        <source>%1 is gone from this list. Now: %2</source>
-        <translation>%1: 이 목록에서 사라졌습니다. 현재: %2</translation>
-    </message>
-    <message>
-        <source>There is no album yet. Choose the folders of your photographs on the settings page, or import photographs.</source>
-        <translation>아직 앨범이 없습니다. 설정 페이지에서 사진 폴더를 고르거나 사진을 가져오세요.</translation>
-    </message>
-    <message>
-        <source>Looking for photographs in your folders.</source>
-        <translation>폴더에서 사진을 찾는 중입니다.</translation>
-    </message>
-    <message>
-        <source>There is no photograph in your folders yet. Import some, or choose other folders on the settings page.</source>
-        <translation>폴더에 아직 사진이 없습니다. 사진을 가져오거나, 설정 페이지에서 다른 폴더를 고르세요.</translation>
-    </message>
-    <message>
-        <source>Looking for what is new in your folders</source>
-        <translation>폴더에서 새로운 것을 찾는 중</translation>
-    </message>
-    <message>
-        <source>Reading new photographs, %1 of %2</source>
-        <translation>새 사진을 읽는 중, %2장 중 %1장</translation>
-    </message>
-    <message>
-        <source>%1, about %2 left</source>
-        <comment>progress, and a time</comment>
-        <translation>%1, 약 %2 남음</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <comment>a place in a list</comment>
-        <translation>%2개 중 %1번째</translation>
-    </message>
-    <message>
-        <source>Swipe or use the arrow keys to go on; double tap or press Return to hear.</source>
-        <translation>화면을 쓸거나 화살표 키를 눌러 이동하고, 두 번 두드리거나 엔터 키를 눌러 들으세요.</translation>
-    </message>
-    <message>
-        <source>Swipe or use the arrow keys to go on.</source>
-        <translation>화면을 쓸거나 화살표 키를 눌러 이동하세요.</translation>
-    </message>
-    <message>
-        <source>Your photographs, %1: %2 %3</source>
-        <comment>place, summary, what can be done</comment>
-        <translation>내 사진, %1: %2 %3</translation>
-    </message>
-    <message>
-        <source>This is the last photograph.</source>
-        <translation>마지막 사진입니다.</translation>
-    </message>
-    <message>
-        <source>This is the first photograph.</source>
-        <translation>첫 번째 사진입니다.</translation>
-    </message>
-    <message>
-        <source>%1 Paused: %2, at %3.</source>
-        <comment>where one is; the recording and the time in it</comment>
-        <translation>%1 일시 정지됨: %2, 위치 %3.</translation>
-    </message>
-    <message>
-        <source>This photograph has no recordings yet.</source>
-        <translation>이 사진에는 아직 녹음이 없습니다.</translation>
-    </message>
-    <message>
-        <source>%1, %2 of %3</source>
-        <comment>a recording, and times in it</comment>
-        <translation>%1, %3 중 %2</translation>
-    </message>
-    <message>
-        <source>Speed %1</source>
-        <comment>of recordings</comment>
-        <translation>속도 %1배</translation>
-    </message>
-    <message>
-        <source>Go to a row first.</source>
-        <translation>먼저 목록의 줄로 이동하세요.</translation>
-    </message>
-    <message>
-        <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two fingers goes back, three fingers tell where you are.</source>
-        <translation>왼쪽과 오른쪽 화살표: 이전 사진과 다음 사진. 위와 아래 화살표: 사진에 대해 알려진 내용. 엔터 키: 녹음 듣기 또는 일시 정지. Escape 키: 멈춤. 더하기와 빼기: 빠르게와 느리게. 홈과 엔드 키: 첫 사진과 마지막 사진. S: 검색. P: 사람. Y: 연도. L: 장소. K: 핵심어. R: 아무 사진이나. A: 모든 사진. 백스페이스: 뒤로. E: 얼굴 만지기. C: 이 사진 관리. W: 지금 위치. H: 이 키 안내. 쓸어 넘기기는 같은 방향의 화살표 키와 같고, 두 번 두드리면 재생하고, 두 손가락은 멈추고, 두 손가락으로 Z를 그리면 뒤로 가고, 세 손가락은 지금 위치를 알려 줍니다.</translation>
+        <source>%1.</source>
+        <comment>what was found</comment>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>There is no letter to take away.</source>
@@ -4249,8 +4188,89 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>검색. 이름, 장소 또는 낱말을 입력하거나, 손가락으로 글자 위를 지나가다 원하는 글자에서 떼세요. 화살표 키로 찾은 것을 살펴봅니다.</translation>
     </message>
     <message>
+        <source>Search for %1: %2.</source>
+        <translation>검색어 %1: %2.</translation>
+    </message>
+    <message>
+        <source>%1: there are none yet.</source>
+        <comment>a list</comment>
+        <translation>%1: 아직 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: %2. Choose one with the arrow keys and Return.</source>
+        <comment>a list, how many</comment>
+        <translation>%1: %2. 화살표 키로 고르고 엔터 키를 누르세요.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::BrowsePlayback</name>
+    <message>
+        <source>This photograph has no recordings yet.</source>
+        <translation>이 사진에는 아직 녹음이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3</source>
+        <comment>a recording, and times in it</comment>
+        <translation>%1, %3 중 %2</translation>
+    </message>
+    <message>
+        <source>Speed %1</source>
+        <comment>of recordings</comment>
+        <translation>속도 %1배</translation>
+    </message>
+</context>
+<context>
+    <name>tp::BrowseSession</name>
+    <message>
+        <source>%1, %2: %3</source>
+        <comment>list, place in it, summary</comment>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Swipe or use the arrow keys to go on; double tap or press Return to hear.</source>
+        <translation>화면을 쓸거나 화살표 키를 눌러 이동하고, 두 번 두드리거나 엔터 키를 눌러 들으세요.</translation>
+    </message>
+    <message>
+        <source>Swipe or use the arrow keys to go on.</source>
+        <translation>화면을 쓸거나 화살표 키를 눌러 이동하세요.</translation>
+    </message>
+    <message>
+        <source>Your photographs, %1: %2 %3</source>
+        <comment>place, summary, what can be done</comment>
+        <translation>내 사진, %1: %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 Paused: %2, at %3.</source>
+        <comment>where one is; the recording and the time in it</comment>
+        <translation>%1 일시 정지됨: %2, 위치 %3.</translation>
+    </message>
+    <message>
+        <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two fingers goes back, three fingers tell where you are.</source>
+        <translation>왼쪽과 오른쪽 화살표: 이전 사진과 다음 사진. 위와 아래 화살표: 사진에 대해 알려진 내용. 엔터 키: 녹음 듣기 또는 일시 정지. Escape 키: 멈춤. 더하기와 빼기: 빠르게와 느리게. 홈과 엔드 키: 첫 사진과 마지막 사진. S: 검색. P: 사람. Y: 연도. L: 장소. K: 핵심어. R: 아무 사진이나. A: 모든 사진. 백스페이스: 뒤로. E: 얼굴 만지기. C: 이 사진 관리. W: 지금 위치. H: 이 키 안내. 쓸어 넘기기는 같은 방향의 화살표 키와 같고, 두 번 두드리면 재생하고, 두 손가락은 멈추고, 두 손가락으로 Z를 그리면 뒤로 가고, 세 손가락은 지금 위치를 알려 줍니다.</translation>
+    </message>
+    <message>
         <source>Your photographs.</source>
         <translation>내 사진.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::BrowseTrail</name>
+    <message>
+        <source>All photographs</source>
+        <translation>모든 사진</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a place in a list</comment>
+        <translation>%2개 중 %1번째</translation>
+    </message>
+    <message>
+        <source>This is the last photograph.</source>
+        <translation>마지막 사진입니다.</translation>
+    </message>
+    <message>
+        <source>This is the first photograph.</source>
+        <translation>첫 번째 사진입니다.</translation>
     </message>
 </context>
 <context>

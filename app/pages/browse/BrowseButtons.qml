@@ -9,7 +9,7 @@ Column {
     id: buttons
 
     required property BrowseSession session
-    readonly property bool ready: session.state === BrowseSession.Ready
+    readonly property bool ready: session.album.state === BrowseAlbum.Ready
     readonly property int columns: width < 270 * Theme.textScale ? 1 : 2
 
     // Side by side, equally wide and high.
@@ -45,30 +45,30 @@ Column {
         width: parent.width
         visible: buttons.ready
         primary: true
-        text: buttons.session.playing ? qsTr("Pause") : qsTr("Play recordings")
+        text: buttons.session.playback.playing ? qsTr("Pause") : qsTr("Play recordings")
         hint: qsTr("On the detail of a recording: that one alone. Key: Return")
-        onClicked: buttons.session.play()
+        onClicked: buttons.session.playback.play()
     }
     Pairs {
         Half {
             text: qsTr("Previous")
             hint: qsTr("Photograph. Key: left arrow")
-            onClicked: buttons.session.previous()
+            onClicked: buttons.session.trail.previous()
         }
         Half {
             text: qsTr("Next")
             hint: qsTr("Photograph. Key: right arrow")
-            onClicked: buttons.session.next()
+            onClicked: buttons.session.trail.next()
         }
         Half {
             text: qsTr("Detail before")
             hint: qsTr("Key: up arrow")
-            onClicked: buttons.session.previousDetail()
+            onClicked: buttons.session.details.previous()
         }
         Half {
             text: qsTr("Next detail")
             hint: qsTr("People, recordings, descriptions, place and time. Key: down arrow")
-            onClicked: buttons.session.nextDetail()
+            onClicked: buttons.session.details.next()
         }
     }
     TpButton {
@@ -82,52 +82,52 @@ Column {
         Half {
             text: qsTr("Back")
             hint: qsTr("To the list before. Key: Backspace")
-            onClicked: buttons.session.back()
+            onClicked: buttons.session.lists.back()
         }
         Half {
             text: qsTr("All photographs")
             hint: qsTr("Key: A")
-            onClicked: buttons.session.allPhotos()
+            onClicked: buttons.session.lists.allPhotos()
         }
         Half {
             text: qsTr("Search")
             hint: qsTr("Key: S")
-            onClicked: buttons.session.openSearch()
+            onClicked: buttons.session.lists.openSearch()
         }
         Half {
             text: qsTr("Surprise me")
             hint: qsTr("Any photograph. Key: R")
-            onClicked: buttons.session.surprise()
+            onClicked: buttons.session.trail.surprise()
         }
         Half {
             text: qsTr("People")
             hint: qsTr("Key: P")
-            onClicked: buttons.session.openTopic(BrowseSession.People)
+            onClicked: buttons.session.lists.openTopic(BrowseLists.People)
         }
         Half {
             text: qsTr("Years")
             hint: qsTr("Key: Y")
-            onClicked: buttons.session.openTopic(BrowseSession.Years)
+            onClicked: buttons.session.lists.openTopic(BrowseLists.Years)
         }
         Half {
             text: qsTr("Places")
             hint: qsTr("Key: L")
-            onClicked: buttons.session.openTopic(BrowseSession.Places)
+            onClicked: buttons.session.lists.openTopic(BrowseLists.Places)
         }
         Half {
             text: qsTr("Keywords")
             hint: qsTr("Key: K")
-            onClicked: buttons.session.openTopic(BrowseSession.Keywords)
+            onClicked: buttons.session.lists.openTopic(BrowseLists.Keywords)
         }
         Half {
             text: qsTr("Slower")
-            hint: qsTr("%1. Key: minus").arg(buttons.session.speedText)
-            onClicked: buttons.session.slower()
+            hint: qsTr("%1. Key: minus").arg(buttons.session.playback.speedText)
+            onClicked: buttons.session.playback.slower()
         }
         Half {
             text: qsTr("Faster")
-            hint: qsTr("%1. Key: plus").arg(buttons.session.speedText)
-            onClicked: buttons.session.faster()
+            hint: qsTr("%1. Key: plus").arg(buttons.session.playback.speedText)
+            onClicked: buttons.session.playback.faster()
         }
         Half {
             text: qsTr("Where am I?")

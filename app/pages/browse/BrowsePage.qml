@@ -10,8 +10,8 @@ FocusScope {
     required property BrowseSession session
     readonly property string help: session.keys
     readonly property bool wide: width > 1.15 * height
-    readonly property bool listing: session.view !== BrowseSession.Photos
-    readonly property bool ready: session.state === BrowseSession.Ready
+    readonly property bool listing: session.trail.view !== BrowseTrail.Photos
+    readonly property bool ready: session.album.state === BrowseAlbum.Ready
 
     focus: true
 
@@ -24,34 +24,34 @@ FocusScope {
     onListingChanged: focusOnWhatIsShown()
 
     Connections {
-        target: page.session
+        target: page.session.trail
         function onLevelChanged() { page.focusOnWhatIsShown() }
     }
 
     Keys.onPressed: (event) => {
         event.accepted = true
         switch (event.key) {
-        case Qt.Key_Left: page.listing ? event.accepted = false : session.previous(); break
-        case Qt.Key_Right: page.listing ? event.accepted = false : session.next(); break
-        case Qt.Key_Up: page.listing ? list.step(-1) : session.previousDetail(); break
-        case Qt.Key_Down: page.listing ? list.step(1) : session.nextDetail(); break
-        case Qt.Key_Home: page.listing ? list.stepTo(0) : session.first(); break
-        case Qt.Key_End: page.listing ? list.stepTo(list.count - 1) : session.last(); break
+        case Qt.Key_Left: page.listing ? event.accepted = false : session.trail.previous(); break
+        case Qt.Key_Right: page.listing ? event.accepted = false : session.trail.next(); break
+        case Qt.Key_Up: page.listing ? list.step(-1) : session.details.previous(); break
+        case Qt.Key_Down: page.listing ? list.step(1) : session.details.next(); break
+        case Qt.Key_Home: page.listing ? list.stepTo(0) : session.trail.first(); break
+        case Qt.Key_End: page.listing ? list.stepTo(list.count - 1) : session.trail.last(); break
         case Qt.Key_Return:
         case Qt.Key_Enter:
-        case Qt.Key_Space: page.listing ? event.accepted = false : session.play(); break
+        case Qt.Key_Space: page.listing ? event.accepted = false : session.playback.play(); break
         case Qt.Key_Escape: event.accepted = session.stop(); break
         case Qt.Key_Plus:
-        case Qt.Key_Equal: session.faster(); break
-        case Qt.Key_Minus: session.slower(); break
-        case Qt.Key_Backspace: session.back(); break
-        case Qt.Key_S: session.openSearch(); break
-        case Qt.Key_P: session.openTopic(BrowseSession.People); break
-        case Qt.Key_Y: session.openTopic(BrowseSession.Years); break
-        case Qt.Key_L: session.openTopic(BrowseSession.Places); break
-        case Qt.Key_K: session.openTopic(BrowseSession.Keywords); break
-        case Qt.Key_A: session.allPhotos(); break
-        case Qt.Key_R: session.surprise(); break
+        case Qt.Key_Equal: session.playback.faster(); break
+        case Qt.Key_Minus: session.playback.slower(); break
+        case Qt.Key_Backspace: session.lists.back(); break
+        case Qt.Key_S: session.lists.openSearch(); break
+        case Qt.Key_P: session.lists.openTopic(BrowseLists.People); break
+        case Qt.Key_Y: session.lists.openTopic(BrowseLists.Years); break
+        case Qt.Key_L: session.lists.openTopic(BrowseLists.Places); break
+        case Qt.Key_K: session.lists.openTopic(BrowseLists.Keywords); break
+        case Qt.Key_A: session.lists.allPhotos(); break
+        case Qt.Key_R: session.trail.surprise(); break
         case Qt.Key_E: session.askExplore(); break
         case Qt.Key_C: session.askCare(); break
         case Qt.Key_W: session.whereAmI(); break

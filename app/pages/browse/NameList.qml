@@ -8,18 +8,18 @@ FocusScope {
     id: list
 
     required property BrowseSession session
-    readonly property bool searching: session.view === BrowseSession.Search
-    readonly property int count: session.rows.length
+    readonly property bool searching: session.trail.view === BrowseTrail.Search
+    readonly property int count: session.lists.rows.length
     property int current: -1 // the row that the keyboard was on last
     property int lost: -1    // the row that the keyboard was on when the list was made anew
 
     // Where the keyboard begins: the field of a search, or the row that was chosen last.
     function focusFirst() {
         lost = -1
-        if (searching && session.chosenRow < 0)
+        if (searching && session.lists.chosenRow < 0)
             field.forceActiveFocus(Qt.OtherFocusReason)
         else
-            stepTo(Math.max(0, session.chosenRow))
+            stepTo(Math.max(0, session.lists.chosenRow))
     }
     function stepTo(index) {
         const row = rows.itemAt(index)
@@ -39,10 +39,10 @@ FocusScope {
     function step(by) { stepTo(Math.max(searching ? -1 : 0, Math.min(current + by, rows.count - 1))) }
 
     Connections {
-        target: list.session
+        target: list.session.lists
         function onRowsChanged() {
             list.lost = list.activeFocus && !field.activeFocus && !letters.activeFocus ? list.current : -1
-            list.current = list.session.chosenRow
+            list.current = list.session.lists.chosenRow
             if (list.lost >= 0)
                 Qt.callLater(list.comeBack)
         }
@@ -54,7 +54,7 @@ FocusScope {
         width: parent.width - backButton.width - Theme.gap
         height: backButton.height
         verticalAlignment: Text.AlignVCenter
-        text: list.session.title
+        text: list.session.trail.title
     }
     TpButton {
         id: backButton
@@ -62,7 +62,7 @@ FocusScope {
         width: Math.max(140, implicitWidth)
         text: qsTr("Back")
         hint: qsTr("Key: Backspace")
-        onClicked: list.session.back()
+        onClicked: list.session.lists.back()
     }
     TpTextField {
         id: field
@@ -72,11 +72,11 @@ FocusScope {
         height: visible ? implicitHeight : 0
         visible: list.searching
         label: qsTr("A name, a place or any word")
-        setting: list.session.typed
-        onTyped: (text) => list.session.type(text)
+        setting: list.session.lists.typed
+        onTyped: (text) => list.session.lists.type(text)
         onEntered: (text) => {
-            list.session.type(text)
-            list.session.tellFound()
+            list.session.lists.type(text)
+            list.session.lists.tellFound()
         }
         Keys.onDownPressed: list.step(1)
     }
@@ -84,7 +84,7 @@ FocusScope {
         id: found
         anchors { top: field.bottom; topMargin: Theme.gap }
         width: parent.width
-        text: list.session.found
+        text: list.session.lists.found
         color: Theme.quiet
     }
     TpScroll {
@@ -97,10 +97,10 @@ FocusScope {
             width: parent.width
             visible: list.searching && letters.letters.length > 0
             label: qsTr("Letters to spell with")
-            letters: list.session.letters
-            onReached: (letter) => list.session.reachLetter(letter)
+            letters: list.session.lists.letters
+            onReached: (letter) => list.session.lists.reachLetter(letter)
             onChosen: (letter) => {
-                list.session.addLetter(letter)
+                list.session.lists.addLetter(letter)
                 if (letters.letters.length === 0) // the keyboard is never left on what is gone
                     takeBack.forceActiveFocus(Qt.OtherFocusReason)
             }
@@ -108,13 +108,13 @@ FocusScope {
         TpButton {
             id: takeBack
             objectName: "takeLetterBack"
-            visible: list.searching && list.session.typed !== ""
+            visible: list.searching && list.session.lists.typed !== ""
             text: qsTr("Take the last letter back")
-            onClicked: list.session.takeLetterBack()
+            onClicked: list.session.lists.takeLetterBack()
         }
         Repeater {
             id: rows
-            model: list.session.rows
+            model: list.session.lists.rows
             delegate: TpListRow {
                 required property int index
                 required property var modelData
@@ -123,13 +123,13 @@ FocusScope {
                 detail: modelData.detail
                 position: index + 1
                 count: list.count
-                selected: index === list.session.chosenRow
-                onClicked: list.session.choose(index)
+                selected: index === list.session.lists.chosenRow
+                onClicked: list.session.lists.choose(index)
                 onActiveFocusChanged: {
                     if (!activeFocus)
                         return
                     list.current = index
-                    list.session.reach(index)
+                    list.session.lists.reach(index)
                 }
             }
         }
@@ -162,7 +162,7 @@ FocusScope {
             primary: true
             text: qsTr("Choose")
             hint: qsTr("The row that was told last. Key: Return")
-            onClicked: list.session.choose(list.current)
+            onClicked: list.session.lists.choose(list.current)
         }
     }
 }

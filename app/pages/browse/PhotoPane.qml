@@ -11,14 +11,14 @@ FocusScope {
 
     activeFocusOnTab: true
     Accessible.role: Accessible.Graphic
-    Accessible.name: session.placeText === "" ? session.summary : qsTr("%1 %2").arg(session.summary).arg(session.placeText)
+    Accessible.name: session.trail.placeText === "" ? session.details.summary : qsTr("%1 %2").arg(session.details.summary).arg(session.trail.placeText)
     Accessible.description: qsTr("Left and right arrow: other photographs. Up and down: what is known. Return: recordings.")
     Accessible.focusable: true
-    Accessible.onPressAction: session.play()
-    Accessible.onNextPageAction: session.next()
-    Accessible.onPreviousPageAction: session.previous()
-    Accessible.onIncreaseAction: session.nextDetail()
-    Accessible.onDecreaseAction: session.previousDetail()
+    Accessible.onPressAction: session.playback.play()
+    Accessible.onNextPageAction: session.trail.next()
+    Accessible.onPreviousPageAction: session.trail.previous()
+    Accessible.onIncreaseAction: session.details.next()
+    Accessible.onDecreaseAction: session.details.previous()
 
     Rectangle {
         anchors.fill: parent
@@ -28,27 +28,27 @@ FocusScope {
     PictureItem {
         anchors.fill: parent
         anchors.margins: 4
-        picture: pane.session.picture
+        picture: pane.session.details.picture
     }
     TpText {
         anchors.centerIn: parent
         width: parent.width - 4 * Theme.gap
         visible: text !== ""
-        text: pane.session.pictureProblem
+        text: pane.session.details.pictureProblem
         horizontalAlignment: Text.AlignHCenter
     }
     GestureArea {
         objectName: "gestures"
         anchors.fill: parent
-        onTapped: { pane.forceActiveFocus(Qt.MouseFocusReason); pane.session.tap() }
-        onDoubleTapped: pane.session.play()
-        onSwipedRight: pane.session.next()
-        onSwipedLeft: pane.session.previous()
-        onSwipedDown: pane.session.nextDetail()
-        onSwipedUp: pane.session.previousDetail()
+        onTapped: { pane.forceActiveFocus(Qt.MouseFocusReason); pane.session.details.tap() }
+        onDoubleTapped: pane.session.playback.play()
+        onSwipedRight: pane.session.trail.next()
+        onSwipedLeft: pane.session.trail.previous()
+        onSwipedDown: pane.session.details.next()
+        onSwipedUp: pane.session.details.previous()
         onTwoFingerTapped: pane.session.twoFingerTap()
         onTwoFingerDoubleTapped: pane.session.twoFingerDoubleTap()
-        onDrawnZ: pane.session.back()
+        onDrawnZ: pane.session.lists.back()
         onThreeFingerTapped: pane.session.whereAmI()
     }
     FocusRing { target: pane }

@@ -8,7 +8,7 @@ Column {
     id: words
 
     required property BrowseSession session
-    readonly property bool ready: session.state === BrowseSession.Ready
+    readonly property bool ready: session.album.state === BrowseAlbum.Ready
     spacing: 0.5 * Theme.gap
 
     Item {
@@ -18,51 +18,51 @@ Column {
             id: heading
             anchors.left: parent.left
             width: parent.width - (place.visible ? place.width + Theme.gap : 0)
-            text: words.session.title
+            text: words.session.trail.title
         }
         TpStatus {
             id: place
             anchors { right: parent.right; baseline: heading.baseline }
             visible: words.ready
             label: qsTr("Photograph")
-            text: words.session.placeText
+            text: words.session.trail.placeText
             color: Theme.quiet
         }
     }
     TpStatus {
         width: parent.width
         visible: !words.ready
-        text: words.session.emptyText
+        text: words.session.album.emptyText
     }
     TpStatus {
         width: parent.width
         visible: words.ready
-        text: words.session.summary
+        text: words.session.details.summary
         font.bold: true
     }
     TpStatus {
         width: parent.width
-        visible: words.ready && text !== words.session.summary
+        visible: words.ready && text !== words.session.details.summary
         label: qsTr("Detail")
-        text: words.session.detail
+        text: words.session.details.detail
         color: Theme.accent
     }
     TpStatus {
         width: parent.width
         visible: text !== ""
-        text: words.session.notice
+        text: words.session.playback.notice
         color: Theme.finger
     }
     TpProgress {
         width: parent.width
-        visible: words.session.heard !== ""
-        label: words.session.heard
-        fraction: words.session.heardValue
+        visible: words.session.playback.heard !== ""
+        label: words.session.playback.heard
+        fraction: words.session.playback.heardValue
     }
     TpProgress {
         width: parent.width
-        visible: words.session.scanning
-        label: words.session.scanText
-        fraction: words.session.scanValue
+        visible: words.session.album.scanning
+        label: words.session.album.scanText
+        fraction: words.session.album.scanValue
     }
 }

@@ -63,7 +63,7 @@ public:
     DrawnPage(WholeProgram& whole, const QString& page) : whole_(whole) {
         whole.program->open_page(page == "search" ? "browse" : page == "questions" || page == "folders" ? "start" : page);
         if (page == "search")
-            whole.program->browse().openSearch();
+            whole.program->browse().lists()->openSearch();
         if (page == "questions" || page == "folders")
             whole.program->start().askAgain();
         for (int i = 0; page == "folders" && i < 4; ++i)

@@ -114,7 +114,7 @@ struct Person : ByTouch {
         int index = -1;
         if (!QTest::qWaitFor([&] {
                 board = hand.item("letters");
-                index = static_cast<int>(whole.program->browse().letters().indexOf(letter));
+                index = static_cast<int>(whole.program->browse().lists()->letters().indexOf(letter));
                 return board != nullptr && index >= 0;
             }) || !hand.rests(*board))
             return false;
@@ -228,11 +228,11 @@ private slots:
         const QPoint middle = TouchHand::middle_of(*person.pane());
         hand.tap_at(middle);
         hand.tap_at(middle);
-        QTRY_VERIFY(person.whole.program->browse().playing());
+        QTRY_VERIFY(person.whole.program->browse().playback()->playing());
         QVERIFY(std::abs(person.hertz_heard(1.0) - 660.0) < 20.0);
         TouchHand::rest();
         hand.tap_at(middle, 2);
-        QVERIFY(!person.whole.program->browse().playing());
+        QVERIFY(!person.whole.program->browse().playback()->playing());
         TouchHand::rest();
 
         // A face.
@@ -284,7 +284,7 @@ private slots:
         QVERIFY(person.spell("C"));
         QVERIFY(person.hears({"A", "C", "C: 1 photograph."}));
         for (const char* letter : {"L", "A", "R"})
-            QVERIFY2(person.spell(letter), qPrintable(person.whole.program->browse().typed() + ": " + person.whole.program->browse().letters().join(" ")));
+            QVERIFY2(person.spell(letter), qPrintable(person.whole.program->browse().lists()->typed() + ": " + person.whole.program->browse().lists()->letters().join(" ")));
         QVERIFY(person.hears({"Clar: 1 photograph."}));
         QVERIFY(hand.tap("Down"));
         QVERIFY(person.hears({"ben_and_clara.jpg"}));

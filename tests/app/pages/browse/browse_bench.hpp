@@ -18,8 +18,8 @@
 
 namespace tp::testing {
 
-/// The browse page's session over a drawn album, with a voice and loudspeakers that a test hears.
-struct BrowseBench {
+/// A drawn album, with a voice and loudspeakers that a test hears.
+struct BrowseSounds {
     DrawnAlbum drawn;
     RecordingVoice voice;
     NotificationAnnouncer announcer;
@@ -28,22 +28,8 @@ struct BrowseBench {
     InlineFiller filler;
     Player player{loudspeaker, filler};
     EarconPlayer earcons{earcon_loudspeaker};
-    std::unique_ptr<BrowseSession> session;
 
-    BrowseBench() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom)); }
-
-    /// As at a start of the program, with the page shown.
-    void start() {
-        drawn.open();
-        session = std::make_unique<BrowseSession>(*drawn.album, narrator, earcons, player, drawn.preferences);
-        session->enter();
-    }
-    void go_to(const std::filesystem::path& photo) {
-        if (!session->show(QString::fromStdString(photo.string())))
-            qFatal("no photograph %s", photo.c_str());
-        voice.clear();
-        earcon();
-    }
+    BrowseSounds() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom)); }
 
     /// What was said last.
     QString said() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
@@ -71,6 +57,24 @@ struct BrowseBench {
         for (std::size_t i = heard.size() - count + 1; i < heard.size(); ++i)
             crossings += (heard[i - 1] < 0.0F) != (heard[i] < 0.0F) ? 1 : 0;
         return 0.5 * crossings / seconds;
+    }
+};
+
+/// The browse page's session over it.
+struct BrowseBench : BrowseSounds {
+    std::unique_ptr<BrowseSession> session;
+
+    /// As at a start of the program, with the page shown.
+    void start() {
+        drawn.open();
+        session = std::make_unique<BrowseSession>(*drawn.album, narrator, earcons, player, drawn.preferences);
+        session->enter();
+    }
+    void go_to(const std::filesystem::path& photo) {
+        if (!session->trail()->show(QString::fromStdString(photo.string())))
+            qFatal("no photograph %s", photo.c_str());
+        voice.clear();
+        earcon();
     }
 };
 

@@ -26,7 +26,7 @@
 
 using namespace tp;
 using namespace tp::testing;
-using View = BrowseSession::View;
+using View = BrowseTrail::View;
 
 namespace {
 
@@ -165,7 +165,7 @@ private slots:
     void it_shows_the_photograph_and_its_words() {
         Page page;
         QVERIFY(page.ready());
-        QTRY_VERIFY(!page.session->picture().isNull());
+        QTRY_VERIFY(!page.session->details()->picture().isNull());
         QVERIFY(named(page.window, garden_words) != nullptr);
         QVERIFY(named(page.window, garden_words + " 4 of 5") != nullptr);
         QVERIFY(named(page.window, "Photograph: 4 of 5") != nullptr);
@@ -186,25 +186,25 @@ private slots:
         page.key(Qt::Key_Up);
         QCOMPARE(page.said(), garden_words);
         page.key(Qt::Key_Home);
-        QCOMPARE(page.session->position(), 1);
+        QCOMPARE(page.session->trail()->position(), 1);
         page.key(Qt::Key_End);
-        QCOMPARE(page.session->position(), 5);
+        QCOMPARE(page.session->trail()->position(), 5);
     }
 
     void return_plays_and_pauses_and_escape_stops_once() {
         Page page;
         QVERIFY(page.ready());
         page.key(Qt::Key_Return);
-        QVERIFY(page.session->playing());
+        QVERIFY(page.session->playback()->playing());
         page.loudspeaker.play(0.2);
         QVERIFY(named(page.window, "Pause") != nullptr);
         QVERIFY(named(page.window, "memo by Tom, 0:00 of 0:01") != nullptr);
         page.key(Qt::Key_Return);
-        QVERIFY(!page.session->playing());
+        QVERIFY(!page.session->playback()->playing());
         page.key(Qt::Key_Space);
-        QVERIFY(page.session->playing());
+        QVERIFY(page.session->playback()->playing());
         page.key(Qt::Key_Escape);
-        QVERIFY(!page.session->playing());
+        QVERIFY(!page.session->playback()->playing());
         QVERIFY(named(page.window, "Play recordings") != nullptr);
     }
 
@@ -240,39 +240,39 @@ private slots:
         page.key(Qt::Key_H);
         QVERIFY(page.said().startsWith("Left and right"));
         page.key(Qt::Key_R);
-        QVERIFY(page.session->position() != 4);
+        QVERIFY(page.session->trail()->position() != 4);
         page.key(Qt::Key_Y);
-        QCOMPARE(page.session->title(), QString("Years"));
+        QCOMPARE(page.session->trail()->title(), QString("Years"));
         page.key(Qt::Key_L);
-        QCOMPARE(page.session->title(), QString("Places"));
+        QCOMPARE(page.session->trail()->title(), QString("Places"));
         page.key(Qt::Key_K);
-        QCOMPARE(page.session->title(), QString("Keywords"));
+        QCOMPARE(page.session->trail()->title(), QString("Keywords"));
         page.key(Qt::Key_A);
-        QCOMPARE(page.session->title(), QString("All photographs"));
+        QCOMPARE(page.session->trail()->title(), QString("All photographs"));
     }
 
     void a_list_by_keys_alone() {
         Page page;
         QVERIFY(page.ready());
         page.key(Qt::Key_P);
-        QCOMPARE(page.session->view(), View::Names);
+        QCOMPARE(page.session->trail()->view(), View::Names);
         QCOMPARE(page.said(), QString("Anna, 2 photograph(s)")); // the row that has the keyboard
         QVERIFY(named(page.window, "Anna, 2 photograph(s), 1 of 3") != nullptr);
         page.key(Qt::Key_Down);
         QCOMPARE(page.said(), QString("Ben, 1 photograph(s)"));
         page.key(Qt::Key_Up);
         page.key(Qt::Key_Return);
-        QCOMPARE(page.session->title(), QString("Anna"));
+        QCOMPARE(page.session->trail()->title(), QString("Anna"));
         QVERIFY(page.item("pane")->hasActiveFocus());
         page.key(Qt::Key_Right);
-        QCOMPARE(page.session->position(), 2);
+        QCOMPARE(page.session->trail()->position(), 2);
         page.key(Qt::Key_Backspace);
-        QCOMPARE(page.session->view(), View::Names);
+        QCOMPARE(page.session->trail()->view(), View::Names);
         QCOMPARE(page.said(), QString("Anna, 2 photograph(s)"));
         page.key(Qt::Key_End);
         QCOMPARE(page.said(), QString("Tom, 1 photograph(s)"));
         page.key(Qt::Key_Backspace);
-        QCOMPARE(page.session->view(), View::Photos);
+        QCOMPARE(page.session->trail()->view(), View::Photos);
         QVERIFY(page.item("pane")->hasActiveFocus());
     }
 
@@ -288,7 +288,7 @@ private slots:
         QCOMPARE(page.said(), QString("2024, 1 photograph(s)"));
         QVERIFY(act(page.window, "Up"));
         QVERIFY(act(page.window, "Choose"));
-        QCOMPARE(page.session->title(), QString("2025"));
+        QCOMPARE(page.session->trail()->title(), QString("2025"));
     }
 
     void the_keyboard_stays_on_its_row_when_the_list_grows() {
@@ -299,11 +299,11 @@ private slots:
         QCOMPARE(page.said(), QString("Ben, 1 photograph(s)"));
         page.drawn.name(page.five.sea, "Zoe", 0.5);
         page.drawn.album->touched(page.five.sea);
-        QTRY_COMPARE(page.session->rows().size(), 4);
+        QTRY_COMPARE(page.session->lists()->rows().size(), 4);
         QTRY_VERIFY(page.window.activeFocusItem() != nullptr &&
                     page.window.activeFocusItem()->property("text").toString() == "Ben");
         page.key(Qt::Key_Return);
-        QCOMPARE(page.session->title(), QString("Ben"));
+        QCOMPARE(page.session->trail()->title(), QString("Ben"));
     }
 
     void a_search_by_keys_alone() {
@@ -311,10 +311,10 @@ private slots:
         QVERIFY(page.ready());
         page.key(Qt::Key_S);
         page.words("Tom");
-        QCOMPARE(page.session->typed(), QString("Tom"));
+        QCOMPARE(page.session->lists()->typed(), QString("Tom"));
         page.key(Qt::Key_Backspace);
         page.key(Qt::Key_Return);
-        QCOMPARE(page.session->typed(), QString("To"));
+        QCOMPARE(page.session->lists()->typed(), QString("To"));
         QCOMPARE(page.said(), QString("2 photograph(s), 1 suggestion(s).")); // the tower too
         page.key(Qt::Key_Down);
         QCOMPARE(page.said(), QString("Tom, person, 1 photograph(s)"));
@@ -322,20 +322,20 @@ private slots:
         page.key(Qt::Key_Up);
         page.key(Qt::Key_Up);
         page.words("m");
-        QCOMPARE(page.session->typed(), QString("Tom"));
+        QCOMPARE(page.session->lists()->typed(), QString("Tom"));
         page.key(Qt::Key_Down);
         page.key(Qt::Key_Return);
-        QCOMPARE(page.session->title(), QString("Tom"));
-        QCOMPARE(page.session->count(), 1);
+        QCOMPARE(page.session->trail()->title(), QString("Tom"));
+        QCOMPARE(page.session->trail()->count(), 1);
     }
 
     void swipes_go_the_way_of_the_arrow_keys() {
         Page page;
         QVERIFY(page.ready());
         page.swipe(150, 5);
-        QCOMPARE(page.session->position(), 5);
+        QCOMPARE(page.session->trail()->position(), 5);
         page.swipe(-150, -5);
-        QCOMPARE(page.session->position(), 4);
+        QCOMPARE(page.session->trail()->position(), 4);
         page.swipe(5, 150);
         QCOMPARE(page.said(), QString("Anna"));
         page.swipe(-5, -150);
@@ -350,12 +350,12 @@ private slots:
         page.tap();
         QCOMPARE(page.said(), QString("Anna"));
         page.tap();
-        QVERIFY(page.session->playing());
+        QVERIFY(page.session->playback()->playing());
         page.loudspeaker.play(0.1);
         page.tap();
-        QVERIFY(page.session->playing());
+        QVERIFY(page.session->playback()->playing());
         page.tap();
-        QVERIFY(!page.session->playing());
+        QVERIFY(!page.session->playback()->playing());
     }
 
     void two_fingers_play_stop_and_go_back_and_three_tell() {
@@ -363,18 +363,18 @@ private slots:
         QVERIFY(page.ready());
         page.tap(2);
         page.tap(2);
-        QVERIFY(page.session->playing());
+        QVERIFY(page.session->playback()->playing());
         page.tap(2);
-        QVERIFY(!page.session->playing());
+        QVERIFY(!page.session->playback()->playing());
         page.tap(3);
         QVERIFY(page.said().startsWith("All photographs, 4 of 5"));
-        page.session->openTopic(BrowseSession::Topic::People);
-        page.session->choose(0);
+        page.session->lists()->openTopic(BrowseLists::Topic::People);
+        page.session->lists()->choose(0);
         const QPoint from = page.middle() - QPoint(60, 60);
         QSignalSpy zs(page.item("gestures"), SIGNAL(drawnZ()));
         page.draw({from, from + QPoint(120, 0), from + QPoint(0, 60), from + QPoint(120, 60)}, 2);
         QCOMPARE(zs.count(), 1);
-        QCOMPARE(page.session->view(), View::Names);
+        QCOMPARE(page.session->trail()->view(), View::Names);
     }
 
     void the_mouse_is_one_finger() {
@@ -384,17 +384,17 @@ private slots:
         QTest::mouseMove(&page.window, page.middle() + QPoint(70, 0));
         QTest::mouseMove(&page.window, page.middle() + QPoint(150, 0));
         QTest::mouseRelease(&page.window, Qt::LeftButton, {}, page.middle() + QPoint(150, 0));
-        QCOMPARE(page.session->position(), 5);
+        QCOMPARE(page.session->trail()->position(), 5);
     }
 
     void a_double_click_plays() {
         Page page;
         QVERIFY(page.ready());
         QTest::mouseDClick(&page.window, Qt::LeftButton, {}, page.middle());
-        QVERIFY(page.session->playing());
+        QVERIFY(page.session->playback()->playing());
         page.loudspeaker.play(0.1);
         QTest::mouseMove(&page.window, page.middle() + QPoint(9, 9));
-        QVERIFY(page.session->playing());
+        QVERIFY(page.session->playback()->playing());
     }
 
     void a_screen_reader_does_all_of_it() {
@@ -409,21 +409,21 @@ private slots:
         QCOMPARE(page.said(), QString("Anna"));
         QVERIFY(act(page.window, photo, QAccessibleActionInterface::decreaseAction()));
         QVERIFY(act(page.window, photo));
-        QVERIFY(page.session->playing());
+        QVERIFY(page.session->playback()->playing());
         QVERIFY(act(page.window, "Pause"));
         QVERIFY(act(page.window, photo, QAccessibleActionInterface::nextPageAction()));
-        QCOMPARE(page.session->position(), 5);
-        QVERIFY(act(page.window, page.session->summary() + " 5 of 5",
+        QCOMPARE(page.session->trail()->position(), 5);
+        QVERIFY(act(page.window, page.session->details()->summary() + " 5 of 5",
                     QAccessibleActionInterface::previousPageAction()));
-        QCOMPARE(page.session->position(), 4);
+        QCOMPARE(page.session->trail()->position(), 4);
         QVERIFY(act(page.window, "Next"));
         QVERIFY(act(page.window, "Previous"));
-        QCOMPARE(page.session->position(), 4);
+        QCOMPARE(page.session->trail()->position(), 4);
         QVERIFY(act(page.window, "Next detail"));
         QVERIFY(act(page.window, "Detail before"));
         QVERIFY(act(page.window, "People"));
         QVERIFY(act(page.window, "Ben, 1 photograph(s), 2 of 3"));
-        QCOMPARE(page.session->title(), QString("Ben"));
+        QCOMPARE(page.session->trail()->title(), QString("Ben"));
         QVERIFY(act(page.window, "Back"));
         QVERIFY(act(page.window, "Back"));
         QVERIFY(act(page.window, "Search"));
@@ -446,7 +446,7 @@ private slots:
         QVERIFY(page.ready());
         QSignalSpy settings(page.session.get(), &BrowseSession::settingsAsked),
             import(page.session.get(), &BrowseSession::importAsked);
-        QVERIFY(named(page.window, page.session->emptyText()) != nullptr);
+        QVERIFY(named(page.window, page.session->album()->emptyText()) != nullptr);
         QVERIFY(act(page.window, "Choose folders"));
         QVERIFY(act(page.window, "Import photographs"));
         QCOMPARE(settings.count(), 1);
@@ -471,9 +471,9 @@ private slots:
         page.theme("textScale", scale);
         for (const auto& view : {View::Photos, View::Names, View::Search}) {
             if (view == View::Names)
-                page.session->openTopic(BrowseSession::Topic::People);
+                page.session->lists()->openTopic(BrowseLists::Topic::People);
             if (view == View::Search)
-                page.session->openSearch();
+                page.session->lists()->openSearch();
             QCoreApplication::processEvents();
             int operable = 0;
             for (QAccessibleInterface* one : interfaces(page.window)) {
@@ -507,10 +507,10 @@ private slots:
             return order;
         };
         QCOMPARE(once_round(), PageWindow::reading_order(page.window));
-        page.session->openTopic(BrowseSession::Topic::People);
+        page.session->lists()->openTopic(BrowseLists::Topic::People);
         QCOMPARE(once_round(), PageWindow::reading_order(page.window));
-        page.session->openSearch();
-        page.session->type("an");
+        page.session->lists()->openSearch();
+        page.session->lists()->type("an");
         QCOMPARE(once_round(), PageWindow::reading_order(page.window));
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab_parts.hpp"
 
+#include <QList>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -90,8 +91,8 @@ private slots:
         bench.tuning.setSwitch("silent", true, "Silent"); // the same again is no change
         QCOMPARE(scene.size(), 2);
         QList<bool> anew;
-        for (const QVariantList& arguments : turned)
-            anew << arguments[0].toBool();
+        for (qsizetype i = 0; i < turned.size(); ++i)
+            anew << turned[i][0].toBool();
         QCOMPARE(anew, QList<bool>({false, false, true, false}));
     }
     void nothing_is_turned_or_taken_back_during_a_recording() {

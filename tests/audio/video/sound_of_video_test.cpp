@@ -7,6 +7,7 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <QVector>
 
 #include <cstdint>
 #include <filesystem>

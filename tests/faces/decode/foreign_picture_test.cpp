@@ -9,6 +9,7 @@
 #include "made_pictures.hpp"
 
 #include <QTest>
+#include <QVector>
 
 #include <opencv2/imgcodecs.hpp>
 

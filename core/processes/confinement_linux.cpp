@@ -57,22 +57,29 @@ private:
     std::unique_ptr<void, decltype(&seccomp_release)> context_;
 };
 
+constexpr scmp_datum_t thread_flags = CLONE_THREAD | CLONE_VM;
+
+/// Of a call's argument, counted from 0. As functions, because libseccomp's macros are C.
+scmp_arg_cmp equal(unsigned argument, scmp_datum_t value) { return {argument, SCMP_CMP_EQ, value, 0}; }
+scmp_arg_cmp masked(unsigned argument, scmp_datum_t mask, scmp_datum_t value) {
+    return {argument, SCMP_CMP_MASKED_EQ, mask, value};
+}
+
 bool filter_calls() {
     Filter filter;
     const auto allow = [&](int call) { return filter.add(SCMP_ACT_ALLOW, call); };
     const auto self = static_cast<scmp_datum_t>(getpid());
     return std::all_of(allowed.begin(), allowed.end(), allow) &&
            // memory that cannot be executed
-           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(mmap), SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0)) &&
-           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(mprotect), SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0)) &&
+           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(mmap), masked(2, PROT_EXEC, 0)) &&
+           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(mprotect), masked(2, PROT_EXEC, 0)) &&
            // threads, and no processes; of clone3, whose flags a filter cannot see, glibc does without
-           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(clone),
-                      SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD | CLONE_VM, CLONE_THREAD | CLONE_VM)) &&
+           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(clone), masked(0, thread_flags, thread_flags)) &&
            filter.add(SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3)) &&
            // itself: its threads' names, its end, its limits
-           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, PR_SET_NAME)) &&
-           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_EQ, self)) &&
-           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), SCMP_A0(SCMP_CMP_EQ, 0)) && filter.load();
+           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(prctl), equal(0, PR_SET_NAME)) &&
+           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(tgkill), equal(0, self)) &&
+           filter.add(SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), equal(0, 0)) && filter.load();
 }
 
 bool limit(int what, std::uint64_t to) {

@@ -10,7 +10,6 @@
 #include "core/processes/answering_linux.hpp"
 #include "core/processes/message.hpp"
 #include "faces/decode/picture_service.hpp"
-#include "faces/decode/shared_pixels.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -33,7 +32,6 @@ void answer_by(const std::function<std::optional<tp::Message>(tp::MessageReader&
 
 void decode_pictures(void (*load)()) {
     load();
-    tp::keep_pixels_in_shared_memory();
     tp::PictureService pictures;
     answer_by([&](tp::MessageReader& question) { return pictures.answer(question); });
 }

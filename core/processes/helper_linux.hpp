@@ -5,12 +5,14 @@
 #include "core/processes/channel_linux.hpp"
 #include "core/processes/child_process_posix.hpp"
 #include "core/processes/message.hpp"
+#include "core/processes/shared_memory_linux.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -49,6 +51,8 @@ public:
     void tell(const Message& message) { channel_.send(message); }
     /// Whether it can be asked.
     bool alive();
+    /// Memory that it has handed over and in which it goes on handing over, for whoever reads its answers.
+    std::optional<Mapping>& tray() { return tray_; }
 
 private:
     Helper(Channel channel, ChildProcess process, HelperPatience patience)
@@ -58,6 +62,7 @@ private:
     Channel channel_;
     ChildProcess process_;
     HelperPatience patience_;
+    std::optional<Mapping> tray_;
     bool ended_ = false;
 };
 

@@ -47,6 +47,7 @@ public:
     /// As many as there are, at most as many as `to` has room for.
     std::size_t numbers(std::span<std::int32_t> to);
     Descriptor descriptor();
+    bool has_descriptor() const { return taken_ < message_.descriptors.size(); }
     /// Whether all that was asked for was there, and nothing is left.
     bool whole() const;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processes/shared_memory_linux.hpp"
 
-#include <cstring>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/types.h>
@@ -11,10 +10,8 @@ namespace {
 
 constexpr int size_seals = F_SEAL_GROW | F_SEAL_SHRINK;
 
-constexpr int nothing = -1;
-
-std::optional<Mapping> mapped(int memory, std::size_t bytes, int sharing) {
-    void* const data = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, sharing, memory, 0);
+std::optional<Mapping> mapped(const Descriptor& memory, std::size_t bytes, int access) {
+    void* const data = ::mmap(nullptr, bytes, access, MAP_SHARED, memory.number(), 0);
     return data == MAP_FAILED ? std::nullopt : std::optional<Mapping>(std::in_place, data, bytes);
 }
 
@@ -27,9 +24,10 @@ Mapping::~Mapping() {
 
 std::optional<SharedMemory> SharedMemory::make(std::size_t bytes) {
     Descriptor descriptor(::memfd_create("touchphoto", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-    if (!descriptor.ok() || bytes == 0 || ::ftruncate(descriptor.number(), static_cast<off_t>(bytes)) != 0)
+    if (!descriptor.ok() || bytes == 0 || ::ftruncate(descriptor.number(), static_cast<off_t>(bytes)) != 0 ||
+        ::fcntl(descriptor.number(), F_ADD_SEALS, size_seals) != 0)
         return std::nullopt;
-    std::optional<Mapping> mapping = mapped(descriptor.number(), bytes, MAP_SHARED);
+    std::optional<Mapping> mapping = mapped(descriptor, bytes, PROT_READ | PROT_WRITE);
     if (!mapping)
         return std::nullopt;
     return SharedMemory(std::move(descriptor), *std::move(mapping));
@@ -39,27 +37,12 @@ Descriptor SharedMemory::another() const {
     return Descriptor(::fcntl(descriptor_.number(), F_DUPFD_CLOEXEC, 0));
 }
 
-bool seal(const Descriptor& memory) {
-    if (::fcntl(memory.number(), F_ADD_SEALS, size_seals) != 0)
-        return false;
-    ::fcntl(memory.number(), F_ADD_SEALS, F_SEAL_WRITE);
-    return true;
-}
-
-std::optional<Mapping> received(const Descriptor& memory, std::size_t bytes) {
+std::optional<Mapping> received(const Descriptor& memory) {
     const int seals = ::fcntl(memory.number(), F_GET_SEALS);
-    if (seals < 0 || (seals & size_seals) != size_seals)
-        return std::nullopt;
     const off_t size = ::lseek(memory.number(), 0, SEEK_END);
-    if (bytes == 0 || size < 0 || static_cast<std::size_t>(size) < bytes)
+    if (seals < 0 || (seals & size_seals) != size_seals || size <= 0)
         return std::nullopt;
-    std::optional<Mapping> there = mapped(memory.number(), bytes, MAP_PRIVATE);
-    if (!there || (seals & F_SEAL_WRITE) != 0)
-        return there;
-    std::optional<Mapping> copy = mapped(nothing, bytes, MAP_PRIVATE | MAP_ANONYMOUS);
-    if (copy)
-        std::memcpy(copy->data(), there->data(), bytes);
-    return copy;
+    return mapped(memory, static_cast<std::size_t>(size), PROT_READ);
 }
 
 } // namespace tp

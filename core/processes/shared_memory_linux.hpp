@@ -16,7 +16,11 @@ public:
     ~Mapping();
     Mapping(Mapping&& other) noexcept
         : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
-    Mapping& operator=(Mapping&&) = delete;
+    Mapping& operator=(Mapping&& other) noexcept {
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        return *this;
+    }
 
     void* data() const { return data_; }
     std::size_t size() const { return size_; } ///< bytes
@@ -26,7 +30,7 @@ private:
     std::size_t size_;
 };
 
-/// Memory that can be handed to another process.
+/// Memory that can be handed to another process. Nobody can make it larger or smaller.
 class SharedMemory {
 public:
     /// Zeros. None where the system gives none.
@@ -45,14 +49,9 @@ private:
     Mapping mapping_;
 };
 
-/// From now on nobody can make the memory larger or smaller, nor, where the system allows it, write to it:
-/// not while a SharedMemory of it lives, and sometimes not for a moment longer. False where not even its size
-/// can be sealed.
-bool seal(const Descriptor& memory);
-
-/// What another process has put into the memory, as it is now: nobody changes it while it is read, and what
-/// is written to it is seen by nobody else. What is sealed is not copied. None where its size is not sealed,
-/// or is less than so many `bytes`.
-std::optional<Mapping> received(const Descriptor& memory, std::size_t bytes);
+/// What another process has put into memory of its own, to be read. That process may still write to it: what
+/// is read twice may be two different things. None where its size is not sealed, for then reading may end
+/// this process.
+std::optional<Mapping> received(const Descriptor& memory);
 
 } // namespace tp

@@ -19,7 +19,7 @@ Error sentence_for(NoAnswer reason) {
 Result<PictureAnswer> asked(Helper& helper, PictureQuestion question) {
     auto answer = helper.ask(message_of(std::move(question)));
     if (auto* const message = std::get_if<Message>(&answer))
-        return picture_answer(*message);
+        return picture_answer(*message, helper.tray());
     return sentence_for(std::get<NoAnswer>(answer));
 }
 

@@ -2,7 +2,6 @@
 #include "faces/decode/picture_messages.hpp"
 
 #include "core/files/file_words.hpp"
-#include "faces/decode/shared_pixels.hpp"
 #include "faces/decode/upright_picture.hpp"
 
 #include <algorithm>
@@ -52,25 +51,22 @@ std::optional<PictureQuestion> picture_question(MessageReader& message) {
     return message.whole() ? std::optional(std::move(question)) : std::nullopt;
 }
 
-Message message_of(Result<PictureAnswer> answer) {
-    Descriptor memory;
-    const cv::Size pixels = answer ? answer->pixels.size() : cv::Size();
-    if (answer) {
-        memory = handed_over(std::move(answer->pixels));
-        if (!memory.ok())
-            answer = no_memory();
-    }
+Message message_of(const Result<PictureAnswer>& answer, PixelTray& tray) {
+    const bool there = answer && tray.put(answer->pixels);
     MessageWriter message;
-    message.add(std::string_view(answer.error()).substr(0, longest_sentence));
-    if (!answer)
+    const std::string sentence = there ? std::string() : answer ? no_memory().sentence : answer.error();
+    message.add(std::string_view(sentence).substr(0, longest_sentence));
+    if (!there)
         return message.take();
-    message.add(std::int64_t{pixels.width}).add(std::int64_t{pixels.height});
-    message.add(std::int64_t{answer->size.width}).add(std::int64_t{answer->size.height});
-    message.add(std::int64_t{answer->shrink}).add(std::int64_t{answer->whole_is_kept ? 1 : 0});
-    return message.hand_over(std::move(memory)).take();
+    for (const int number : {answer->pixels.cols, answer->pixels.rows, answer->size.width,
+                             answer->size.height, answer->shrink, answer->whole_is_kept ? 1 : 0})
+        message.add(std::int64_t{number});
+    if (Descriptor memory = tray.handed_over(); memory.ok())
+        message.hand_over(std::move(memory));
+    return message.take();
 }
 
-Result<PictureAnswer> picture_answer(Message& message) {
+Result<PictureAnswer> picture_answer(Message& message, std::optional<Mapping>& tray) {
     MessageReader reader(message);
     if (const std::string sentence = reader.text(); !sentence.empty())
         return Error{readable(std::string_view(sentence).substr(0, longest_sentence))};
@@ -80,13 +76,14 @@ Result<PictureAnswer> picture_answer(Message& message) {
         *side = as_int(reader.number());
     answer.shrink = as_int(reader.number());
     answer.whole_is_kept = reader.number() != 0;
-    const Descriptor memory = reader.descriptor();
+    if (reader.has_descriptor())
+        tray = received(reader.descriptor());
     const bool can_be = reader.whole() && answer.shrink >= 1 && answer.shrink <= largest_shrink &&
                         answer.size.width / answer.shrink == pixels.width &&
                         answer.size.height / answer.shrink == pixels.height &&
                         static_cast<double>(answer.size.width) * answer.size.height <= most_decoded_px;
     if (can_be)
-        answer.pixels = pixels_in(memory, pixels);
+        answer.pixels = pixels_in(tray, pixels);
     return answer.pixels.empty() ? Result<PictureAnswer>(no_answer_of_a_decoder()) : answer;
 }
 

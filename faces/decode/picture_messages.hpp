@@ -3,8 +3,10 @@
 
 #include "core/base/result.hpp"
 #include "core/processes/message.hpp"
+#include "core/processes/shared_memory_linux.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/picture_file.hpp"
+#include "faces/decode/shared_pixels.hpp"
 
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>
@@ -38,8 +40,9 @@ struct PictureAnswer {
     int shrink = 1;
     bool whole_is_kept = false;
 };
-Message message_of(Result<PictureAnswer> answer);
-/// Believed is only what can be true: a helper may have been taken over by what it decoded.
-Result<PictureAnswer> picture_answer(Message& message);
+Message message_of(const Result<PictureAnswer>& answer, PixelTray& tray);
+/// Believed is only what can be true: a helper may have been taken over by what it decoded. `tray` is what
+/// that helper has handed over.
+Result<PictureAnswer> picture_answer(Message& message, std::optional<Mapping>& tray);
 
 } // namespace tp

@@ -60,24 +60,24 @@ std::optional<Message> PictureService::answer(MessageReader& message) {
     try {
         switch (question->what) {
         case PictureQuestion::What::to_fit:
-            return message_of(to_fit(*question));
+            return message_of(to_fit(*question), tray_);
         case PictureQuestion::What::shrunk: {
             const Result<Bytes> bytes = bytes_of(question->file);
             Result<ShrunkPicture> picture =
                 bytes ? decoded_shrunk(*bytes, question->longest_px) : Error{bytes.error()};
             if (!picture)
-                return message_of(Error{picture.error()});
+                return message_of(Error{picture.error()}, tray_);
             whole_ = std::move(picture->whole);
             return message_of(
-                PictureAnswer{std::move(picture->pixels), picture->size, picture->shrink, whole_ != nullptr});
+                PictureAnswer{picture->pixels, picture->size, picture->shrink, whole_ != nullptr}, tray_);
         }
         case PictureQuestion::What::whole:
-            return message_of(whole_ ? answer_of(whole_()) : no_memory());
+            return message_of(whole_ ? answer_of(whole_()) : no_memory(), tray_);
         case PictureQuestion::What::forget:
             break;
         }
     } catch (const std::bad_alloc&) {
-        return message_of(no_memory());
+        return message_of(no_memory(), tray_);
     }
     return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/processes/message.hpp"
+#include "faces/decode/shared_pixels.hpp"
 
 #include <opencv2/core/mat.hpp>
 
@@ -24,6 +25,7 @@ public:
 
 private:
     std::function<Result<cv::Mat>()> whole_; ///< of the picture that was shrunk last
+    PixelTray tray_;
 };
 
 } // namespace tp

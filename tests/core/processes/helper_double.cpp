@@ -59,6 +59,8 @@ int much_memory() {
     return data == MAP_FAILED ? errno : 0;
 }
 
+std::optional<SharedMemory> shared;
+
 int tried(const std::string& what) {
     const std::map<std::string, int (*)()> tries{
         {"read a file", [] { return problem_of(open("/etc/passwd", O_RDONLY)); }},
@@ -74,6 +76,7 @@ int tried(const std::string& what) {
         {"look into another", [] { return problem_of(ptrace(PTRACE_ATTACH, getppid(), nullptr, nullptr)); }},
         {"map code", mapped_code},
         {"make data code", data_made_code},
+        {"shrink what is shared", [] { return problem_of(ftruncate(shared->another().number(), 10)); }},
         {"start a thread", a_thread},
         {"take much memory", much_memory},
         {"take little memory", [] { return std::vector<char>(50'000'000, 1).back() - 1; }},
@@ -82,20 +85,10 @@ int tried(const std::string& what) {
     return found == tries.end() ? -1 : found->second();
 }
 
-std::optional<SharedMemory> kept; ///< and handed over all the same
-
-enum class Sealed { no, yes, while_it_is_kept };
-
-Message shared(std::size_t bytes, Sealed sealed) {
-    auto memory = SharedMemory::make(bytes);
-    std::memset(memory->data(), 7, bytes);
-    Descriptor handed = memory->another();
-    if (sealed == Sealed::while_it_is_kept)
-        kept.emplace(*std::move(memory));
-    memory.reset();
-    if (sealed != Sealed::no)
-        seal(handed);
-    return MessageWriter().add(static_cast<std::int64_t>(bytes)).hand_over(std::move(handed)).take();
+Message shared_with_all(std::size_t bytes) {
+    shared = SharedMemory::make(bytes);
+    std::memset(shared->data(), 7, bytes);
+    return MessageWriter().add(static_cast<std::int64_t>(bytes)).hand_over(shared->another()).take();
 }
 
 int open_descriptors() {
@@ -114,15 +107,7 @@ std::optional<Message> answer(Message& question) {
     if (word == "try")
         return MessageWriter().add(std::int64_t{tried(object)}).take();
     if (word == "share")
-        return shared(std::stoul(object), Sealed::yes);
-    if (word == "share unsealed")
-        return shared(std::stoul(object), Sealed::no);
-    if (word == "share and keep")
-        return shared(std::stoul(object), Sealed::while_it_is_kept);
-    if (word == "change what is kept") {
-        std::memset(kept->data(), 8, kept->size());
-        return MessageWriter().add("changed").take();
-    }
+        return shared_with_all(std::stoul(object));
     if (word == "compute for two seconds") {
         while (std::clock() < 2 * CLOCKS_PER_SEC) {
         }

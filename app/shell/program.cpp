@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/shell/program.hpp"
 
+#include "app/shell/few_heaps.hpp"
 #include "audio/sound/player.hpp"
 #include "audio/sound/recorder.hpp"
 #include "audio/sound/threaded_filler.hpp"
@@ -57,6 +58,7 @@ Program::Program(ProgramParts parts)
       voice_names_(parts_.voice, preferences_),
       earcon_output_(parts_.make_loudspeaker()), earcons_(*earcon_output_), guide_output_(parts_.make_loudspeaker()),
       guide_(*guide_output_, vibration_), shell_(narrator_), start_(narrator_, preferences_, parts_.find_devices) {
+    keep_few_heaps();
     follow_choices();
     connect(&preferences_, &Preferences::changed, this, &Program::follow_choices);
     connect(&preferences_, &Preferences::not_kept, this,

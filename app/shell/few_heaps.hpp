@@ -5,8 +5,8 @@ namespace tp {
 
 /// Keeps freed memory from piling up over hours (glibc): all threads share two heaps, where they would have
 /// eight for each core, and what is larger than a megabyte, such as a picture, goes back to the system when
-/// it is freed. In `app.shell.soak` memory then stays at 200 MB from the fifth hour on; without this it was
-/// 232 MB after sixteen hours and still grew.
+/// it is freed. In the last eight of `app.shell.soak`'s sixteen hours memory then grew by 4.3 MB an hour, and
+/// by 7.2 without this.
 void keep_few_heaps();
 
 } // namespace tp

@@ -39,7 +39,7 @@ public:
     InHelpers& operator=(const InHelpers&) = delete;
 };
 
-/// So large that it is handed over in the memory in which it was decoded.
+/// Larger than what is handed over in a message.
 cv::Mat large() { return gradient(800, 600); }
 
 } // namespace

@@ -372,6 +372,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "it is not a FLAC file."),
     QT_TRANSLATE_NOOP("Sentence", "it is not a bundle, or it is damaged."),
     QT_TRANSLATE_NOOP("Sentence", "it is not a file."),
+    QT_TRANSLATE_NOOP("Sentence", "it is not a photograph of a kind that can be read here."),
     QT_TRANSLATE_NOOP("Sentence", "it is not there."),
     QT_TRANSLATE_NOOP("Sentence", "it is not whole XML."),
     QT_TRANSLATE_NOOP("Sentence", "it lists more people, words or recordings than any photograph has."),

@@ -16,11 +16,17 @@ inline constexpr std::array<std::string_view, 18> photo_endings{
     ".jpg",  ".jpeg", ".jpe", ".png", ".webp", ".tif", ".tiff", ".heic", ".heif",
     ".avif", ".hif",  ".dng", ".cr2", ".cr3",  ".nef", ".arw",  ".orf",  ".rw2"};
 
-/// Whether a file's name ends so, in capitals or not.
-inline bool has_photo_ending(const std::filesystem::path& file) {
+/// What a file's name ends in, in small letters: ".jpg" of IMG_1.JPG.
+inline std::string small_ending(const std::filesystem::path& file) {
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+/// Whether a file's name ends so, in capitals or not.
+inline bool has_photo_ending(const std::filesystem::path& file) {
+    const std::string ending = small_ending(file);
     return std::find(photo_endings.begin(), photo_endings.end(), ending) != photo_endings.end();
 }
 

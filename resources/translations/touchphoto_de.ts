@@ -3436,6 +3436,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>its sound takes too long to decode.</source>
         <translation>Das Entschlüsseln des Tons dauert zu lange.</translation>
     </message>
+    <message>
+        <source>it is not a photograph of a kind that can be read here.</source>
+        <translation>es ist kein Foto, das hier gelesen werden kann.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -3423,6 +3423,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>its sound takes too long to decode.</source>
         <translation>소리를 해독하는 데 시간이 너무 오래 걸립니다.</translation>
     </message>
+    <message>
+        <source>it is not a photograph of a kind that can be read here.</source>
+        <translation>여기에서 읽을 수 있는 종류의 사진이 아닙니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -26,14 +26,14 @@ struct Packed {
 };
 
 /// The photograph and its companions, recordings one by one.
-std::vector<Packed> files_of(const fs::path& album, const fs::path& photo) {
+std::vector<Packed> files_of(const fs::path& album, const fs::path& photo, FolderCompanions& beside) {
     std::vector<Packed> files;
     std::error_code error;
     const auto add = [&](const fs::path& file) {
         if (fs::is_regular_file(file, error) && !is_temporary(file))
             files.push_back({file, file.lexically_relative(album)});
     };
-    for (const Companion& companion : companions_of(photo)) {
+    for (const Companion& companion : beside.of(photo)) {
         if (!fs::is_directory(companion.file, error)) {
             add(companion.file);
             continue;
@@ -128,13 +128,14 @@ private:
 std::string write_bundle(const fs::path& bundle, const fs::path& album, const std::vector<fs::path>& photos,
                          const BundleProgress& report, std::stop_token stop) {
     std::vector<Packed> files;
+    FolderCompanions beside;
     for (const fs::path& photo : photos) {
         std::error_code error;
         if (!fs::is_regular_file(photo, error))
             return "There is no photograph " + quoted(photo) + ".";
         if (!stays_below(photo.lexically_relative(album)))
             return quoted(photo) + " is not in the album " + quoted(album) + ".";
-        for (Packed& one : files_of(album, photo))
+        for (Packed& one : files_of(album, photo, beside))
             files.push_back(std::move(one));
     }
     if (files.empty())

@@ -26,12 +26,19 @@ std::vector<PhotoToImport> photographs_in(const std::vector<std::filesystem::pat
 /// Told while a bundle is unpacked: how much of it is, 0 to 1.
 using Unpacking = std::function<void(const std::filesystem::path& bundle, double share)>;
 
-/// The photographs that files, folders and bundles hold; a bundle is unpacked into a folder that goes with
-/// this object.
+/// The photographs that files, folders and bundles hold; a bundle, or another program's ZIP file, is unpacked
+/// into a folder that goes with this object. A file beside a photograph of its name (IMG_1.MOV,
+/// IMG_1.jpg.xmp) goes where that photograph goes, and is passed over.
 class ImportSources {
 public:
-    /// `unpack_in` is a folder on the album's disk. A bundle that cannot be unpacked is a sentence in
-    /// `problems`.
+    /// What cannot be imported, with why.
+    struct Problem {
+        std::filesystem::path source;
+        std::string sentence;
+        bool may_pass = false; ///< another try may succeed
+    };
+
+    /// `unpack_in` is a folder on the album's disk.
     ImportSources(const std::vector<std::filesystem::path>& sources, std::filesystem::path unpack_in,
                   std::stop_token stop, const Unpacking& unpacking = {});
     ~ImportSources();
@@ -40,15 +47,18 @@ public:
 
     /// In the order of the sources, by name within a folder.
     const std::vector<PhotoToImport>& photos() const { return photos_; }
-    /// Bundles that could not be unpacked, with why.
-    const std::vector<std::pair<std::filesystem::path, std::string>>& problems() const { return problems_; }
+    /// Bundles that could not be unpacked and files that are no photographs; folders where there is no
+    /// photograph at all.
+    const std::vector<Problem>& problems() const { return problems_; }
 
 private:
-    void add(const std::vector<std::filesystem::path>& files_and_folders);
+    void add(const std::filesystem::path& file_or_folder);
+    void unpack(const std::filesystem::path& bundle, const std::filesystem::path& folder,
+                const std::stop_token& stop, const Unpacking& unpacking);
 
     std::filesystem::path unpack_in_;
     std::vector<PhotoToImport> photos_;
-    std::vector<std::pair<std::filesystem::path, std::string>> problems_;
+    std::vector<Problem> problems_;
 };
 
 } // namespace tp

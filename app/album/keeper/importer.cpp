@@ -58,8 +58,10 @@ public:
     ImportReport run() {
         const ImportSources sources(list_.sources, album_ / ".touchphoto" / "import" / report_.id,
                                     tools_.stop, tools_.unpacking);
-        for (const auto& [bundle, problem] : sources.problems())
-            add({bundle, {}, Fate::failed, problem});
+        for (const ImportSources::Problem& problem : sources.problems()) {
+            add({problem.source, {}, Fate::failed, problem.sentence});
+            another_try_ |= problem.may_pass;
+        }
         progress_.total = sources.photos().size();
         for (const PhotoToImport& photo : sources.photos())
             progress_.bytes_total += photo.bytes;
@@ -70,6 +72,7 @@ public:
             if (tools_.stop.stop_requested())
                 break;
             add(import_one(photo));
+            another_try_ |= report_.photos.back().fate == Fate::failed;
             ++progress_.done;
             progress_.bytes_done += photo.bytes;
         }
@@ -77,7 +80,7 @@ public:
         if (!report_.stopped) {
             progress_.seconds_left = 0.0;
             tell({});
-            if (report_.count(Fate::failed) == 0)
+            if (!another_try_)
                 ImportList::remove(album_, report_.id);
         }
         return std::move(report_);
@@ -112,7 +115,8 @@ private:
             ImportedPhoto photo{source.file, *place, Fate::duplicate, {}};
             return goes_on_ ? with_sound(std::move(photo)) : photo;
         }
-        const auto copied = copy_photo(source.file, album_ / list_.into / source.folder);
+        const auto copied =
+            copy_photo(source.file, beside_.of(source.file), album_ / list_.into / source.folder);
         if (!copied)
             return {
                 source.file, {}, Fate::failed, quoted(source.file) + " was not imported: " + copied.error()};
@@ -163,6 +167,8 @@ private:
     const ImportTools& tools_;
     AlbumKeeper keeper_;
     bool goes_on_;
+    bool another_try_ = false; ///< of what failed may succeed
+    FolderCompanions beside_;  ///< of the sources
     ImportReport report_;
     ImportProgress progress_;
     std::map<std::string, fs::path> this_time_; ///< by SHA-256

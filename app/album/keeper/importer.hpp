@@ -71,8 +71,9 @@ struct ImportTools {
 };
 
 // Copies photographs with all that is theirs into a folder of an album: from folders, whose own folders are
-// kept, a camera's card, single files or .touchphoto bundles. A sound of the photograph's name (IMG_1.WAV)
-// becomes its ambient recording, and so does the sound of a motion photo's or a Live Photo's video.
+// kept, a camera's card, single files, .touchphoto bundles or ZIP files. A sound of the photograph's name
+// (IMG_1.WAV) becomes its ambient recording, and so does the sound of a motion photo's or a Live Photo's
+// video.
 //
 // What is to be imported is on the disk before the first byte is copied, so that an import that was stopped,
 // killed or cut off goes on where it was. A photograph is copied after its companions: where it is,

@@ -79,8 +79,8 @@ Result<CopiedPhoto> destination(const fs::path& source, const fs::path& wanted,
 
 } // namespace
 
-Result<CopiedPhoto> copy_photo(const fs::path& photo, const fs::path& folder) {
-    const std::vector<Companion> companions = companions_of(photo);
+Result<CopiedPhoto> copy_photo(const fs::path& photo, const std::vector<Companion>& companions,
+                               const fs::path& folder) {
     const auto to = destination(photo, folder / photo.filename(), companions);
     if (!to || to->was_there)
         return to;

@@ -4,13 +4,14 @@
 #include "app/album/metadata/conflicts.hpp"
 #include "app/album/metadata/photo_name.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/photo_endings.hpp"
 
 #include <QCryptographicHash>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
+#include <span>
 #include <system_error>
 
 namespace tp {
@@ -19,18 +20,30 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_xmp(std::string extension) {
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".xmp";
+/// `other` is the name or the stem and then .xmp, in capitals or not.
+bool is_sidecar_of(const std::string& name, const std::string& other) {
+    return other.size() == name.size() + 4 && other.starts_with(name) && small_ending(other) == ".xmp";
 }
 
-bool shares_its_stem(const fs::path& photo) {
-    std::error_code error;
-    for (const auto& other : fs::directory_iterator(photo.parent_path(), error))
-        if (other.path() != photo && other.path().stem() == photo.stem() && has_photo_name(other.path()))
-            return true;
-    return false;
+using Names = std::span<const std::string>; ///< in order
+
+/// Those that begin so.
+Names beginning_with(Names names, const std::string& beginning) {
+    const auto first = std::lower_bound(names.begin(), names.end(), beginning);
+    const auto last = std::find_if_not(first, names.end(),
+                                       [&](const std::string& name) { return name.starts_with(beginning); });
+    return {first, last};
+}
+
+/// Whether what is named by this photograph's stem may be another one's: of its stem, or of the stem as its
+/// name.
+bool shares_its_stem(Names names, const fs::path& photo) {
+    if (std::binary_search(names.begin(), names.end(), photo.stem().string()))
+        return true;
+    const Names alike = beginning_with(names, photo.stem().string() + '.');
+    return std::any_of(alike.begin(), alike.end(), [&](const fs::path& other) {
+        return other != photo.filename() && other.stem() == photo.stem() && has_photo_name(other);
+    });
 }
 
 } // namespace
@@ -48,25 +61,35 @@ fs::path album_around(const fs::path& photo) {
     return photo.parent_path();
 }
 
-std::vector<Companion> companions_of(const fs::path& photo) {
+std::vector<Companion> companions_of(const fs::path& photo) { return FolderCompanions().of(photo); }
+
+void FolderCompanions::read(const fs::path& folder) {
+    folder_ = folder;
+    names_.clear();
+    std::error_code error;
+    for (const auto& file : fs::directory_iterator(folder.empty() ? "." : folder, error))
+        names_.push_back(file.path().filename().string());
+    std::sort(names_.begin(), names_.end());
+}
+
+std::vector<Companion> FolderCompanions::of(const fs::path& photo) {
+    if (folder_ != photo.parent_path())
+        read(photo.parent_path());
     std::vector<Companion> found;
     const std::string name = photo.filename().string();
-    std::error_code error;
-    for (const auto& file :
-         fs::directory_iterator(photo.parent_path().empty() ? "." : photo.parent_path(), error)) {
-        const std::string other = file.path().filename().string();
+    for (const std::string& other : beginning_with(names_, name)) {
         const fs::path place = photo.parent_path() / other;
-        if (other.starts_with(name)) {
-            const std::string suffix = other.substr(name.size());
-            const auto original = conflict_original(other); // another machine's sidecar, not merged yet
-            const bool is_conflict =
-                original && original->starts_with(name) && is_xmp(original->substr(name.size()));
-            if (is_xmp(suffix) || is_conflict || place == contours_file(photo) || place == tags_folder(photo))
-                found.push_back({place, suffix, false});
-        } else if (is_xmp(place.extension().string()) && place.stem() == photo.stem() &&
-                   !shares_its_stem(photo)) {
+        const std::string suffix = other.substr(name.size());
+        const auto original = conflict_original(other); // another machine's sidecar, not merged yet
+        if (is_sidecar_of(name, other) || (original && is_sidecar_of(name, *original)) ||
+            place == contours_file(photo) || place == tags_folder(photo))
+            found.push_back({place, suffix, false});
+    }
+    for (const std::string& other : beginning_with(names_, photo.stem().string() + '.')) {
+        const fs::path place = photo.parent_path() / other;
+        if (is_sidecar_of(photo.stem().string(), other) && !other.starts_with(name) &&
+            !shares_its_stem(names_, photo))
             found.push_back({place, place.extension().string(), true});
-        }
     }
     std::sort(found.begin(), found.end(),
               [](const Companion& a, const Companion& b) { return a.file < b.file; });

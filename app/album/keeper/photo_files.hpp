@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,19 @@ struct Companion {
 /// recordings. A sidecar named by the stem belongs to it only where no other photograph in the folder has
 /// that stem.
 std::vector<Companion> companions_of(const std::filesystem::path& photo);
+
+/// The same for many photographs, by folder: a folder is read once, when the first of its photographs is
+/// asked for, so that ten thousand photographs in one take no hundred million looks.
+class FolderCompanions {
+public:
+    std::vector<Companion> of(const std::filesystem::path& photo);
+
+private:
+    void read(const std::filesystem::path& folder);
+
+    std::optional<std::filesystem::path> folder_; ///< the one that was read last
+    std::vector<std::string> names_;              ///< of what is in it, in order
+};
 
 /// The name that a companion has beside a photograph of another name or folder.
 std::filesystem::path beside(const std::filesystem::path& photo, const Companion& companion);

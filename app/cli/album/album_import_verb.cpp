@@ -57,11 +57,11 @@ int ended(const ImportReport& report) {
 int album_import(const QStringList& words) {
     VerbLine line(
         "album import",
-        "Copies photographs into an album: files, folders, a camera's card, .touchphoto bundles. Sidecars,\n"
-        "contours and recordings come along; so do a sound of the same name (IMG_1.WAV) and the sound of a\n"
-        "motion photo or a Live Photo (IMG_1.MOV), as recordings of what was to be heard. What the album\n"
-        "holds already is not copied again. The sources are only read. An import that was stopped or killed\n"
-        "goes on with --continue.");
+        "Copies photographs into an album: files, folders, a camera's card, .touchphoto bundles, ZIP files.\n"
+        "Sidecars, contours and recordings come along; so do a sound of the same name (IMG_1.WAV) and the\n"
+        "sound of a motion photo or a Live Photo (IMG_1.MOV), as recordings of what was to be heard. What\n"
+        "the album holds already is not copied again. The sources are only read. An import that was stopped\n"
+        "or killed goes on with --continue.");
     add_index_options(line)
         .option("into", "A folder of the album, made where it is missing.", "FOLDER")
         .option("continue", "Goes on with imports that were not finished.")

@@ -10,7 +10,7 @@ FileDialog {
 
     title: qsTr("Import photographs")
     fileMode: FileDialog.OpenFiles
-    nameFilters: [qsTr("Photographs and bundles (%1)").arg(PhotoPatterns.all + " *.touchphoto"),
+    nameFilters: [qsTr("Photographs and bundles (%1)").arg(PhotoPatterns.all + " *.touchphoto *.zip"),
                   qsTr("All files (%1)").arg("*")]
     onAccepted: chosen(selectedFiles)
 }

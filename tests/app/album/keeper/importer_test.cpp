@@ -6,6 +6,7 @@
 #include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "made_zip.hpp"
 
 #include <QTest>
 
@@ -16,6 +17,7 @@
 using namespace tp;
 namespace fs = std::filesystem;
 using Fate = ImportedPhoto::Fate;
+using tp::test::write_zip;
 
 class ImporterTest : public QObject {
     Q_OBJECT
@@ -100,6 +102,68 @@ private slots:
         const auto again = import_photos(album.path(), {}, {card.path()}, {});
         QCOMPARE(again->count(Fate::duplicate), std::size_t{2}); // nothing() does not know what is in old/
         QCOMPARE(photos_in(album).size(), std::size_t{3});
+    }
+
+    void what_is_no_photograph_stays_where_it_is() {
+        const AlbumFolder card, album;
+        card.write("IMG_1.jpg", "one");
+        card.write("IMG_1.jpg.xmp", "sidecar");
+        card.write("IMG_1.txt", "of the camera");
+        card.write("notes.txt", "text");
+        const auto report = import_photos(
+            album.path(), {},
+            {card / "notes.txt", card / "IMG_1.txt", card / "IMG_1.jpg.xmp", card / "IMG_1.jpg"}, {});
+        QCOMPARE(report->photos.size(), std::size_t{2});
+        QCOMPARE(report->photos[0].source, card / "notes.txt");
+        QCOMPARE(report->photos[0].problem,
+                 "\"" + (card / "notes.txt").string() +
+                     "\" was not imported: it is not a photograph of a kind that can be read here.");
+        QVERIFY((photos_in(album) ==
+                 std::map<std::string, std::string>{{"IMG_1.jpg", "one"}, {"IMG_1.jpg.xmp", "sidecar"}}));
+        QVERIFY(unfinished_imports(album.path()).empty()); // going on would change nothing
+    }
+
+    void nothing_to_import_is_said() {
+        const AlbumFolder card, album;
+        card.write("empty/notes.txt", "text");
+        const auto report = import_photos(album.path(), {}, {card / "empty"}, {});
+        QCOMPARE(report->count(Fate::failed), std::size_t{1});
+        QVERIFY(report->photos[0].problem.ends_with("empty\" was not imported: it holds no photograph."));
+        QVERIFY(unfinished_imports(album.path()).empty());
+    }
+
+    void a_zip_file_of_photographs_is_unpacked() {
+        const AlbumFolder card, album;
+        write_zip(card / "FAMILY.ZIP",
+                  {{"2019/a.jpg", "one"}, {"2019/a.jpg.xmp", "sidecar"}, {"2019/notes.txt", "text"}});
+        write_zip(card / "notes.zip", {{"notes.txt", "text"}});
+        const auto report = import_photos(album.path(), {}, {card / "FAMILY.ZIP", card / "notes.zip"}, {});
+        QCOMPARE(report->count(Fate::imported), std::size_t{1});
+        QCOMPARE(report->count(Fate::failed), std::size_t{1});
+        QVERIFY((photos_in(album) ==
+                 std::map<std::string, std::string>{{"2019/a.jpg", "one"}, {"2019/a.jpg.xmp", "sidecar"}}));
+    }
+
+    /// A folder is read once for all its photographs: what begins like another's name is not that one's.
+    void names_that_begin_alike_keep_their_own() {
+        const AlbumFolder card;
+        for (const char* name : {"a.jpg", "a.jpg.XMP", "a.jpg.tags/1.flac", "a.jpg.jpg", "a.jpg.jpg.xmp",
+                                 "a.xmp", "ab.jpg", "ab.Xmp", "a.b.jpg", "b/a.jpg", "b/a.xmp", "b/a.png"})
+            card.write(name, name);
+        FolderCompanions beside;
+        const auto names = [&](const char* photo) {
+            std::vector<std::string> found;
+            for (const Companion& one : beside.of(card / photo))
+                found.push_back(one.file.lexically_relative(card.path()).string() +
+                                (one.by_stem ? " by stem" : ""));
+            return found;
+        };
+        using Names = std::vector<std::string>;
+        QCOMPARE(names("a.jpg"), (Names{"a.jpg.XMP", "a.jpg.tags", "a.xmp by stem"}));
+        QCOMPARE(names("b/a.jpg"), Names{});
+        QCOMPARE(names("a.jpg.jpg"), (Names{"a.jpg.jpg.xmp"}));
+        QCOMPARE(names("ab.jpg"), (Names{"ab.Xmp by stem"}));
+        QCOMPARE(names("a.b.jpg"), Names{});
     }
 
     void a_name_that_is_taken_gets_a_number() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/parts/folders/folder_chooser.hpp"
 #include "page_window.hpp"
 #include "whole_program.hpp"
 
@@ -20,25 +21,41 @@
 /// Somebody who touches, types and acts at random; the same for the same seed.
 class Monkey {
 public:
-    Monkey(WholeProgram& whole, unsigned seed) : whole_(whole), random_(seed), screen_(QTest::createTouchDevice()) {}
+    Monkey(WholeProgram& whole, unsigned seed)
+        : whole_(whole), random_(seed), screen_(QTest::createTouchDevice()) {}
 
     void do_something() {
+        stay_at_home();
         switch (below(4)) {
-        case 0: return touch();
-        case 1: return key();
-        case 2: return letter();
-        default: return act();
+        case 0:
+            return touch();
+        case 1:
+            return key();
+        case 2:
+            return letter();
+        default:
+            return act();
         }
     }
     const QString& last() const { return last_; }
 
 private:
     static constexpr int fast_keys[] = {
-        Qt::Key_Tab,  Qt::Key_Backtab, Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_Space,     Qt::Key_Return,
-        Qt::Key_Home, Qt::Key_End,     Qt::Key_F1,   Qt::Key_F2,    Qt::Key_F3, Qt::Key_Plus, Qt::Key_Minus,     Qt::Key_Backspace,
-        Qt::Key_Escape};
+        Qt::Key_Tab,   Qt::Key_Backtab, Qt::Key_Left,  Qt::Key_Right,     Qt::Key_Up,    Qt::Key_Down,
+        Qt::Key_Space, Qt::Key_Return,  Qt::Key_Home,  Qt::Key_End,       Qt::Key_F1,    Qt::Key_F2,
+        Qt::Key_F3,    Qt::Key_Plus,    Qt::Key_Minus, Qt::Key_Backspace, Qt::Key_Escape};
 
     int below(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
+    /// The folders of whoever runs this are not the monkey's: it could fill them, empty them, or read the
+    /// whole computer.
+    void stay_at_home() {
+        for (tp::FolderChooser* chooser :
+             {whole_.program->start().chooser(), whole_.program->care().chooser(),
+              whole_.program->settings().storage()->chooser()})
+            if (!chooser->folder().isEmpty() &&
+                !(chooser->folder() + '/').startsWith(whole_.folder.path() + '/'))
+                chooser->begin_in(whole_.folder.filePath("Home"));
+    }
     QPoint place() { return {below(whole_.window->width()), below(whole_.window->height())}; }
 
     void touch() {
@@ -54,7 +71,8 @@ private:
         if (below(2) == 0)
             send([&](auto& event) {
                 for (int i = 0; i < fingers; ++i)
-                    event.move(i, at[static_cast<std::size_t>(i)] += QPoint(below(200) - 100, below(200) - 100));
+                    event.move(i,
+                               at[static_cast<std::size_t>(i)] += QPoint(below(200) - 100, below(200) - 100));
             });
         send([&](auto& event) {
             for (int i = 0; i < fingers; ++i)
@@ -70,7 +88,8 @@ private:
     void key() {
         const int key = fast_keys[below(std::size(fast_keys))];
         last_ = QString("key %1").arg(key);
-        QTest::keyClick(whole_.window.get(), static_cast<Qt::Key>(key), below(8) == 0 ? Qt::ShiftModifier : Qt::NoModifier);
+        QTest::keyClick(whole_.window.get(), static_cast<Qt::Key>(key),
+                        below(8) == 0 ? Qt::ShiftModifier : Qt::NoModifier);
     }
     void letter() {
         const auto letter = static_cast<Qt::Key>(Qt::Key_0 + below(10));

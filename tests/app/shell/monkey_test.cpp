@@ -43,6 +43,7 @@ private slots:
                 QCoreApplication::processEvents();
             const double newtons = whole.program->explore().finger()->newtons();
             QVERIFY2(newtons <= whole.program->preferences().choices().max_force_n + 1e-9, qPrintable(monkey.last()));
+            QVERIFY2(whole.keeps_to_its_folder(), qPrintable(monkey.last()));
             QVERIFY2(Warnings::all().isEmpty(), qPrintable(monkey.last() + ": " + Warnings::all().join('\n')));
         }
         for (int i = 0; i < 5 && !whole.shell().home(); ++i)

@@ -99,6 +99,7 @@ private slots:
             QCoreApplication::processEvents();
             QVERIFY2(whole.program->explore().finger()->newtons() <= whole.program->preferences().choices().max_force_n + 1e-9,
                      qPrintable(monkey.last()));
+            QVERIFY2(whole.keeps_to_its_folder(), qPrintable(monkey.last()));
             QVERIFY2(Warnings::all().isEmpty(), qPrintable(monkey.last() + ", " + disturbances.last() + ": " + Warnings::all().join('\n')));
             if ((i + 1) % deeds_between != 0)
                 continue;

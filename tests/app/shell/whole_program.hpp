@@ -12,23 +12,34 @@
 #include <QDir>
 #include <QFile>
 #include <QString>
+#include <QStringList>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QtGlobal>
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <memory>
 #include <utility>
 #include <vector>
 
-/// The program with everything but the machine: its voice is remembered, its loudspeakers and its microphone are the
-/// test's, its album is a folder of sample portraits; of somebody who has not been asked yet it has none.
+/// The program with everything but the machine: its voice is remembered, its loudspeakers and its microphone
+/// are the test's, its album is a folder of sample portraits; of somebody who has not been asked yet it has
+/// none. Its home lies in its own folder, so that nothing is found, read or written in that of whoever runs
+/// the test.
 class WholeProgram {
 public:
     explicit WholeProgram(const tp::Choices& choices = asked(), tp::DeviceAccess devices = {}) {
-        QDir().mkpath(folder.filePath("Family"));
+        qputenv("HOME", QFile::encodeName(folder.filePath("Home")));
+        for (const char* elsewhere :
+             {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_PICTURES_DIR"})
+            qunsetenv(elsewhere);
+        for (const char* made : {"Family", "Home"})
+            QDir().mkpath(folder.filePath(made));
         for (const char* name : {"anna_smiling.jpg", "ben_and_clara.jpg", "ben_smiling.jpg"})
-            QFile::copy(QString(tp::test::in_source("resources/samples/")) + name, folder.filePath(QString("Family/") + name));
+            QFile::copy(QString(tp::test::in_source("resources/samples/")) + name,
+                        folder.filePath(QString("Family/") + name));
         tp::Choices with_album = choices;
         if (choices.asked)
             with_album.folders = {folder.filePath("Family")};
@@ -77,10 +88,18 @@ public:
     }
     /// Its album is read, no photograph is searched for faces any more, and all of the page is made.
     bool complete() const {
-        return !program->album().scanning() && program->explore().view()->state() != tp::ExploreView::State::Looking &&
+        return !program->album().scanning() &&
+               program->explore().view()->state() != tp::ExploreView::State::Looking &&
                PageWindow::complete(*window->contentItem());
     }
     std::filesystem::path file(const char* name) const { return folder.filePath(name).toStdString(); }
+    /// Nobody chose a folder outside of what is made here.
+    bool keeps_to_its_folder() const {
+        const QStringList& folders = program->preferences().choices().folders;
+        return std::all_of(folders.begin(), folders.end(), [this](const QString& one) {
+            return (one + '/').startsWith(folder.path() + '/');
+        });
+    }
     tp::Shell& shell() { return program->shell(); }
 
     QTemporaryDir folder;

@@ -26,12 +26,24 @@ namespace {
 constexpr std::string_view temporary_start = ".touchphoto-";
 constexpr std::string_view temporary_end = ".tmp";
 constexpr int most_tries = 100; // names left behind by a power cut, under this process's number
+constexpr int most_links = 40;  // as the system itself follows
 
 /// A name that nobody else has, and short, however long the file's is.
 fs::path temporary_beside(const fs::path& file) {
     static std::atomic<unsigned> counter{0};
     return file.parent_path() / (std::string(temporary_start) + std::to_string(::getpid()) + "-" +
                                  std::to_string(counter++) + std::string(temporary_end));
+}
+
+/// Where the links at `place` lead, though nothing be there yet.
+Result<fs::path> end_of_links(fs::path place) {
+    std::error_code error;
+    for (int links = 0; links < most_links; ++links) {
+        if (!fs::is_symlink(place, error))
+            return place;
+        place = place.parent_path() / fs::read_symlink(place, error);
+    }
+    return Error{reason_of(ELOOP)};
 }
 
 /// Gives `from` the name `to` where no file has it; 0, or the system's error.
@@ -78,13 +90,15 @@ private:
 
 Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
     std::error_code error;
-    const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, error) && error != std::errc::permission_denied)
-        return Error{"there is no folder " + quoted(folder) + "."};
     if (!place.has_filename() || fs::is_directory(place, error))
         return Error{quoted(place) + " is a folder."};
-    const fs::path linked = fs::is_symlink(place, error) ? fs::weakly_canonical(place, error) : place;
-    const fs::path target = error || linked.empty() ? place : linked;
+    const auto linked = end_of_links(place);
+    if (!linked)
+        return Error{linked.error()};
+    const fs::path& target = *linked;
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error) && error != std::errc::permission_denied)
+        return Error{"there is no folder " + quoted(folder) + "."};
 
     const unsigned mode = readers == Readers::owner_only ? 0600 : 0666;
     for (int tries = 0; tries < most_tries; ++tries) {
@@ -100,14 +114,14 @@ Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
             0) // where that cannot be kept, the file is still worth writing
             static_cast<void>(::fchmod(file, before.st_mode & 0777u));
         Unfinished::all().add(temporary);
-        return NewFile(target, std::move(temporary), file);
+        return NewFile(target, target != place, std::move(temporary), file);
     }
     return Error{"files that an earlier program left behind are in the way."};
 }
 
 NewFile::NewFile(NewFile&& other) noexcept
-    : place_(std::move(other.place_)), temporary_(std::exchange(other.temporary_, {})),
-      descriptor_(std::exchange(other.descriptor_, -1)) {}
+    : place_(std::move(other.place_)), linked_(other.linked_),
+      temporary_(std::exchange(other.temporary_, {})), descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 NewFile::~NewFile() {
     if (descriptor_ >= 0)
@@ -142,7 +156,7 @@ std::string NewFile::take_place(Existing existing) {
         renamed = rename_over(temporary_, place_);
         break;
     case Existing::kept:
-        renamed = rename_to_free(temporary_, place_);
+        renamed = linked_ ? EEXIST : rename_to_free(temporary_, place_);
         break;
     case Existing::swapped:
         swapped = ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0;

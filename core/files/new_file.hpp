@@ -27,7 +27,8 @@ enum class Existing {
 /// and on the disk. Destroyed before that it leaves nothing behind.
 class NewFile {
 public:
-    /// A link stays a link: what it points to is replaced. An error ends in the system's reason.
+    /// A link stays a link: what it points to is replaced, or made where nothing is there; where its folder
+    /// is away, as a disk that is not plugged in, that is an error. An error ends in the system's reason.
     static Result<NewFile> beside(const std::filesystem::path& place, Readers readers = Readers::as_usual);
     NewFile(NewFile&& other) noexcept;
     NewFile& operator=(NewFile&&) = delete;
@@ -49,10 +50,12 @@ public:
     static void give_up_all();
 
 private:
-    NewFile(std::filesystem::path place, std::filesystem::path temporary, int descriptor)
-        : place_(std::move(place)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+    NewFile(std::filesystem::path place, bool linked, std::filesystem::path temporary, int descriptor)
+        : place_(std::move(place)), linked_(linked), temporary_(std::move(temporary)),
+          descriptor_(descriptor) {}
 
     std::filesystem::path place_;
+    bool linked_ = false; ///< a link has the name, and leads there
     std::filesystem::path temporary_;
     int descriptor_ = -1;
 };

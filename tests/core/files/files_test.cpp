@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -68,6 +69,9 @@ private slots:
         QCOMPARE(mode_of(root_ / "open"), 0644u);
         QCOMPARE(make_folder(root_ / "deep" / "secret", Readers::owner_only), std::string());
         QCOMPARE(mode_of(root_ / "deep"), 0700u);
+        QCOMPARE(make_folder(root_ / "shared" / "open"), std::string());
+        QCOMPARE(mode_of(root_ / "shared"), 0755u);
+        QCOMPARE(mode_of(root_ / "shared" / "open"), 0755u);
     }
 
     void a_replaced_file_keeps_who_may_read_it() {
@@ -75,6 +79,9 @@ private slots:
         ::chmod((root_ / "a").c_str(), 0640);
         QCOMPARE(replace_file(root_ / "a", "y"), std::string());
         QCOMPARE(mode_of(root_ / "a"), 0640u);
+        ::chmod((root_ / "a").c_str(), 0755);
+        QCOMPARE(replace_file(root_ / "a", "z"), std::string());
+        QCOMPARE(mode_of(root_ / "a"), 0755u);
     }
 
     void what_was_swapped_out_can_be_looked_at() {
@@ -112,7 +119,11 @@ private slots:
             QCOMPARE(files_here(), 1L);
         }
         QCOMPARE(files_here(), 0L);
+        for (int standard = 0; standard < 3; ++standard) // and closes nothing of others'
+            QVERIFY(::fcntl(standard, F_GETFD) >= 0 || standard == 0);
         QVERIFY(!is_temporary(root_ / "a.tmp"));
+        QVERIFY(!is_temporary(root_ / ".touchphoto-1"));
+        QVERIFY(!is_temporary(root_ / "a.touchphoto-1.tmp"));
     }
 
     void a_name_that_is_taken_is_kept() {
@@ -148,6 +159,35 @@ private slots:
         QCOMPARE(replace_file(root_ / "link", "new"), std::string());
         QVERIFY(fs::is_symlink(root_ / "link"));
         QCOMPARE(content(root_ / "a"), std::string("new"));
+    }
+
+    /// What it leads to is away: a disk that is not plugged in, on which the person's names still are.
+    void a_link_to_nothing_stays_a_link() {
+        fs::create_directory(root_ / "disk");
+        fs::create_symlink("disk/a", root_ / "link");
+        fs::create_symlink("link", root_ / "farther");
+        QVERIFY(copy_whole(root_ / "farther", root_ / "copy").find("is gone") != std::string::npos);
+        QCOMPARE(replace_file(root_ / "farther", "new"), std::string());
+        QCOMPARE(content(root_ / "disk" / "a"), std::string("new"));
+        fs::remove_all(root_ / "disk");
+        QVERIFY(replace_file(root_ / "farther", "x").find("there is no folder") != std::string::npos);
+        QVERIFY(fs::is_symlink(root_ / "link") && fs::is_symlink(root_ / "farther"));
+        QCOMPARE(files_here(), 2L);
+    }
+
+    void a_name_that_a_link_has_is_taken() {
+        QCOMPARE(replace_file(root_ / "a", "mine"), std::string());
+        fs::create_symlink("nowhere", root_ / "link");
+        QVERIFY(copy_whole(root_ / "a", root_ / "link").find("already") != std::string::npos);
+        QVERIFY(fs::is_symlink(root_ / "link"));
+        QCOMPARE(files_here(), 2L);
+    }
+
+    void links_that_lead_in_a_circle_are_left() {
+        fs::create_symlink("there", root_ / "here");
+        fs::create_symlink("here", root_ / "there");
+        QVERIFY(!replace_file(root_ / "here", "new").empty());
+        QVERIFY(fs::is_symlink(root_ / "here") && fs::is_symlink(root_ / "there"));
     }
 
     /// A limit on the size of files stands in for a disk that fills up half-way.

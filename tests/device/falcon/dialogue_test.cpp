@@ -1,0 +1,493 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is asked of a Falcon, how often, and what is made of its replies: each packet written by hand.
+#include "device/falcon/falcon.hpp"
+#include "device/falcon/falcon_start.hpp"
+#include "device/guard/simulated_guard.hpp"
+#include "falcon_bench.hpp"
+#include "safe_force.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+using namespace tp;
+using namespace tp::falcon;
+using namespace tp::testing;
+using What = FalconStart::Step::What;
+
+namespace {
+
+Reply reply_at(const Place& place) {
+    Reply reply;
+    const Angles angles = *angles_at(place);
+    for (std::size_t i = 0; i < 3; ++i)
+        reply.encoders[i] = static_cast<std::int16_t>(std::lround(counts_of(angles[static_cast<int>(i)])));
+    reply.homed = 7;
+    return reply;
+}
+
+/// A Falcon whose firmware runs: says what a test puts there, keeps what it was told.
+struct Script final : FalconLink {
+    std::optional<Reply> answers = reply_at(middle); ///< to each command; nothing: it is silent
+    std::deque<UsbPacket> to_say;
+    std::vector<Command> commands;
+    GuardDiary diary;
+    int reads = 0;
+    int waited_ms = 0;
+
+    void say(const Packet& packet) {
+        UsbPacket usb;
+        usb.bytes[0] = 0x01;
+        usb.bytes[1] = 0x60;
+        std::copy(packet.begin(), packet.end(), usb.bytes.begin() + 2);
+        usb.size = 2 + packet_size;
+        to_say.push_back(usb);
+    }
+    bool control(const ftdi::Request&) noexcept override { return true; }
+    UsbGot read(UsbPacket& packet, int wait_ms) noexcept override {
+        ++reads;
+        waited_ms += wait_ms;
+        if (to_say.empty())
+            return UsbGot::nothing;
+        packet = to_say.front();
+        to_say.pop_front();
+        return UsbGot::packet;
+    }
+    bool write(std::span<const std::uint8_t> bytes) noexcept override {
+        Packet packet{};
+        std::copy_n(bytes.begin(), std::min(bytes.size(), packet_size), packet.begin());
+        if (const std::optional<Command> command = decode_command(packet))
+            commands.push_back(*command);
+        if (answers)
+            say(encode(*answers));
+        return true;
+    }
+    Result<std::unique_ptr<ForceGuard>> guard(std::span<const std::uint8_t>) override {
+        return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(diary));
+    }
+};
+
+struct Bench {
+    Script script;
+    Falcon device{lend(script), [] { return falcon_image(); }, "F-1", LatestWriter::Thread::caller};
+    double now = 0.0;
+
+    Result<Capabilities> open() {
+        Result<Capabilities> can = device.open();
+        script.answers.reset(); // from here on a test says what comes
+        script.to_say.clear();
+        return can;
+    }
+    std::optional<DeviceState> hear(const Reply& reply) {
+        script.say(encode(reply));
+        return device.read(now += 0.001);
+    }
+    void write(const SafeForce& force) {
+        device.write(force);
+        device.deliver();
+    }
+    bool pulls() const { return script.commands.back().motors != std::array<std::int16_t, 3>{}; }
+};
+
+} // namespace
+
+class FalconDialogueTest : public QObject {
+    Q_OBJECT
+private slots:
+    void it_says_what_it_can() {
+        Bench bench;
+        const Result<Capabilities> can = bench.open();
+        QVERIFY2(can.ok(), can.error().c_str());
+        QCOMPARE(can->name, std::string("Novint Falcon"));
+        QCOMPARE(can->max_force, 2.0);
+        QCOMPARE(can->continuous_force, 2.0);
+        QCOMPARE(can->resolution, 0.05);
+        QCOMPARE(can->rate, 1000.0);
+        QCOMPARE(can->delay, 0.002);
+        QCOMPARE(can->workspace.size(), std::size_t(16));
+        for (std::size_t i = 0; i < 16; ++i) {
+            const double angle = std::numbers::pi / 8.0 * static_cast<double>(i);
+            QVERIFY(length(can->workspace[i] - 50.0 * Vec2(std::cos(angle), std::sin(angle))) < 1e-9);
+        }
+    }
+
+    void each_button_is_the_one_that_was_pressed() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        const std::array<std::uint8_t, 4> pressed{button::centre, button::plus, button::forward,
+                                                  button::minus};
+        for (std::size_t i = 0; i < pressed.size(); ++i) {
+            Reply reply = reply_at(middle);
+            reply.buttons = pressed[i];
+            const std::optional<DeviceState> state = bench.hear(reply);
+            QVERIFY(state);
+            QCOMPARE(state->buttons, 1u << i);
+            QCOMPARE(state->time, bench.now);
+        }
+        Reply all = reply_at(middle);
+        all.buttons = 15;
+        QCOMPARE(bench.hear(all)->buttons, 15u);
+    }
+
+    /// 3 mm a millisecond are three metres a second.
+    void a_hand_gets_three_millimetres_on_between_two_writes() {
+        for (const double mm : {2.8, 3.2}) {
+            Bench bench;
+            QVERIFY(bench.open().ok());
+            QVERIFY(bench.hear(reply_at(middle)));
+            QCOMPARE(bench.hear(reply_at(falcon_place({mm, 0.0}))).has_value(), mm < 3.0);
+            QCOMPARE(bench.device.bad_readings(), std::uint64_t(mm < 3.0 ? 0 : 1));
+        }
+        for (const double mm : {8.7, 9.3}) { // two writes were not answered
+            Bench bench;
+            QVERIFY(bench.open().ok());
+            QVERIFY(bench.hear(reply_at(middle)));
+            bench.write(SafeForce{});
+            bench.write(SafeForce{});
+            QCOMPARE(bench.hear(reply_at(falcon_place({0.0, mm}))).has_value(), mm < 9.0);
+        }
+    }
+
+    void the_eighth_reply_from_a_new_place_is_believed() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        QVERIFY(bench.hear(reply_at(middle)));
+        for (int i = 1; i <= 8; ++i)
+            QCOMPARE(bench.hear(reply_at(falcon_place({30.0, 0.0}))).has_value(), i == 8);
+        QVERIFY(bench.hear(reply_at(falcon_place({31.0, 0.0}))));
+        for (int i = 1; i <= 7; ++i) // and the count begins anew
+            QVERIFY(!bench.hear(reply_at(falcon_place({0.0, 0.0}))));
+    }
+
+    void only_where_all_three_arms_are_homed_it_knows_its_place() {
+        for (std::uint8_t homed = 0; homed < 8; ++homed) {
+            Bench bench;
+            QVERIFY(bench.open().ok());
+            Reply reply = reply_at(falcon_place({10.0, 0.0}));
+            reply.homed = homed;
+            QVERIFY(bench.hear(reply));
+            bench.write(SafeForce{});
+            QCOMPARE(bench.device.motors_off(), homed != 7);
+            QCOMPARE(bench.device.complaint().empty(), homed == 7);
+            bench.write(safe({1.0, 0.0}));
+            QCOMPARE(bench.pulls(), homed == 7);
+            QCOMPARE(bench.script.commands.back().homing, homed != 7);
+            QCOMPARE(bench.script.commands.back().leds, homed == 7 ? led::green : led::red);
+        }
+    }
+
+    /// However the arms lose their places: no force until the servo has once sent none.
+    void after_it_lost_its_marks_it_wants_no_force_first() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        QVERIFY(bench.hear(reply_at(middle)));
+        bench.write(safe({1.0, 0.0}));
+        QVERIFY(!bench.pulls()); // nor at the beginning
+        bench.write(SafeForce{});
+        bench.write(safe({1.0, 0.0}));
+        QVERIFY(bench.pulls());
+        Reply lost = reply_at(middle);
+        lost.homed = 6;
+        QVERIFY(bench.hear(lost));
+        bench.write(safe({1.0, 0.0}));
+        QVERIFY(!bench.pulls());
+        QVERIFY(bench.hear(reply_at(middle)));
+        bench.write(safe({1.0, 0.0}));
+        QVERIFY(!bench.pulls());
+        bench.write(SafeForce{});
+        bench.write(safe({1.0, 0.0}));
+        QVERIFY(bench.pulls());
+    }
+
+    void after_fifty_writes_without_a_place_its_motors_are_off() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        bench.hear(reply_at(middle));
+        bench.write(SafeForce{});
+        QVERIFY(bench.hear(reply_at(middle)));
+        for (int i = 1; i <= 60; ++i) {
+            bench.write(safe({1.0, 0.0}));
+            QCOMPARE(bench.pulls(), i <= 50);
+        }
+        QVERIFY(bench.hear(reply_at(middle)));
+        bench.write(safe({1.0, 0.0}));
+        QVERIFY(bench.pulls());
+    }
+
+    /// However much has gathered: a read ends, and the next goes on where it did.
+    void one_read_takes_64_packets() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        for (int i = 0; i < 70; ++i)
+            bench.script.say(encode(reply_at(falcon_place({0.02 * i, 0.0}))));
+        QVERIFY(bench.device.read(0.001));
+        QCOMPARE(bench.script.to_say.size(), std::size_t(6));
+        QVERIFY(bench.device.read(0.002));
+        QVERIFY(bench.script.to_say.empty());
+        QVERIFY(!bench.device.read(0.003));
+    }
+
+    void replies_that_are_none_are_counted() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        Packet odd = encode(reply_at(middle));
+        odd[13] = 0x40; // flags that there are not
+        bench.script.say(odd);
+        QVERIFY(!bench.device.read(0.001));
+        QCOMPARE(bench.device.bad_readings(), std::uint64_t(1));
+        Packet torn = encode(reply_at(middle));
+        torn[0] = 'x';
+        bench.script.say(torn);
+        QVERIFY(!bench.device.read(0.002));
+        QCOMPARE(bench.device.bad_readings(), std::uint64_t(17));
+        bench.hear(Reply{{32767, 32767, -32768}, 0, 7}); // where no grip is
+        QCOMPARE(bench.device.bad_readings(), std::uint64_t(18));
+    }
+
+    void what_does_not_answer_any_more_is_asked_ten_times_before_it_is_said() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        bench.script.commands.clear();
+        bench.script.reads = bench.script.waited_ms = 0;
+        QVERIFY(bench.device.home().error().find("does not answer") != std::string::npos);
+        QCOMPARE(bench.script.commands.size(), std::size_t(10));
+        QCOMPARE(bench.script.waited_ms, 50);
+        for (const Command& command : bench.script.commands) {
+            QVERIFY(command.homing);
+            QCOMPARE(command.leds, led::blue);
+        }
+    }
+
+    // What is tried with a Falcon until it is said not to answer
+
+    void a_firmware_that_may_run_is_asked_five_times_for_60_ms_each() {
+        FalconStart start(std::span<const std::uint8_t>{});
+        int sent = 0;
+        int silences = 0;
+        FalconStart::Step step = start.next();
+        for (; step.what != What::failed && silences < 10000; step = start.next())
+            if (step.what == What::send)
+                ++sent;
+            else if (step.what == What::listen) {
+                ++silences;
+                start.silence();
+            }
+        QCOMPARE(sent, 5);
+        QCOMPARE(silences, 15);
+        FalconStart idle(
+            std::span<const std::uint8_t>{}); // packets with nothing in them come each millisecond
+        int heard = 0;
+        for (step = idle.next(); step.what != What::failed && heard < 10000; step = idle.next())
+            if (step.what == What::listen) {
+                ++heard;
+                idle.heard({}, false);
+            }
+        QCOMPARE(heard, 5 * 60);
+    }
+
+    void a_loader_is_greeted_a_hundred_times_a_load_and_loaded_ten_times() {
+        const std::vector<std::uint8_t> image = falcon_image();
+        FalconStart start(image);
+        int greetings = 0;
+        int listened = 0;
+        FalconStart::Step step = start.next();
+        for (; step.what != What::failed && listened < 100000; step = start.next())
+            if (step.what == What::send)
+                greetings += step.bytes.size() == 3 ? 1 : 0;
+            else if (step.what == What::listen) {
+                ++listened;
+                start.heard({}, false); // of a loader each 16 ms
+            }
+        QCOMPARE(greetings, 10 * 100);
+        QCOMPARE(listened, 5 * 60 + 10 * 100 * 4);
+        QCOMPARE(start.loads(), 10);
+    }
+
+    /// From the greeting on, with silence at one stage.
+    void each_stage_of_a_load_has_its_patience() {
+        const std::vector<std::uint8_t> image = falcon_image();
+        FalconStart start(image);
+        const auto until_sent = [&start](std::size_t size) {
+            for (int i = 0; i < 1000; ++i) {
+                const FalconStart::Step step = start.next();
+                if (step.what == What::send && step.bytes.size() == size)
+                    return true;
+                if (step.what == What::listen)
+                    start.silence();
+            }
+            return false;
+        };
+        const std::vector<std::uint8_t> greeted{0x0A, 0x44, 0x2C, 0x0D};
+        const std::vector<std::uint8_t> knocked{0x41};
+        QVERIFY(until_sent(3));
+        start.heard(greeted, false);
+        int silences = 0; // for CTS 300 ms, then it is tried without
+        FalconStart::Step step = start.next();
+        for (; step.what != What::send; step = start.next())
+            if (step.what == What::listen) {
+                ++silences;
+                start.silence();
+            }
+        QCOMPARE(silences, 15);
+        QCOMPARE(step.bytes.size(), std::size_t(1));
+        int knocks = 1;
+        while (start.loads() == 1) {
+            step = start.next();
+            if (step.what == What::send)
+                ++knocks;
+            else
+                start.silence();
+        }
+        QCOMPARE(knocks, 5);
+        QVERIFY(until_sent(3)); // the whole load again
+        start.heard(greeted, false);
+        start.heard({}, true);
+        QVERIFY(until_sent(1));
+        start.heard(knocked, true);
+        QVERIFY(until_sent(62));
+        silences = 0; // a chunk is sent once and waited for 400 ms
+        while (start.loads() == 2) {
+            step = start.next();
+            QVERIFY(step.what == What::listen);
+            ++silences;
+            start.silence();
+        }
+        QCOMPARE(silences, 20);
+        QCOMPARE(static_cast<int>(start.trouble()), static_cast<int>(FalconStart::Trouble::broken_load));
+        QVERIFY(until_sent(3));
+        start.heard(greeted, false);
+        start.heard({}, true);
+        QVERIFY(until_sent(1));
+        start.heard(knocked, true);
+        std::size_t loaded = 0;
+        while (loaded < image.size()) {
+            step = start.next();
+            QVERIFY(step.what == What::send);
+            const std::vector<std::uint8_t> echo(step.bytes.begin(), step.bytes.end());
+            loaded += echo.size();
+            start.heard(echo, true);
+        }
+        int proofs = 0; // ten times, then the load begins anew
+        while (start.loads() == 3) {
+            step = start.next();
+            if (step.what == What::send)
+                ++proofs;
+            else if (step.what == What::listen)
+                start.silence();
+        }
+        QCOMPARE(proofs, 10);
+        QCOMPARE(static_cast<int>(start.trouble()), static_cast<int>(FalconStart::Trouble::dead_firmware));
+    }
+
+    // Packets
+
+    /// The first and the last of each letter, and their neighbours.
+    void letters_of_a_packet_have_bounds() {
+        const auto with = [](const Packet& of, std::size_t at, std::uint8_t letter) {
+            Packet packet = of;
+            packet[at] = letter;
+            return packet;
+        };
+        const Packet reply = encode(Reply{});
+        const Packet command = encode(Command{});
+        for (std::size_t at = 1; at < 13; ++at) {
+            QVERIFY(decode_reply(with(reply, at, 'P')));
+            QVERIFY(!decode_reply(with(reply, at, 'Q')));
+            QVERIFY(!decode_reply(with(reply, at, '@')));
+            QVERIFY(!decode_command(with(command, at, 'Q')));
+        }
+        QVERIFY(decode_reply(with(reply, 13, 'A' + 0x7F)));
+        QVERIFY(!decode_reply(with(reply, 13, 'A' + 0x80)));
+        QVERIFY(!decode_reply(with(reply, 13, '@')));
+        QVERIFY(decode_command(with(command, 13, 'A' + 0x0F)));
+        QVERIFY(!decode_command(with(command, 13, 'A' + 0x10)));
+        QVERIFY(!decode_command(with(command, 13, '@')));
+        QVERIFY(decode_reply(with(reply, 14, 'z'))); // of no known meaning
+        QVERIFY(!decode_command(with(command, 14, 'B')));
+    }
+
+    void a_motor_is_told_4096_units_at_most() {
+        // −4096 is 0xF000, −4097 0xEFFF; the least nibble comes first.
+        const auto told = [](const char* nibbles) {
+            Packet packet = encode(Command{});
+            std::copy_n(nibbles, 4, packet.begin() + 5);
+            const std::optional<Command> command = decode_command(packet);
+            return command ? std::optional<int>(command->motors[1]) : std::nullopt;
+        };
+        QVERIFY(told("AAAB") == 4096);
+        QVERIFY(!told("BAAB"));
+        QVERIFY(told("AAAP") == -4096);
+        QVERIFY(!told("PPPO"));
+    }
+
+    void what_is_no_light_no_button_and_no_arm_does_not_spill_over() {
+        Command command;
+        command.leds = 0xFF;
+        QCOMPARE(decode_command(encode(command))->leds, std::uint8_t(14));
+        QVERIFY(!decode_command(encode(command))->homing);
+        Reply reply;
+        reply.buttons = 0xF5;
+        reply.homed = 0xFA;
+        QCOMPARE(decode_reply(encode(reply))->buttons, std::uint8_t(5));
+        QCOMPARE(decode_reply(encode(reply))->homed, std::uint8_t(2));
+    }
+
+    // The pane
+
+    /// 300 N/m, and no more than 0.04 N on from one millisecond to the next.
+    void the_pane_pushes_by_its_depth_and_lets_in_its_share() {
+        for (const double depth_mm : {1.0, 2.0, 4.0}) {
+            Pane pane;
+            pane.feed(0.0, plane_z - 1e-3 * depth_mm);
+            QVERIFY(std::abs(pane.force(1.0) - 0.04) < 1e-12);
+            for (int i = 0; i < 60; ++i)
+                pane.force(1.0);
+            QVERIFY(std::abs(pane.force(1.0) - 0.3 * depth_mm) < 1e-12);
+            QVERIFY(std::abs(pane.force(9.0) - 0.3 * depth_mm) < 1e-12); // all is all
+            QVERIFY(std::abs(pane.force(0.5) - 0.15 * depth_mm) < 1e-12);
+            pane.forget();
+            QCOMPARE(pane.force(1.0), 0.0);
+        }
+    }
+
+    /// 6 N·s/m against a speed that is smoothed at 40 Hz.
+    void the_pane_damps_by_a_smoothed_speed() {
+        const auto force_at = [](double dt, double speed) {
+            Pane pane;
+            const double z = plane_z - 2e-3;
+            pane.feed(1.0, z - speed * dt);
+            pane.feed(1.0 + dt, z);
+            for (int i = 0; i < 60; ++i)
+                pane.force(1.0);
+            return pane.force(1.0);
+        };
+        const double part = 1.0 - std::exp(-2.0 * std::numbers::pi * 40.0 * 0.001);
+        for (const double speed : {0.05, -0.05})
+            QVERIFY(std::abs(force_at(0.001, speed) - (0.6 - 6.0 * part * speed)) < 1e-9);
+        QVERIFY(std::abs(force_at(0.019, -0.05) - 0.6) > 0.1);
+        QVERIFY(std::abs(force_at(0.021, -0.05) - 0.6) < 1e-12); // after a gap it knows no speed
+        Pane twice;                                              // the same time again says nothing new
+        twice.feed(1.0, plane_z - 1e-3);
+        twice.feed(1.0, plane_z - 5e-3);
+        for (int i = 0; i < 60; ++i)
+            twice.force(1.0);
+        QVERIFY(std::abs(twice.force(1.0) - 0.3) < 1e-12);
+        twice.feed(std::nan(""), plane_z - 5e-3);
+        twice.feed(2.0, std::nan(""));
+        QVERIFY(std::abs(twice.force(1.0) - 0.3) < 1e-12);
+    }
+};
+
+QTEST_APPLESS_MAIN(FalconDialogueTest)
+#include "dialogue_test.moc"

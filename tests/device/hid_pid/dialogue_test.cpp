@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is told to a force stick, how often, and what is made of what it tells: each report written by hand.
+#include "device/guard/simulated_guard.hpp"
+#include "device/hid_pid/model_stick.hpp"
+#include "device/hid_pid/pid_stick.hpp"
+#include "device/hid_pid/report_descriptor.hpp"
+#include "recorded_descriptors.hpp"
+#include "safe_force.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+using namespace tp;
+using tp::testing::bytes_of;
+using tp::testing::safe;
+
+namespace {
+
+/// An open controller that keeps what it was told, and says what a test puts there.
+struct Script final : PidTransport {
+    std::vector<std::vector<std::uint8_t>> told;
+    std::deque<std::vector<std::uint8_t>> to_say;
+    std::vector<std::uint8_t> block_load{0x12, 0, 1, 0, 0}; ///< its block is counted up from 1
+    int asked = 0;
+    int not_ready_for = 0; ///< questions after a load that it leaves unanswered
+    bool same_block = false;
+    GuardDiary diary;
+
+    std::vector<std::uint8_t> descriptor() override {
+        const StickWire wire = open_controller();
+        return {wire.descriptor.begin(), wire.descriptor.end()};
+    }
+    Got read(hid::Report& report, int) noexcept override {
+        if (to_say.empty())
+            return Got::nothing;
+        report = {};
+        std::copy(to_say.front().begin(), to_say.front().end(), report.bytes.begin());
+        report.size = to_say.front().size();
+        to_say.pop_front();
+        return Got::report;
+    }
+    Got input_now(hid::Report& report) noexcept override {
+        report = {};
+        report.bytes[0] = 1;
+        report.size = 13;
+        return Got::report;
+    }
+    bool write(const hid::Report& report) noexcept override {
+        told.emplace_back(report.all().begin(), report.all().end());
+        return true;
+    }
+    void write_from_signal(const hid::Report& report) noexcept override { write(report); }
+    bool set_feature(const hid::Report&) noexcept override {
+        asked = 0;
+        block_load[1] = same_block ? 1 : static_cast<std::uint8_t>(block_load[1] + 1);
+        return true;
+    }
+    bool get_feature(hid::Report& report) noexcept override {
+        if (asked++ < not_ready_for)
+            return false;
+        std::copy(block_load.begin(), block_load.end(), report.bytes.begin());
+        return true;
+    }
+    Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report>,
+                                              std::span<const hid::Report>) override {
+        return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(diary));
+    }
+    /// Reports told since the last time, that begin so.
+    int count(std::string_view hex) const {
+        const std::vector<std::uint8_t> start = bytes_of(hex);
+        return static_cast<int>(std::count_if(told.begin(), told.end(), [&](const auto& report) {
+            return report.size() >= start.size() && std::equal(start.begin(), start.end(), report.begin());
+        }));
+    }
+};
+
+struct Borrowed final : PidTransport {
+    explicit Borrowed(Script& lent) : script(lent) {}
+    std::vector<std::uint8_t> descriptor() override { return script.descriptor(); }
+    Got read(hid::Report& report, int wait_ms) noexcept override { return script.read(report, wait_ms); }
+    Got input_now(hid::Report& report) noexcept override { return script.input_now(report); }
+    bool write(const hid::Report& report) noexcept override { return script.write(report); }
+    void write_from_signal(const hid::Report& report) noexcept override { script.write_from_signal(report); }
+    bool set_feature(const hid::Report& report) noexcept override { return script.set_feature(report); }
+    bool get_feature(hid::Report& report) noexcept override { return script.get_feature(report); }
+    Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report> no_force,
+                                              std::span<const hid::Report> at_the_end) override {
+        return script.guard(no_force, at_the_end);
+    }
+    Script& script;
+};
+
+struct Bench {
+    Script script;
+    PidStick device;
+    double now = 0.0;
+
+    explicit Bench(const StickScale& scale = {8.0, {1.0, 1.0}, true})
+        : device(
+              [this]() -> Result<std::unique_ptr<PidTransport>> {
+                  return std::unique_ptr<PidTransport>(std::make_unique<Borrowed>(script));
+              },
+              {"a stick", "0001"}, scale, LatestWriter::Thread::caller) {}
+
+    std::optional<DeviceState> tick(Vec2 newtons, double dt = 0.001) {
+        const std::optional<DeviceState> state = device.read(now += dt);
+        device.write(safe(newtons, 100.0));
+        device.deliver();
+        return state;
+    }
+};
+
+hid::DescriptorFault fault_of(const std::vector<std::uint8_t>& bytes) {
+    hid::ReportDescriptor found;
+    return hid::parse_report_descriptor(bytes, found);
+}
+
+} // namespace
+
+class StickDialogueTest : public QObject {
+    Q_OBJECT
+private slots:
+    void it_says_what_it_can_data() {
+        QTest::addColumn<double>("newtons");
+        QTest::addColumn<bool>("measured");
+        QTest::addColumn<double>("most");
+        QTest::newRow("weak") << 3.0 << true << 3.0;
+        QTest::newRow("strong") << 60.0 << true << 20.0;
+        QTest::newRow("unmeasured") << 60.0 << false << 2.0;
+    }
+    void it_says_what_it_can() {
+        QFETCH(double, newtons);
+        QFETCH(bool, measured);
+        QFETCH(double, most);
+        Bench bench({newtons, {1.0, 1.0}, measured});
+        const Result<Capabilities> can = bench.device.open();
+        QVERIFY2(can.ok(), can.error().c_str());
+        QCOMPARE(can->name, std::string("force stick"));
+        QCOMPARE(can->max_force, most);
+        QCOMPARE(can->continuous_force, most);
+        QCOMPARE(can->calibrated, measured);
+        QCOMPARE(can->rate, 1000.0);
+        QCOMPARE(can->delay, 0.004);
+        QVERIFY(std::abs(can->resolution - 120.0 / 65534.0) < 1e-6);
+        QVERIFY(can->workspace == (std::vector<Vec2>{{-60, -60}, {60, -60}, {60, 60}, {-60, 60}}));
+    }
+
+    void a_place_is_turned_so_that_away_is_up() {
+        Bench bench;
+        QVERIFY(bench.device.open().ok());
+        bench.script.to_say.push_back(bytes_of("01 05 00 00 00 00 00 00 00 FF 7F 01 80"));
+        const std::optional<DeviceState> state = bench.tick({0, 0});
+        QVERIFY(state && state->position == Vec2(60.0, 60.0)); // to the right, and away from the person
+        QCOMPARE(state->buttons, 5u);
+        QCOMPARE(state->time, bench.now);
+    }
+
+    /// Many devices end an "infinite" effect after 65.5 s.
+    void each_effect_is_started_anew_each_30_s_and_never_both_at_once() {
+        Bench bench;
+        QVERIFY(bench.device.open().ok());
+        bench.script.told.clear();
+        std::array<std::vector<double>, 2> starts;
+        for (int i = 0; i < 10'000; ++i) {
+            bench.tick({0, 0}, 0.01);
+            const int first = bench.script.count("0a 01 01 01");
+            const int second = bench.script.count("0a 02 01 01");
+            QVERIFY(first + second <= 1);
+            if (first + second == 1)
+                starts[static_cast<std::size_t>(second)].push_back(bench.now);
+            bench.script.told.clear();
+        }
+        for (const auto& [which, from] : {std::pair{0, 30.0}, {1, 15.0}}) {
+            QCOMPARE(starts[static_cast<std::size_t>(which)].size(), std::size_t(3));
+            for (std::size_t i = 0; i < 3; ++i)
+                QVERIFY(std::abs(starts[static_cast<std::size_t>(which)][i] -
+                                 (from + 30.0 * static_cast<double>(i))) < 0.05);
+        }
+    }
+
+    void motors_that_are_off_are_switched_on_four_times_a_second_while_no_force_is_wanted() {
+        Bench bench;
+        QVERIFY(bench.device.open().ok());
+        bench.tick({0, 0});
+        bench.script.told.clear();
+        bench.script.to_say.push_back(bytes_of("02 0C")); // actuators off
+        for (int i = 0; i < 10'100; ++i)
+            bench.tick({0, 0});
+        QCOMPARE(bench.script.count("0c 01"), 40);
+        QVERIFY(bench.script.count("0a 01 01 01") >= 40 &&
+                bench.script.count("0a 02 01 01") >= 40); // and played
+        QVERIFY(bench.device.motors_off());
+        QVERIFY(bench.device.complaint().find("switched its motors off") != std::string::npos);
+        bench.script.told.clear();
+        for (int i = 0; i < 1000; ++i)
+            bench.tick({1, 0});
+        QCOMPARE(bench.script.count("0c 01"), 0);
+        bench.script.to_say.push_back(bytes_of("02 0E")); // on again
+        for (int i = 0; i < 1000; ++i)
+            bench.tick({0, 0});
+        QCOMPARE(bench.script.count("0c 01"), 0);
+        QVERIFY(!bench.device.motors_off());
+    }
+
+    /// Each message tells one force as a sign of life, in turns; one that does not change is told each
+    /// sixteenth time.
+    void what_does_not_change_is_told_again() {
+        Bench bench;
+        QVERIFY(bench.device.open().ok());
+        bench.tick({2, 0.5});
+        bench.script.told.clear();
+        for (int i = 0; i < 100; ++i)
+            bench.tick({2, 0.5});
+        QCOMPARE(bench.script.told.size(), std::size_t(100));
+        QCOMPARE(bench.script.count("05 01"), 50);
+        QCOMPARE(bench.script.count("05 02"), 50);
+        bench.tick({2, 0.6});
+        bench.script.told.clear();
+        for (int i = 0; i < 160; ++i)
+            bench.tick({2, i % 2 == 0 ? 0.5 : 0.6});
+        QCOMPARE(bench.script.count("05 02"), 160);
+        QCOMPARE(bench.script.count("05 01"), 10);
+    }
+
+    /// A quarter of 8 N is a quarter of 32767; a sign of the person's.
+    void a_share_never_grows_by_rounding() {
+        Bench bench({8.0, {1.0, -1.0}, true});
+        QVERIFY(bench.device.open().ok());
+        bench.script.told.clear();
+        bench.tick({2.0, 2.0});
+        QCOMPARE(bench.script.count("05 01 ff 1f"), 1); // 8191 of 8191.75
+        QCOMPARE(bench.script.count("05 02 01 e0"), 1); // −8191
+        bench.tick({50.0, 0.0});
+        QCOMPARE(bench.script.count("05 01 ff 7f"), 1);
+        QVERIFY(bench.device.assume(16.0, {-1.0, 1.0}));
+        bench.script.told.clear();
+        bench.tick({4.0, 4.0});
+        QCOMPARE(bench.script.count("05 01 01 e0"), 1);
+        QCOMPARE(bench.script.count("05 02 ff 1f"), 1);
+    }
+
+    void one_read_takes_64_reports() {
+        Bench bench;
+        QVERIFY(bench.device.open().ok());
+        for (int i = 0; i < 70; ++i)
+            bench.script.to_say.push_back(bytes_of("02 0E"));
+        bench.tick({0, 0});
+        QCOMPARE(bench.script.to_say.size(), std::size_t(6));
+        bench.tick({0, 0});
+        QVERIFY(bench.script.to_say.empty());
+    }
+
+    void an_effect_is_asked_for_twenty_times() {
+        Bench late;
+        late.script.not_ready_for = 19;
+        QVERIFY(late.device.open().ok());
+        Bench never;
+        never.script.not_ready_for = 20;
+        QVERIFY(never.device.open().error().find("does not take up a force") != std::string::npos);
+        QCOMPARE(never.script.asked, 20);
+    }
+
+    void two_forces_at_one_place_are_none() {
+        Bench bench;
+        bench.script.same_block = true;
+        QVERIFY(bench.device.open().error().find("does not take up a force") != std::string::npos);
+    }
+
+    void what_another_program_left_ends_before_a_force_is_loaded() {
+        Bench bench;
+        QVERIFY(bench.device.open().ok());
+        std::vector<std::vector<std::uint8_t>> first(bench.script.told.begin(),
+                                                     bench.script.told.begin() + 4);
+        const std::vector<std::vector<std::uint8_t>> wanted{bytes_of("0c 03"), bytes_of("0c 04"),
+                                                            bytes_of("0c 01"), bytes_of("0d ff")};
+        QVERIFY(first == wanted);
+        for (const char* force : {"05 01 00 00", "05 02 00 00"})
+            QCOMPARE(bench.script.count(force), 1);
+        bench.script.told.clear();
+        bench.device.stop();
+        for (const char* last : {"0a 01 03", "0a 02 03", "0b 01", "0b 02", "0c 02"})
+            QVERIFY2(bench.script.count(last) == 1, last);
+    }
+
+    // Descriptors: the largest of each that is read, and one more
+
+    void a_descriptor_may_be_as_long_as_the_system_lets_it() {
+        QCOMPARE(fault_of(std::vector<std::uint8_t>(4096, 0)), hid::DescriptorFault::none);
+        QCOMPARE(fault_of(std::vector<std::uint8_t>(4097, 0)), hid::DescriptorFault::too_long);
+    }
+    void collections_and_states_may_be_32_deep() {
+        for (const std::size_t depth : {32u, 33u}) {
+            std::vector<std::uint8_t> collections;
+            for (std::size_t i = 0; i < depth; ++i)
+                collections.insert(collections.end(), {0xA1, 0x02});
+            collections.insert(collections.end(), depth, 0xC0);
+            const auto wanted = depth == 32 ? hid::DescriptorFault::none : hid::DescriptorFault::too_deep;
+            QCOMPARE(fault_of(collections), wanted);
+            QCOMPARE(fault_of(std::vector<std::uint8_t>(depth, 0xA4)), wanted);
+        }
+    }
+    void a_report_may_have_8_kilobytes() {
+        QCOMPARE(fault_of(bytes_of("76 00 80 95 02 81 02")), hid::DescriptorFault::none);
+        QCOMPARE(fault_of(bytes_of("76 00 80 95 02 81 02 75 01 95 01 81 02")),
+                 hid::DescriptorFault::report_too_long);
+        QCOMPARE(fault_of(bytes_of("76 00 80 95 02 81 02 75 01 95 01 91 02")),
+                 hid::DescriptorFault::none); // of another
+    }
+    void report_ids_are_1_to_255() {
+        QCOMPARE(fault_of(bytes_of("85 01")), hid::DescriptorFault::none);
+        QCOMPARE(fault_of(bytes_of("85 FF")), hid::DescriptorFault::none);
+    }
+    void long_items_may_be_empty_and_end_the_descriptor() {
+        QCOMPARE(fault_of(bytes_of("FE 00 F0")), hid::DescriptorFault::none);
+        QCOMPARE(fault_of(bytes_of("FE 02 F0 01 02")), hid::DescriptorFault::none);
+        QCOMPARE(fault_of(bytes_of("FE 00")), hid::DescriptorFault::cut_short);
+        QCOMPARE(fault_of(bytes_of("FE 02 F0 01")), hid::DescriptorFault::cut_short);
+    }
+    void numbers_have_the_sign_of_their_size() {
+        const auto first = [](std::string_view hex) {
+            hid::ReportDescriptor found;
+            hid::parse_report_descriptor(bytes_of(hex), found);
+            return found.fields.at(0);
+        };
+        QCOMPARE(first("15 80 25 7F 75 08 95 01 81 02").logical_min, std::int64_t{-128});
+        QCOMPARE(first("16 80 00 26 FF 00 75 08 95 01 81 02").logical_min, std::int64_t{128});
+        QCOMPARE(first("16 00 80 26 FF 7F 75 10 95 01 81 02").logical_min, std::int64_t{-32768});
+        QCOMPARE(first("35 81 45 7F 75 08 95 01 81 02").physical_min, std::int64_t{-127});
+        QCOMPARE(first("35 00 45 FF 75 08 95 01 81 02").physical_max, std::int64_t{255});
+        for (const auto& [nibble, exponent] :
+             {std::pair{"55 07", 7}, {"55 08", -8}, {"55 0F", -1}, {"55 10", 16}})
+            QCOMPARE(first(std::string(nibble) + " 75 08 95 01 81 02").unit_exponent, exponent);
+    }
+    void flags_of_a_field_are_told_apart() {
+        const auto flags = [](const char* item) {
+            hid::ReportDescriptor found;
+            hid::parse_report_descriptor(bytes_of(std::string("75 08 95 01 ") + item), found);
+            const hid::Field& field = found.fields.at(0);
+            return std::array{field.constant, field.array, field.relative};
+        };
+        QVERIFY(flags("81 02") == (std::array{false, false, false}));
+        QVERIFY(flags("81 03") == (std::array{true, false, false}));
+        QVERIFY(flags("81 00") == (std::array{false, true, false}));
+        QVERIFY(flags("81 06") == (std::array{false, false, true}));
+    }
+    void a_range_of_one_usage_is_one_and_one_that_runs_back_is_none() {
+        const auto usages = [](const char* items) {
+            hid::ReportDescriptor found;
+            hid::parse_report_descriptor(bytes_of(std::string("05 09 ") + items + " 75 01 95 08 81 02"),
+                                         found);
+            return found.fields.at(0).usages;
+        };
+        QCOMPARE(usages("19 03 29 03").size(), std::size_t(1));
+        QCOMPARE(usages("19 04 29 03").size(), std::size_t(0));
+        QCOMPARE(usages("29 03").size(), std::size_t(0));                // without a beginning
+        QCOMPARE(usages("1B 03 00 09 00 29 05").size(), std::size_t(0)); // pages of one end only
+        QCOMPARE(usages("19 03 29 04 29 06").size(), std::size_t(1));
+    }
+};
+
+QTEST_APPLESS_MAIN(StickDialogueTest)
+#include "dialogue_test.moc"

@@ -54,6 +54,7 @@ set(below_app ${core} tp_device tp_decode tp_face_base tp_extract tp_speech tp_s
 tp_may(tp_metadata     tp_base tp_files tp_recordings tp_exiv2  USES PkgConfig::exiv2 PkgConfig::pugixml)
 tp_may(tp_index        tp_base tp_files tp_recordings tp_metadata  USES Qt6::Core Qt6::Sql)
 tp_may(tp_keeper       tp_base tp_files tp_recordings tp_video tp_metadata tp_index  USES Qt6::Core PkgConfig::archive)
+tp_may(tp_check        tp_base tp_files tp_recordings tp_metadata tp_keeper)
 
 # app/photo: from a photograph to something shown, felt or printed
 tp_may(tp_scene        tp_base tp_files tp_geometry tp_guidance tp_svg tp_face_base)
@@ -87,5 +88,5 @@ tp_may(tp_print        ${for_pages}  USES Qt6::Quick Qt6::Svg)
 
 # the two programs
 tp_may(tp_shell        ${for_pages} ${pages} tp_mend tp_print  USES Qt6::Quick)
-tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_people tp_scene tp_picture tp_tactile tp_devices
+tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_check tp_people tp_scene tp_picture tp_tactile tp_devices
                        tp_report tp_bench tp_models tp_evaluation  USES Qt6::Core Qt6::Gui Qt6::Network)

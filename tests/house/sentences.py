@@ -19,7 +19,7 @@ NOT_ROOMS = [  # nothing of these reaches a page: tools, the shell's verbs, SQL
     "faces/models/haar_file.cpp", "faces/detect/yunet_detector.cpp", "faces/detect/haar_detector.cpp",
     "faces/contours/lbf_model.cpp", "faces/contours/mesh_model.cpp", "core/study", "app/cli",
     "app/figures/bench", "app/figures/report", "app/main.cpp",
-    "app/album/keeper/album_check.cpp", "app/album/index/album_queries.cpp", "app/album/index/index_dump.cpp",
+    "app/album/check", "app/album/index/album_queries.cpp", "app/album/index/index_dump.cpp",
     "app/album/index/photo_store.cpp", "app/album/index/schema.cpp", "app/album/index/search_words.cpp",
     "app/album/index/sql_connection.cpp", "app/album/metadata/conflict_name.cpp", "app/photo/scene/feature_words.cpp",
     "audio/sentences"]

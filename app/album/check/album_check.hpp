@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/album/check/finding.hpp"
 #include "core/base/result.hpp"
 
 #include <cstddef>
@@ -8,39 +9,9 @@
 #include <functional>
 #include <stop_token>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace tp {
-
-/// Something in an album's folder that is not as it is promised to be.
-struct Finding {
-    enum class Kind {
-        half_written,         ///< a temporary file that a killed program left; nothing in it was acknowledged
-        unfinished_recording, ///< a recording that a crash stopped
-        unlisted_recording,   ///< a recording that its photograph or person does not know of
-        missing_recording,    ///< a listed recording without its file
-        unreadable_recording,
-        unreadable_sidecar,
-        left_behind,    ///< a sidecar, contours or recordings whose photograph is not beside them, or a
-                        ///< name of nobody
-        conflict_copy,  ///< another machine changed the same sidecar
-        changed_photo,  ///< its bytes are not those that its sidecar knew
-        open_to_others, ///< recordings that other people on this machine may hear
-        unfinished_import,
-        damaged_trash,
-        damaged_name_language, ///< a file of a name's language that cannot be read or does not have its place
-    };
-    Kind kind = Kind::half_written;
-    std::filesystem::path file;
-    std::string sentence; ///< what is wrong
-    std::string mend;     ///< what mending does, "It is deleted."; empty: only a person can decide
-    bool mended = false;
-    std::string problem; ///< why it could not be mended
-};
-
-/// "half_written", …: as in JSON.
-std::string_view name_of(Finding::Kind kind);
 
 struct CheckReport {
     std::size_t photos = 0, recordings = 0;

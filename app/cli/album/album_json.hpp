@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/album/keeper/album_check.hpp"
+#include "app/album/check/album_check.hpp"
 #include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/trash.hpp"
 #include "app/album/metadata/photo_record.hpp"

@@ -2,7 +2,7 @@
 // The sound of motion photos and Live Photos, from a card to a recording.
 #include "album_folder.hpp"
 #include "album_parts.hpp"
-#include "app/album/keeper/album_check.hpp"
+#include "app/album/check/album_check.hpp"
 #include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"

@@ -4,7 +4,7 @@
 // many moments.
 #include "album_folder.hpp"
 #include "album_parts.hpp"
-#include "app/album/keeper/album_check.hpp"
+#include "app/album/check/album_check.hpp"
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/bundle.hpp"
 #include "app/album/keeper/importer.hpp"

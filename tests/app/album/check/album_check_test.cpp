@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "album_of_one.hpp"
-#include "app/album/keeper/album_check.hpp"
+#include "app/album/check/album_check.hpp"
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/name_languages.hpp"

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace tp {
+
+/// Everything in the album, sorted by what it is; so that what is found does not depend on the order of
+/// names.
+struct Inventory {
+    std::vector<std::filesystem::path> photos;
+    std::vector<std::filesystem::path> temporaries;
+    std::vector<std::filesystem::path> tags;   ///< folders of recordings
+    std::vector<std::filesystem::path> others; ///< sidecars and mended contours
+};
+
+Inventory inventory_of(const std::filesystem::path& album);
+
+constexpr std::string_view tags_end = ".tags", contours_end = ".contours.svg", xmp_end = ".xmp";
+
+} // namespace tp

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/check/recording_check.hpp"
+
+#include "app/album/keeper/photo_files.hpp"
+#include "app/album/keeper/recording_facts.hpp"
+#include "audio/recordings/repair_folder.hpp"
+#include "audio/recordings/wav_part.hpp"
+#include "core/files/file_words.hpp"
+#include "core/files/new_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <sys/stat.h>
+#include <system_error>
+#include <vector>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void missing_recording(const fs::path& photo, const Tag& tag, Findings& findings) {
+    const fs::path file = tags_folder(photo) / tag.file;
+    const std::string sentence = quoted(file) + " is listed but not there.";
+    if (AlbumKeeper keeper(album_around(photo)); keeper.is_in_trash(photo, tag.file))
+        findings.add(Finding::Kind::missing_recording, file, sentence,
+                     "It is in the trash, so it is taken off the list.",
+                     [&] { return keeper.forget_recording(photo, tag.file); });
+    else
+        findings.add(Finding::Kind::missing_recording, file,
+                     sentence + " Bring it back from a copy of the album.");
+}
+
+} // namespace
+
+std::set<std::string> recordings_in(const fs::path& folder) {
+    std::error_code error;
+    std::set<std::string> there;
+    for (const auto& file : fs::directory_iterator(folder, error))
+        if (file.is_regular_file(error) && !is_temporary(file.path()) &&
+            !file.path().filename().string().ends_with(wav_part_end))
+            there.insert(file.path().filename().string());
+    return there;
+}
+
+void check_unfinished(const fs::path& folder, Findings& findings) {
+    std::error_code error;
+    bool any = false;
+    for (const auto& file : fs::directory_iterator(folder, error))
+        any = any || file.path().filename().string().ends_with(wav_part_end);
+    if (!any)
+        return;
+    if (!findings.mends()) {
+        for (const auto& file : fs::directory_iterator(folder, error))
+            if (file.path().filename().string().ends_with(wav_part_end))
+                findings.add(Finding::Kind::unfinished_recording, file.path(),
+                             quoted(file.path()) + " was not finished, or is being recorded now.",
+                             "It is finished.", [] { return std::string{}; });
+        return;
+    }
+    const auto repaired = repair_folder(folder);
+    if (!repaired) {
+        findings.add(Finding::Kind::unfinished_recording, folder, repaired.error());
+        return;
+    }
+    for (const RepairedPart& part : *repaired)
+        if (part.outcome != RepairedPart::Outcome::in_use)
+            findings.add(Finding::Kind::unfinished_recording, part.part,
+                         quoted(part.part) + " was not finished.", "It is finished.", [&] {
+                             return part.outcome == RepairedPart::Outcome::failed ? part.sentence
+                                                                                  : std::string{};
+                         });
+}
+
+std::size_t check_recordings(const fs::path& photo, const PhotoRecord& record, Findings& findings) {
+    const fs::path folder = tags_folder(photo);
+    const std::set<std::string> there = recordings_in(folder);
+    for (const std::string& file : there) {
+        const auto facts = recording_facts(folder / file);
+        if (!facts) {
+            findings.add(Finding::Kind::unreadable_recording, folder / file, facts.error());
+            continue;
+        }
+        if (std::none_of(record.tags.begin(), record.tags.end(),
+                         [&](const Tag& tag) { return tag.file == file; }))
+            findings.add(Finding::Kind::unlisted_recording, folder / file,
+                         quoted(folder / file) + " is not in the list of its photograph.",
+                         "It is listed by its own comments.",
+                         [&] { return findings.keeper().list_recording(photo, file).error(); });
+    }
+    for (const Tag& tag : record.tags)
+        if (!there.contains(tag.file))
+            missing_recording(photo, tag, findings);
+    check_readers(folder, there, findings);
+    return there.size();
+}
+
+void check_readers(const fs::path& folder, const std::set<std::string>& files, Findings& findings) {
+    std::vector<fs::path> open;
+    struct stat about {};
+    for (const std::string& file : files)
+        if (::stat((folder / file).c_str(), &about) == 0 && (about.st_mode & 077u) != 0)
+            open.push_back(folder / file);
+    if (::stat(folder.c_str(), &about) != 0 || ((about.st_mode & 077u) == 0 && open.empty()))
+        return;
+    findings.add(Finding::Kind::open_to_others, folder,
+                 "Other people on this machine may listen to recordings in " + quoted(folder) + ".",
+                 "Only their owner may from then on.", [&] {
+                     for (const fs::path& file : open)
+                         if (::chmod(file.c_str(), 0600) != 0)
+                             return reason_of(errno);
+                     return ::chmod(folder.c_str(), 0700) == 0 ? std::string{} : reason_of(errno);
+                 });
+}
+
+} // namespace tp

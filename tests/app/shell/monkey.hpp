@@ -7,6 +7,7 @@
 
 #include <QAccessible>
 #include <QList>
+#include <QObject>
 #include <QPoint>
 #include <QPointingDevice>
 #include <QString>
@@ -22,10 +23,13 @@
 class Monkey {
 public:
     Monkey(WholeProgram& whole, unsigned seed)
-        : whole_(whole), random_(seed), screen_(QTest::createTouchDevice()) {}
+        : whole_(whole), random_(seed), screen_(QTest::createTouchDevice()) {
+        for (tp::FolderChooser* chooser : {whole.program->start().chooser(), whole.program->care().chooser(),
+                                           whole.program->settings().storage()->chooser()})
+            keep_at_home(*chooser);
+    }
 
     void do_something() {
-        stay_at_home();
         switch (below(4)) {
         case 0:
             return touch();
@@ -48,13 +52,12 @@ private:
     int below(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
     /// The folders of whoever runs this are not the monkey's: it could fill them, empty them, or read the
     /// whole computer.
-    void stay_at_home() {
-        for (tp::FolderChooser* chooser :
-             {whole_.program->start().chooser(), whole_.program->care().chooser(),
-              whole_.program->settings().storage()->chooser()})
-            if (!chooser->folder().isEmpty() &&
-                !(chooser->folder() + '/').startsWith(whole_.folder.path() + '/'))
-                chooser->begin_in(whole_.folder.filePath("Home"));
+    void keep_at_home(tp::FolderChooser& chooser) {
+        const QString home = whole_.folder.path();
+        QObject::connect(&chooser, &tp::FolderChooser::moved, [&chooser, home] {
+            if (!(chooser.folder() + '/').startsWith(home + '/'))
+                chooser.begin_in(home);
+        });
     }
     QPoint place() { return {below(whole_.window->width()), below(whole_.window->height())}; }
 

@@ -76,3 +76,14 @@ build() {
         cmake --build "$root/build/$preset"
     fi
 }
+
+# start_of_changes: the commit where this branch left main; on main itself the twentieth before.
+start_of_changes() {
+    local head base
+    head=$(git -C "$root" rev-parse HEAD)
+    base=$(git -C "$root" merge-base origin/main HEAD 2>/dev/null || true)
+    if [ -z "$base" ] || [ "$base" = "$head" ]; then
+        base=$(git -C "$root" rev-list --max-count=21 HEAD | tail -n 1)
+    fi
+    printf '%s\n' "$base"
+}

@@ -45,12 +45,12 @@ class Program:
         if not folder.is_dir():
             raise NoSuchRoom(f"There is no {room}.")
         files = sorted(path.name for path in folder.iterdir() if path.suffix in (".cpp", ".hpp"))
-        compiled = [f"{room}/{name}" for name in files if self._is_compiled(f"{room}/{name}")]
+        compiled = [f"{room}/{name}" for name in files if self.is_compiled(f"{room}/{name}")]
         if not compiled:
             raise NoSuchRoom(f"Nothing of {room} is compiled in {self.build}.")
         return sorted(compiled + [f"{room}/{name}" for name in files if name.endswith(".hpp")])
 
-    def _is_compiled(self, file: str) -> bool:
+    def is_compiled(self, file: str) -> bool:
         path = str(self.root / file)
         return path in self._commands or path in self._one_of
 

@@ -130,7 +130,8 @@ private:
 
 } // namespace
 
-Result<CheckReport> check_album(const fs::path& album, const CheckOptions& options, std::stop_token stop) {
+Result<CheckReport> check_album(const fs::path& album, const CheckOptions& options,
+                                const std::stop_token& stop) {
     std::error_code error;
     if (!fs::is_directory(album, error))
         return Error{"There is no folder " + quoted(album) + "."};

@@ -30,6 +30,6 @@ struct CheckOptions {
 /// promised. Without `mend` nothing is written. With it nothing is deleted but half-written files: what has
 /// to make way goes to the trash.
 Result<CheckReport> check_album(const std::filesystem::path& album, const CheckOptions& options = {},
-                                std::stop_token stop = {});
+                                const std::stop_token& stop = {});
 
 } // namespace tp

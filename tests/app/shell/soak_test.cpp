@@ -97,7 +97,8 @@ private slots:
                 disturbances.let_something_happen();
             disturbances.let_sound_pass(sound_s);
             QCoreApplication::processEvents();
-            QVERIFY2(whole.program->explore().finger()->newtons() <= whole.program->preferences().choices().max_force_n + 1e-9,
+            QVERIFY2(whole.program->explore().finger()->newtons() <=
+                         whole.program->preferences().choices().max_force_n + 1e-9,
                      qPrintable(monkey.last()));
             QVERIFY2(whole.keeps_to_its_folder(), qPrintable(monkey.last()));
             QVERIFY2(Warnings::all().isEmpty(), qPrintable(monkey.last() + ", " + disturbances.last() + ": " + Warnings::all().join('\n')));

@@ -97,7 +97,8 @@ struct Person : ByTouch {
     ExploreSession& explore() { return whole.program->explore(); }
     QPoint pixel(QPointF place) const {
         const QQuickItem* surface = hand.item("surface");
-        return surface->mapToScene(surface->width() / whole.program->explore().view()->surfaceWidth() * place).toPoint();
+        return surface->mapToScene(surface->width() / whole.program->explore().view()->surfaceWidth() * place)
+            .toPoint();
     }
     /// A point of the feature of this name.
     QPoint on_feature(const QString& name) {
@@ -105,7 +106,11 @@ struct Person : ByTouch {
             for (const QVariant& feature : face.toMap()["features"].toList())
                 if (feature.toMap()["name"].toString().contains(name))
                     return pixel(explore().view()->frame().from_surface(
-                        explore().view()->felt().lines[static_cast<std::size_t>(feature.toMap()["index"].toInt())].points[0]));
+                        explore()
+                            .view()
+                            ->felt()
+                            .lines[static_cast<std::size_t>(feature.toMap()["index"].toInt())]
+                            .points[0]));
         qFatal("there is no %s", qPrintable(name));
     }
     /// Slides over the letters from the first to this one, and lifts the finger there.
@@ -284,7 +289,9 @@ private slots:
         QVERIFY(person.spell("C"));
         QVERIFY(person.hears({"A", "C", "C: 1 photograph."}));
         for (const char* letter : {"L", "A", "R"})
-            QVERIFY2(person.spell(letter), qPrintable(person.whole.program->browse().lists()->typed() + ": " + person.whole.program->browse().lists()->letters().join(" ")));
+            QVERIFY2(person.spell(letter),
+                     qPrintable(person.whole.program->browse().lists()->typed() + ": " +
+                                person.whole.program->browse().lists()->letters().join(" ")));
         QVERIFY(person.hears({"Clar: 1 photograph."}));
         QVERIFY(hand.tap("Down"));
         QVERIFY(person.hears({"ben_and_clara.jpg"}));

@@ -159,7 +159,8 @@ private slots:
             bench.session =
                 std::make_unique<BrowseSession>(*bench.drawn.album, bench.narrator, bench.earcons,
                                                 bench.player, bench.drawn.preferences);
-            QCOMPARE(bench.session->trail()->placeText(), QString("1 of 5")); // what the index knows meanwhile
+            QCOMPARE(bench.session->trail()->placeText(),
+                     QString("1 of 5")); // what the index knows meanwhile
             if (goes_on)
                 bench.session->trail()->next();
             scan_waits.reset();
@@ -238,7 +239,8 @@ private slots:
         bench.session->leave();
         QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
         bench.session->enter();
-        QCOMPARE(bench.session->details()->summary(), QString("Anna und Tom, Mai 2026, Vienna; 2 recording(s)."));
+        QCOMPARE(bench.session->details()->summary(),
+                 QString("Anna und Tom, Mai 2026, Vienna; 2 recording(s)."));
     }
 
     void the_keys_are_told() {

@@ -100,12 +100,14 @@ private slots:
         const Vec2 place = bench.left_of_outline(4.0);
         bench.socket.hold_at(Bench::in_device(place));
         const QPointF finger = bench.session.view()->frame().from_surface(place);
-        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
+                               bench.session.finger()->place().y() - finger.y()) < 1e-6);
         bench.session.hand()->touchDown(10.0, 10.0);
         bench.session.hand()->moveTo(12.0, 10.0);
         QTRY_VERIFY(bench.socket.force().x > 0.75); // 0.8 N at 4 mm, to the right, onto the line
         QVERIFY(std::abs(bench.socket.force().y) < 1e-9);
-        QVERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QVERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
+                           bench.session.finger()->place().y() - finger.y()) < 1e-6);
         bench.voice.clear();
         bench.session.finger()->whereAmI();
         QVERIFY(bench.voice.said().back().endsWith("Face outline at 3 o'clock, 4 millimetre(s)."));
@@ -331,13 +333,15 @@ private slots:
         const Vec2 above = bench.session.view()->felt().lines[left_eye].points[0] + Vec2(0.0, 9.0);
         bench.socket.hold_at(Bench::in_device(above));
         const QPointF finger = bench.session.view()->frame().from_surface(above);
-        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
+                               bench.session.finger()->place().y() - finger.y()) < 1e-6);
         bench.session.hand()->goToFeature(left_eye);
         QCOMPARE(bench.voice.said().back(), QString("Left eye: 6 o'clock, 9 millimetre(s)."));
         bench.session.hand()->nudge(2.0, 0.0);
         QCOMPARE(bench.voice.said().back(), QString("Move the finger with the device."));
         QTest::qWait(30);
-        QVERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QVERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
+                           bench.session.finger()->place().y() - finger.y()) < 1e-6);
     }
 
     void beside_its_force_the_guide_is_quieter_and_silent_in_its_reach() {
@@ -373,7 +377,8 @@ private slots:
         const Vec2 off = on_screen - calibration.device_to_surface.offset;
         bench.socket.hold_at({off.y, -off.x});
         const QPointF finger = bench.session.view()->frame().from_surface(place);
-        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
+                               bench.session.finger()->place().y() - finger.y()) < 1e-6);
         // 0.8 N to the right on the surface, whose millimetre is 0.8 of the device's: 1 N does the same work there.
         QTRY_VERIFY(bench.socket.force().y < -0.99);
         QVERIFY(std::abs(bench.socket.force().x) < 1e-9);
@@ -397,7 +402,8 @@ private slots:
         QTRY_VERIFY(bench.said("too small or too large on the screen"));
         bench.socket.hold_at(Bench::in_device({7.0, 3.0}));
         const QPointF finger = bench.session.view()->frame().from_surface(Vec2(7.0, 3.0));
-        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(), bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
+                               bench.session.finger()->place().y() - finger.y()) < 1e-6);
     }
 
     void it_leads_the_finger_round_a_feature() {

@@ -46,7 +46,9 @@ private slots:
         QCOMPARE(bench.said(), QString("Beside Anna. Face outline at 3 o'clock, 12 millimetre(s)."));
         ExploreParts empty(0);
         empty.finger.whereAmI();
-        QCOMPARE(empty.said(), QString("There is no photograph yet. Press O, or the button Open photograph, to choose one."));
+        QCOMPARE(
+            empty.said(),
+            QString("There is no photograph yet. Press O, or the button Open photograph, to choose one."));
     }
 
     void the_feature_that_is_meant_is_the_one_under_the_finger_or_the_last_or_the_nearest() {

@@ -59,10 +59,12 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(bench.session.device()->name(), QString("force pad"), 60000);
         QVERIFY(bench.session.device()->engaged());
         // The knob stands 10 mm right and 2 mm above the middle; nobody holds it, and the lips draw it.
-        const double before = distance_to_feature(bench.session, lips, bench.session.view()->frame().from_surface(Vec2(10.0, 2.0)));
+        const double before = distance_to_feature(
+            bench.session, lips, bench.session.view()->frame().from_surface(Vec2(10.0, 2.0)));
         QVERIFY2(before > 1.0 && before < 7.0, qPrintable(QString::number(before)));
         QTRY_VERIFY_WITH_TIMEOUT(bed.seen().motors, 60000);
-        QTRY_VERIFY_WITH_TIMEOUT(distance_to_feature(bench.session, lips, bench.session.finger()->place()) < 0.5, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            distance_to_feature(bench.session, lips, bench.session.finger()->place()) < 0.5, 60000);
         QTRY_VERIFY(bench.said("lips"));
 
         bench.voice.clear();

@@ -46,7 +46,8 @@ struct Page {
     }
     /// A place 5 mm inside of the outline's left side, and one higher up.
     QPointF beside(double higher = 0.0) const {
-        const QPointF corner = session.view()->frame().from_surface(session.view()->felt().lines[outline].points[1]);
+        const QPointF corner =
+            session.view()->frame().from_surface(session.view()->felt().lines[outline].points[1]);
         return corner + QPointF(5.0, -30.0 - higher);
     }
     static constexpr int left_eye = 0;
@@ -154,8 +155,10 @@ private slots:
         QTest::mouseMove(&page.window, page.pixel(page.beside(20.0)));
         QTest::mouseMove(&page.window, page.pixel(page.beside()));
         QTRY_VERIFY(QLineF(page.session.finger()->pointer(), page.beside()).length() < 0.5);
-        const double hand = distance_to_feature(page.session, Page::outline, page.session.finger()->pointer());
-        QTRY_VERIFY(distance_to_feature(page.session, Page::outline, page.session.finger()->place()) < hand - 1.0);
+        const double hand =
+            distance_to_feature(page.session, Page::outline, page.session.finger()->pointer());
+        QTRY_VERIFY(distance_to_feature(page.session, Page::outline, page.session.finger()->place()) <
+                    hand - 1.0);
         QTRY_VERIFY(page.session.finger()->newtons() > 0.2);
     }
 
@@ -168,8 +171,10 @@ private slots:
         for (double higher = 19.0; higher >= 0.0; higher -= 1.0)
             QTest::touchEvent(&page.window, screen).move(0, page.pixel(page.beside(higher)), &page.window);
         QTRY_VERIFY(QLineF(page.session.finger()->pointer(), page.beside()).length() < 0.5);
-        const double hand = distance_to_feature(page.session, Page::outline, page.session.finger()->pointer());
-        QTRY_VERIFY(distance_to_feature(page.session, Page::outline, page.session.finger()->place()) < hand - 1.0);
+        const double hand =
+            distance_to_feature(page.session, Page::outline, page.session.finger()->pointer());
+        QTRY_VERIFY(distance_to_feature(page.session, Page::outline, page.session.finger()->place()) <
+                    hand - 1.0);
         QTest::touchEvent(&page.window, screen).release(0, page.pixel(page.beside()), &page.window);
     }
 
@@ -177,8 +182,8 @@ private slots:
         Page page;
         QVERIFY(page.exposed());
         page.voice.clear();
-        const QPointF on =
-            page.session.view()->frame().from_surface(page.session.view()->felt().lines[Page::left_eye].points[0]);
+        const QPointF on = page.session.view()->frame().from_surface(
+            page.session.view()->felt().lines[Page::left_eye].points[0]);
         QTest::mouseMove(&page.window, page.pixel(on + QPointF(0.0, -12.0)));
         QTest::mouseMove(&page.window, page.pixel(on));
         QTRY_COMPARE(page.voice.said(), QStringList("left eye"));
@@ -312,7 +317,8 @@ private slots:
         tap(1, place);
         QVERIFY2(page.voice.said().back().startsWith("The face. "), qPrintable(page.voice.said().join("|")));
         QTest::qWait(700);
-        const QPoint lips = page.pixel(page.session.view()->frame().from_surface(page.session.view()->felt().lines[2].points[0]));
+        const QPoint lips = page.pixel(
+            page.session.view()->frame().from_surface(page.session.view()->felt().lines[2].points[0]));
         tap(1, lips);
         QTest::touchEvent(&page.window, screen).press(0, lips, &page.window);
         QTest::qWait(600);

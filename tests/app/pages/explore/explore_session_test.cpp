@@ -31,8 +31,8 @@ struct Bench {
     }
     /// A place so many millimetres right of and above a feature's first point (sheet frame).
     QPointF by(int feature, double right = 0.0, double up = 0.0) const {
-        return session.view()->frame().from_surface(session.view()->felt().lines.at(static_cast<std::size_t>(feature)).points[0] +
-                                            Vec2(right, up));
+        return session.view()->frame().from_surface(
+            session.view()->felt().lines.at(static_cast<std::size_t>(feature)).points[0] + Vec2(right, up));
     }
     /// A place left of the outline's left side.
     QPointF left_of_outline(double away) const {
@@ -104,7 +104,8 @@ private slots:
 
     void escape_takes_the_force_away_and_gives_it_back() {
         Bench bench;
-        const QPointF corner = bench.session.view()->frame().from_surface(bench.session.view()->felt().lines[3].points[1]);
+        const QPointF corner =
+            bench.session.view()->frame().from_surface(bench.session.view()->felt().lines[3].points[1]);
         bench.session.hand()->touchDown(corner.x() - 5.0, corner.y() - 30.0);
         QTRY_VERIFY(bench.session.finger()->newtons() > 0.1);
         bench.session.stopOrStart();
@@ -235,7 +236,8 @@ private slots:
         QVERIFY(changes.count() > 0);
         const QVariantMap face = bench.session.view()->faces().front().toMap();
         QCOMPARE(face["name"].toString(), QString("Anna"));
-        QCOMPARE(face["features"].toList().front().toMap()["name"].toString(), QString("[[left eye] of Anna]"));
+        QCOMPARE(face["features"].toList().front().toMap()["name"].toString(),
+                 QString("[[left eye] of Anna]"));
         QCOMPARE(bench.session.choices()->guideNames().front(), QString("[None]"));
         QCoreApplication::removeTranslator(&brackets);
         QCOMPARE(bench.session.choices()->guideNames().front(), QString("None"));

@@ -9,6 +9,7 @@
 #include "app/pages/mend/mend_session.hpp"
 #include "app/pages/print/print_session.hpp"
 #include "app/pages/settings/settings_session.hpp"
+#include "app/pages/start/first_questions.hpp"
 #include "app/pages/start/start_session.hpp"
 #include "app/parts/controls/notification_announcer.hpp"
 #include "app/parts/narration/narrator.hpp"
@@ -42,7 +43,7 @@ struct ProgramParts {
     std::filesystem::path cache;       ///< folder
     std::filesystem::path documents;   ///< folder of what is made to be used outside: sheets, tables
     ExploreSettings explore;
-    StartSession::FindDevices find_devices;
+    FirstQuestions::FindDevices find_devices;
     std::optional<Narrator::By> by = {}; ///< who speaks, whatever was chosen
 };
 

@@ -19,11 +19,11 @@ FocusScope {
         if (event.modifiers & ~Qt.KeypadModifier)
             event.accepted = false
         else if (number >= 0 && number < 9)
-            session.asking ? session.answer(number) : session.go(number)
+            session.asking ? session.questions.answer(number) : session.go(number)
         else if (event.key === Qt.Key_R)
             session.repeat()
         else if (event.key === Qt.Key_0 || event.key === Qt.Key_Backspace || event.key === Qt.Key_Escape)
-            event.accepted = session.back()
+            event.accepted = session.questions.back()
         else
             event.accepted = false
     }
@@ -31,7 +31,7 @@ FocusScope {
     Loader {
         anchors.fill: parent
         focus: true
-        sourceComponent: page.session.choosing ? choosing : page.session.asking ? asking : hub
+        sourceComponent: page.session.questions.choosing ? choosing : page.session.asking ? asking : hub
         onLoaded: item.forceActiveFocus()
     }
 
@@ -42,27 +42,27 @@ FocusScope {
             onTappedBeside: page.session.repeat()
             TpText {
                 width: parent.width
-                text: qsTr("Question %1 of %2").arg(page.session.number).arg(page.session.count)
+                text: qsTr("Question %1 of %2").arg(page.session.questions.number).arg(page.session.questions.count)
                 color: Theme.quiet
             }
             TpHeading {
                 width: parent.width
-                text: page.session.question
+                text: page.session.questions.question
                 font.pixelSize: 1.4 * Theme.headingSize
             }
             Repeater {
-                model: page.session.answers
+                model: page.session.questions.answers
                 delegate: TpButton {
                     required property int index
                     required property string modelData
                     objectName: "answer" + index
                     width: parent.width
-                    height: Math.max(implicitHeight, Math.floor((page.height - 260 * Theme.textScale) / page.session.answers.length - Theme.gap))
-                    focus: index === Math.max(0, page.session.current)
-                    primary: index === page.session.current
+                    height: Math.max(implicitHeight, Math.floor((page.height - 260 * Theme.textScale) / page.session.questions.answers.length - Theme.gap))
+                    focus: index === Math.max(0, page.session.questions.current)
+                    primary: index === page.session.questions.current
                     large: true
                     text: qsTr("%1: %2").arg(index + 1).arg(modelData)
-                    onClicked: page.session.answer(index)
+                    onClicked: page.session.questions.answer(index)
                 }
             }
             Row {
@@ -73,10 +73,10 @@ FocusScope {
                     onClicked: page.session.repeat()
                 }
                 TpButton {
-                    visible: page.session.number > 1
+                    visible: page.session.questions.number > 1
                     text: qsTr("Question before")
                     hint: qsTr("Key: 0")
-                    onClicked: page.session.back()
+                    onClicked: page.session.questions.back()
                 }
             }
         }
@@ -88,7 +88,7 @@ FocusScope {
             FolderChooserView {
                 width: parent.width
                 focus: true
-                chooser: page.session.chooser
+                chooser: page.session.questions.chooser
             }
         }
     }

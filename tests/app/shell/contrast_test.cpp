@@ -67,9 +67,9 @@ public:
         if (page == "questions" || page == "folders")
             whole.program->start().askAgain();
         for (int i = 0; page == "folders" && i < 4; ++i)
-            whole.program->start().answer(0);
+            whole.program->start().questions()->answer(0);
         if (page == "folders") // "In another folder", before "I will say so later"
-            whole.program->start().answer(static_cast<int>(whole.program->start().answers().size()) - 2);
+            whole.program->start().questions()->answer(static_cast<int>(whole.program->start().questions()->answers().size()) - 2);
         QTRY_VERIFY_WITH_TIMEOUT(whole.complete(), 60000);
         if (page == "explore")
             QTRY_COMPARE_WITH_TIMEOUT(whole.program->explore().view()->state(), ExploreView::State::Ready, 60000);

@@ -30,10 +30,11 @@ struct StartBench {
                                  return devices;
                              }};
 
+    tp::FirstQuestions& questions() { return *session.questions(); }
     const tp::Choices& now() const { return preferences.choices(); }
     QString last_said() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
     void answer_until(tp::Question question) {
-        while (session.number() <= static_cast<int>(question) + 1)
-            session.answer(0);
+        while (questions().number() <= static_cast<int>(question) + 1)
+            questions().answer(0);
     }
 };

@@ -71,7 +71,7 @@ private slots:
             QVERIFY(answer != nullptr);
             auto* item = qobject_cast<QQuickItem*>(answer->object());
             tap(item->mapToScene({item->width() / 2, item->height() / 2}).toPoint());
-            QCOMPARE(bench.session.number(), i + 2);
+            QCOMPARE(bench.questions().number(), i + 2);
         }
     }
 
@@ -84,7 +84,7 @@ private slots:
             QAccessibleInterface* focused = QAccessible::queryAccessibleInterface(window.activeFocusItem());
             QVERIFY(focused != nullptr && focused->role() == QAccessible::Button);
             QTest::keyClick(&window, Qt::Key_Return);
-            QCOMPARE(bench.session.number(), i + 2);
+            QCOMPARE(bench.questions().number(), i + 2);
         }
     }
 
@@ -95,7 +95,7 @@ private slots:
         QVERIFY(window.exposed());
         QTest::keyClick(&window, Qt::Key_1);
         QTest::keyClick(&window, Qt::Key_Backspace);
-        QCOMPARE(bench.session.number(), 1);
+        QCOMPARE(bench.questions().number(), 1);
         QTest::keyClick(&window, Qt::Key_R);
         QVERIFY(bench.last_said().startsWith("Question 1"));
     }
@@ -107,7 +107,7 @@ private slots:
         QVERIFY(window.exposed());
         bench.answer_until(Question::device);
         QVERIFY(window.press("2: In another folder"));
-        bench.session.chooser()->begin_in("/");
+        bench.questions().chooser()->begin_in("/");
         QTRY_VERIFY(window.named("Take this folder") != nullptr);
         QVERIFY(window.named("To the folder above, not available") != nullptr);
         QCOMPARE(window.faulty_targets().join("; "), QString());

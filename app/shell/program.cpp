@@ -191,7 +191,7 @@ MendSession& Program::mend() {
 
 PrintSession& Program::print() {
     if (!print_)
-        print_ = std::make_unique<PrintSession>(narrator_, earcons_, preferences_, parts_.documents);
+        print_ = std::make_unique<PrintSession>(narrator_, earcons_, parts_.documents);
     return *print_;
 }
 

@@ -5725,6 +5725,36 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Drucken: %1 auf %2.</translation>
     </message>
     <message>
+        <source>There is no sheet yet.</source>
+        <translation>Noch gibt es kein Tastblatt.</translation>
+    </message>
+    <message>
+        <source>The folder %1 could not be made: %2</source>
+        <translation>Der Ordner %1 konnte nicht angelegt werden: %2</translation>
+    </message>
+    <message>
+        <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
+        <translation>Das Tastblatt ist als %1 gespeichert. Drucken Sie es mit 100 Prozent, nicht skaliert.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::PrintedPhoto</name>
+    <message>
+        <source>The face</source>
+        <translation>Das Gesicht</translation>
+    </message>
+    <message>
+        <source>All faces</source>
+        <translation>Alle Gesichter</translation>
+    </message>
+    <message>
+        <source>Face %1</source>
+        <translation>Gesicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>tp::PrintedSheet</name>
+    <message>
         <source>A4</source>
         <translation>A4</translation>
     </message>
@@ -5741,18 +5771,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Punktschriftpapier, 11 mal 11,5 Zoll</translation>
     </message>
     <message>
-        <source>The face</source>
-        <translation>Das Gesicht</translation>
-    </message>
-    <message>
-        <source>All faces</source>
-        <translation>Alle Gesichter</translation>
-    </message>
-    <message>
-        <source>Face %1</source>
-        <translation>Gesicht %1</translation>
-    </message>
-    <message>
         <source>%1 by %2 millimetres</source>
         <translation>%1 mal %2 Millimeter</translation>
     </message>
@@ -5763,18 +5781,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Without a name in print.</source>
         <translation>Ohne Namen in Schwarzschrift.</translation>
-    </message>
-    <message>
-        <source>There is no sheet yet.</source>
-        <translation>Noch gibt es kein Tastblatt.</translation>
-    </message>
-    <message>
-        <source>The folder %1 could not be made: %2</source>
-        <translation>Der Ordner %1 konnte nicht angelegt werden: %2</translation>
-    </message>
-    <message>
-        <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
-        <translation>Das Tastblatt ist als %1 gespeichert. Drucken Sie es mit 100 Prozent, nicht skaliert.</translation>
     </message>
 </context>
 <context>

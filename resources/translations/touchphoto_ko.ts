@@ -5685,6 +5685,36 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>인쇄, %1. 종이: %2.</translation>
     </message>
     <message>
+        <source>There is no sheet yet.</source>
+        <translation>아직 인쇄물이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The folder %1 could not be made: %2</source>
+        <translation>폴더 %1: 만들 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
+        <translation>인쇄물을 저장했습니다: %1. 크기를 바꾸지 말고 100퍼센트로 인쇄하세요.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::PrintedPhoto</name>
+    <message>
+        <source>The face</source>
+        <translation>얼굴</translation>
+    </message>
+    <message>
+        <source>All faces</source>
+        <translation>모든 얼굴</translation>
+    </message>
+    <message>
+        <source>Face %1</source>
+        <translation>%1번 얼굴</translation>
+    </message>
+</context>
+<context>
+    <name>tp::PrintedSheet</name>
+    <message>
         <source>A4</source>
         <translation>A4</translation>
     </message>
@@ -5701,18 +5731,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>점자 용지, 11×11.5인치</translation>
     </message>
     <message>
-        <source>The face</source>
-        <translation>얼굴</translation>
-    </message>
-    <message>
-        <source>All faces</source>
-        <translation>모든 얼굴</translation>
-    </message>
-    <message>
-        <source>Face %1</source>
-        <translation>%1번 얼굴</translation>
-    </message>
-    <message>
         <source>%1 by %2 millimetres</source>
         <translation>가로 %1, 세로 %2밀리미터</translation>
     </message>
@@ -5723,18 +5741,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Without a name in print.</source>
         <translation>이름을 글자로는 넣지 않습니다.</translation>
-    </message>
-    <message>
-        <source>There is no sheet yet.</source>
-        <translation>아직 인쇄물이 없습니다.</translation>
-    </message>
-    <message>
-        <source>The folder %1 could not be made: %2</source>
-        <translation>폴더 %1: 만들 수 없습니다. %2</translation>
-    </message>
-    <message>
-        <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
-        <translation>인쇄물을 저장했습니다: %1. 크기를 바꾸지 말고 100퍼센트로 인쇄하세요.</translation>
     </message>
 </context>
 <context>

@@ -28,10 +28,10 @@ FocusScope {
             radius: Theme.radius
             Image {
                 anchors { fill: parent; margins: Theme.gap }
-                source: page.session.preview
+                source: page.session.sheet.preview
                 fillMode: Image.PreserveAspectFit
                 Accessible.role: Accessible.Graphic
-                Accessible.name: page.session.ready ? qsTr("The sheet, %1").arg(page.session.size) : qsTr("No sheet yet")
+                Accessible.name: page.session.sheet.ready ? qsTr("The sheet, %1").arg(page.session.sheet.size) : qsTr("No sheet yet")
             }
         }
         ColumnLayout {
@@ -46,43 +46,43 @@ FocusScope {
                 focus: true
                 TpHeading {
                     width: parent.width
-                    text: page.session.photoName === "" ? qsTr("No photograph") : page.session.photoName
+                    text: page.session.photo.name === "" ? qsTr("No photograph") : page.session.photo.name
                 }
                 TpProgress {
                     width: parent.width
-                    visible: page.session.looking
+                    visible: page.session.photo.looking
                     label: qsTr("Looking for faces")
                     fraction: -1
                 }
                 TpChoice {
                     width: parent.width
                     label: qsTr("Paper")
-                    options: page.session.papers
-                    current: page.session.paper
-                    onPicked: (index) => page.session.choosePaper(index)
+                    options: page.session.sheet.papers
+                    current: page.session.sheet.paper
+                    onPicked: (index) => page.session.sheet.choosePaper(index)
                 }
                 TpToggle {
                     width: parent.width
                     text: qsTr("Turned by a quarter")
-                    on: page.session.landscape
-                    onSwitched: (on) => page.session.setLandscape(on)
+                    on: page.session.sheet.landscape
+                    onSwitched: (on) => page.session.sheet.setLandscape(on)
                 }
                 TpChoice {
                     width: parent.width
-                    visible: page.session.faces.length > 1
+                    visible: page.session.photo.faces.length > 1
                     label: qsTr("Who")
-                    options: page.session.faces
-                    current: page.session.face
-                    onPicked: (index) => page.session.chooseFace(index)
+                    options: page.session.photo.faces
+                    current: page.session.sheet.face
+                    onPicked: (index) => page.session.sheet.chooseFace(index)
                 }
                 TpToggle {
                     width: parent.width
                     text: qsTr("Its name in print")
-                    on: page.session.titled
-                    onSwitched: (on) => page.session.setTitled(on)
+                    on: page.session.sheet.titled
+                    onSwitched: (on) => page.session.sheet.setTitled(on)
                 }
                 Repeater {
-                    model: page.session.notes
+                    model: page.session.sheet.notes
                     delegate: TpText {
                         required property string modelData
                         width: parent.width
@@ -100,7 +100,7 @@ FocusScope {
                     Layout.fillWidth: true
                     Layout.fillHeight: true
                     Layout.preferredWidth: 1
-                    enabled: page.session.ready
+                    enabled: page.session.sheet.ready
                 }
                 Store {
                     primary: true

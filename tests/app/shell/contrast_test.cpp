@@ -69,14 +69,16 @@ public:
         for (int i = 0; page == "folders" && i < 4; ++i)
             whole.program->start().questions()->answer(0);
         if (page == "folders") // "In another folder", before "I will say so later"
-            whole.program->start().questions()->answer(static_cast<int>(whole.program->start().questions()->answers().size()) - 2);
+            whole.program->start().questions()->answer(
+                static_cast<int>(whole.program->start().questions()->answers().size()) - 2);
         QTRY_VERIFY_WITH_TIMEOUT(whole.complete(), 60000);
         if (page == "explore")
-            QTRY_COMPARE_WITH_TIMEOUT(whole.program->explore().view()->state(), ExploreView::State::Ready, 60000);
+            QTRY_COMPARE_WITH_TIMEOUT(whole.program->explore().view()->state(), ExploreView::State::Ready,
+                                      60000);
         if (page == "mend")
             QTRY_COMPARE_WITH_TIMEOUT(whole.program->mend().photo()->state(), MendedPhoto::State::Ready, 60000);
         if (page == "print")
-            QTRY_VERIFY_WITH_TIMEOUT(whole.program->print().ready(), 60000);
+            QTRY_VERIFY_WITH_TIMEOUT(whole.program->print().sheet()->ready(), 60000);
         QTest::qWait(300); // what fades in has done so
         picture = whole.window->grabWindow().convertToFormat(QImage::Format_RGB32);
         if (const QString folder = qEnvironmentVariable("TP_PICTURES"); !folder.isEmpty()) // to look at

@@ -17,9 +17,10 @@ struct PrintBench {
     tp::Narrator narrator{voice, announcer};
     tp::testing::FakeLoudspeaker loudspeaker;
     tp::EarconPlayer earcons{loudspeaker};
-    tp::Preferences preferences;
-    tp::PrintSession session{narrator, earcons, preferences, documents()};
+    tp::PrintSession session{narrator, earcons, documents()};
 
+    tp::PrintedPhoto& photo() { return *session.photo(); }
+    tp::PrintedSheet& sheet() { return *session.sheet(); }
     std::filesystem::path documents() const { return folder.filePath("Documents/TouchPhoto").toStdString(); }
     static std::filesystem::path sample(const char* name) {
         return std::filesystem::path(tp::test::in_source("resources/samples")) / name;

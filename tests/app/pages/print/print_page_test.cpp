@@ -30,11 +30,11 @@ private slots:
         QVERIFY(window.named("No sheet yet") != nullptr);
         QVERIFY(window.named("Store as PDF, not available") != nullptr);
         bench.session.open_photo(PrintBench::sample("ben_and_clara.jpg"));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session.ready(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.sheet().ready(), 60000);
         QCOMPARE(window.faulty_targets().join("; "), QString());
         QCOMPARE(PageWindow::tab_order(window), PageWindow::reading_order(window));
         QVERIFY(window.press("Who: Face 2"));
-        QCOMPARE(bench.session.face(), 2);
+        QCOMPARE(bench.sheet().face(), 2);
         QVERIFY(window.press("Paper: A3"));
         QVERIFY(window.named("The sheet, 297 by 420 millimetres") != nullptr);
         QVERIFY(window.press("Store as PDF"));

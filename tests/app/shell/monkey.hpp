@@ -24,8 +24,9 @@ class Monkey {
 public:
     Monkey(WholeProgram& whole, unsigned seed)
         : whole_(whole), random_(seed), screen_(QTest::createTouchDevice()) {
-        for (tp::FolderChooser* chooser : {whole.program->start().chooser(), whole.program->care().chooser(),
-                                           whole.program->settings().storage()->chooser()})
+        for (tp::FolderChooser* chooser :
+             {whole.program->start().questions()->chooser(), whole.program->care().chooser(),
+              whole.program->settings().storage()->chooser()})
             keep_at_home(*chooser);
     }
 

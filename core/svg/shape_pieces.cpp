@@ -103,7 +103,7 @@ Subpaths ellipse(Vec2 centre, Vec2 radii, double tolerance) {
 
 Subpaths rectangle(Lengths& lengths, double tolerance) {
     const Vec2 a(lengths.x("x"), lengths.y("y"));
-    const Vec2 size(lengths.x("width"), lengths.y("height"));
+    const Vec2 size{lengths.x("width"), lengths.y("height")}; // in this order: the first fault is told
     Vec2 round(lengths.x("rx"), lengths.y("ry"));
     if (!lengths.ok())
         return lengths.error();

@@ -261,10 +261,30 @@ private slots:
 
     void transforms_that_cannot_be_read_data() {
         QTest::addColumn<QByteArray>("text");
-        for (const char* text :
-             {"rotate", "rotate(", "rotate)", "rotate(1 2)", "turn(5)", "translate(1,,2)", "translate(1,)",
-              "scale()", "matrix(1 2 3 4 5)", "translate(nan)", "translate(inf 0)", "translate(1e400)",
-              "translate(10px)", "5", "scale(2) rotate", "scale(1e300) scale(1e300)"})
+        for (const char* text : {"rotate",
+                                 "rotate(",
+                                 "rotate)",
+                                 "rotate(1 2)",
+                                 "turn(5)",
+                                 "translate(1,,2)",
+                                 "translate(1,)",
+                                 "scale()",
+                                 "scale(1 2 3)",
+                                 "translate()",
+                                 "translate(1 2 3)",
+                                 "rotate(1 2 3 4)",
+                                 "skewX()",
+                                 "skewX(1 2)",
+                                 "skewY(1 2)",
+                                 "matrix(1 2 3 4 5)",
+                                 "matrix(1 2 3 4 5 6 7)",
+                                 "translate(nan)",
+                                 "translate(inf 0)",
+                                 "translate(1e400)",
+                                 "translate(10px)",
+                                 "5",
+                                 "scale(2) rotate",
+                                 "scale(1e300) scale(1e300)"})
             QTest::newRow(text) << QByteArray(text);
     }
     void transforms_that_cannot_be_read() {
@@ -280,6 +300,27 @@ private slots:
         compare_points(corners(contours[0]), {{10, 0}, {10, 2}});
         compare_points(corners(contours[1]), {{10, 0}, {11, 0}});
         compare_points(corners(contours[2]), {{0, 0}, {1, 0}});
+    }
+
+    /// A drawing within a drawing measures by its own sides.
+    void svg_in_svg_measures_by_itself() {
+        const auto inner = [](const char* attributes, const char* line) {
+            return drawn("<svg " + std::string(attributes) + ">" + line + "</svg>");
+        };
+        compare_points(corners(inner("width='50' height='20'", "<line x2='50%' y2='50%'/>").at(0)),
+                       {{0, 0}, {25, 10}});
+        compare_points(corners(inner("viewBox='0 0 10 10'", "<line x2='1' y2='50%'/>").at(0)),
+                       {{0, 0}, {10, 50}});
+        compare_points(
+            corners(inner("width='96' height='48' viewBox='0 0 96 48'", "<line x2='1in' y2='.5in'/>").at(0)),
+            {{0, 0}, {96, 48}});
+        compare_points(corners(inner("width='90' height='10' viewBox='0 0 1 1' preserveAspectRatio='none'",
+                                     "<line x2='1' y2='1'/>")
+                                   .at(0)),
+                       {{0, 0}, {90, 10}});
+        compare_points(corners(inner("x='wide' y='10%'", "<line x2='1' y2='1'/>").at(0)), {{0, 10}, {1, 11}});
+        for (const char* nothing : {"height='0'", "width='-1'", "viewBox='0 0 0 1'", "viewBox='1 2 3'"})
+            QVERIFY2(inner(nothing, "<path d='M0 0L1 1'/>").empty(), nothing);
     }
 
     void svg_in_svg() {
@@ -348,6 +389,8 @@ private slots:
             QCOMPARE(contour.pieces.size(), std::size_t{3});
             QVERIFY(end_of(contour.pieces.back()) == start_of(contour.pieces.front()));
         }
+        QCOMPARE(path("M0 0L5 0L5 5L.8e-9 0Z").pieces.size(), std::size_t{3});
+        QCOMPARE(path("M0 0L5 0L5 5L1.2e-9 0Z").pieces.size(), std::size_t{4});
         QCOMPARE(path("M0 0L5 0L5 5L1e-8 0Z").pieces.size(), std::size_t{4});
     }
 
@@ -439,6 +482,52 @@ private slots:
         QVERIFY(off_ellipse(contour, {0, 0}, {100, 100}) < arc_tolerance);
     }
 
+    /// Each piece of a curve is searched a thousand times a second: as few as keep within the tolerance,
+    /// however the circle got its size.
+    void a_circle_is_no_more_pieces_than_it_needs_data() {
+        QTest::addColumn<QByteArray>("drawing");
+        QTest::addColumn<int>("pieces");
+        const auto row = [](const char* name, const char* drawing, int pieces) {
+            QTest::newRow(name) << QByteArray(drawing) << pieces;
+        };
+        row("grain", "<circle r='.0017'/>", 4);
+        row("larger_grain", "<circle r='.0019'/>", 8);
+        row("eye", "<circle r='40'/>", 24);
+        row("face", "<circle r='60'/>", 24);
+        row("half_of_one", "<path d='M-40 0A40 40 0 0 1 40 0'/>", 11);
+        row("planet", "<circle r='1e12'/>", 324); // beyond, rounding hides the difference
+        row("enlarged", "<g transform='scale(100)'><circle r='.4'/></g>", 24);
+        row("made_smaller", "<g transform='scale(.01)'><circle r='4000'/></g>", 24);
+        row("turned_and_pressed", "<g transform='rotate(30) scale(1 .1)'><circle r='40'/></g>", 24);
+        row("pressed_and_turned", "<g transform='scale(.1 1) rotate(60)'><circle r='40'/></g>", 24);
+        row("mirrored", "<g transform='scale(-1 1) rotate(20)'><circle r='40'/></g>", 24);
+        row("made_a_line", "<g transform='scale(0 0)'><circle r='40'/></g>", 24);
+    }
+    void a_circle_is_no_more_pieces_than_it_needs() {
+        QFETCH(QByteArray, drawing);
+        QFETCH(int, pieces);
+        QCOMPARE(static_cast<int>(only(drawing.toStdString()).pieces.size()), pieces);
+    }
+
+    /// Where nobody could tell it from an arc, and only there.
+    void an_arc_that_is_flat_is_a_line_data() {
+        QTest::addColumn<QByteArray>("data");
+        QTest::addColumn<bool>("flat");
+        const auto row = [](const char* data, bool flat) { QTest::newRow(data) << QByteArray(data) << flat; };
+        row("M0 0A6e5 6e5 0 0 1 1 0", true);
+        row("M0 0A6e5 6e5 0 0 0 1 0", true);
+        row("M0 0A4e5 4e5 0 0 1 1 0", false);
+        row("M0 0A6e5 6e5 0 1 1 1 0", false); // the long way round
+        row("M0 0A1e-6 1e-6 0 0 1 .8e-7 0", true);
+        row("M0 0A1e-6 1e-6 0 0 1 1.2e-7 0", false);
+    }
+    void an_arc_that_is_flat_is_a_line() {
+        QFETCH(QByteArray, data);
+        QFETCH(bool, flat);
+        const Contour contour = path(data.toStdString());
+        QCOMPARE(contour.pieces.size() == 1 && std::holds_alternative<Line>(contour.pieces[0]), flat);
+    }
+
     void radius_too_small_grows_until_it_fits() {
         const Contour contour = path("M10 0A1 1 0 0 1 30 0");
         QVERIFY(off_ellipse(contour, {20, 0}, {10, 10}) < arc_tolerance);
@@ -495,7 +584,8 @@ private slots:
     void broken_points_data() {
         QTest::addColumn<QByteArray>("points");
         for (const char* points :
-             {"0 0 5", "0 0 x 5", "0,0,,5 5", "0 0 nan 5", "0 0 1e400 5", "0 0 C 1 2 3 4 5 6"})
+             {"0 0 5", "0 0 x 5", "0,0,,5 5", "0 0 . 5", "0 0 +-5 5", "0 0 -+5 5", "0 0 - 5", "0 0 +",
+              "0 0 5 5,", "0 0 nan 5", "0 0 1e400 5", "0 0 C 1 2 3 4 5 6"})
             QTest::newRow(points) << QByteArray(points);
     }
     void broken_points() {
@@ -694,6 +784,37 @@ private slots:
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, word);
         expect_refusal(text.toStdString(), word.toStdString());
+    }
+
+    /// A sentence is spoken: at most sixty bytes of a name, no half letter, no line break.
+    void a_name_in_a_sentence_is_cut_between_letters_data() {
+        QTest::addColumn<QByteArray>("name");
+        QTest::addColumn<QByteArray>("said");
+        const QByteArray letters(57, 'x');
+        QTest::newRow("sixty_bytes") << letters + "abc" << letters + "abc\"";
+        QTest::newRow("sixty_one_bytes") << letters + "abcd" << letters + "abc…";
+        QTest::newRow("a_letter_across_the_end") << letters + "ab눈" << letters + "ab…";
+        QTest::newRow("a_letter_at_the_end") << letters + "눈b" << letters + "눈…";
+        QTest::newRow("half_a_letter_at_the_end") << letters + "a눈b" << letters + "a…";
+        QTest::newRow("line_break") << QByteArray("left&#10;eye") << QByteArray("left eye");
+        QTest::newRow("unit_separator") << QByteArray("left&#31;eye") << QByteArray("left eye");
+        QTest::newRow("exclamation_mark_stays") << QByteArray("left!eye") << QByteArray("left!eye");
+    }
+    void a_name_in_a_sentence_is_cut_between_letters() {
+        QFETCH(QByteArray, name);
+        QFETCH(QByteArray, said);
+        expect_refusal(on_sheet("<path id='" + name.toStdString() + "' d='broken'/>"), said.toStdString());
+    }
+
+    void what_has_no_name_is_told_by_its_kind() {
+        expect_refusal(on_sheet("<path d='broken'/>"), "The path without an id");
+        expect_refusal(on_sheet("<g transform='broken'/>"), "The group without an id");
+        expect_refusal(on_sheet("<rect id='frame' width='wide' height='broad'/>"),
+                       "\"width\""); // the first of two
+    }
+
+    void a_number_too_small_to_be_told_from_zero_is_zero() {
+        compare_points(corners(only("<line x1='1e-400' x2='-1e-4000' y2='3'/>")), {{0, 0}, {0, 3}});
     }
 
     void long_names_are_short_in_sentences() {

@@ -121,6 +121,46 @@ private slots:
         QVERIFY2(sheet.error().find("coast") != std::string::npos, sheet.error().c_str());
     }
 
+    void as_many_pieces_as_a_sheet_may_hold_are_read() {
+        std::string text = "<svg width=\"10\" height=\"10\"><path id=\"coast\" d=\"M0 0";
+        for (int i = 0; i < 1'900'000; ++i)
+            text += i % 2 == 0 ? " 1 1" : " 0 0";
+        const auto sheet = tp::sheet_from_svg(text + "\"/></svg>");
+        QVERIFY2(sheet.ok(), sheet.error().c_str());
+        QCOMPARE(sheet->contours.at(0).pieces.size(), std::size_t{1'900'000});
+    }
+
+    void as_many_contours_as_a_sheet_may_hold_are_read() {
+        std::string text = "<svg width=\"10\" height=\"10\">";
+        for (int i = 0; i < 200'000; ++i)
+            text += "<path d=\"M0 0 1 1\"/>";
+        QVERIFY(tp::sheet_from_svg(text + "</svg>").ok());
+    }
+
+    /// Signs of tags and attributes are counted before anything is read, here in a comment.
+    void tags_and_attributes_up_to_their_limits() {
+        const auto with = [](std::size_t count, char sign) {
+            return tp::sheet_from_svg("<svg width=\"10\" height=\"10\"><!-- " + std::string(count, sign) +
+                                      " --></svg>");
+        };
+        QVERIFY(with(3'999'990, '<').ok());
+        QVERIFY(!with(4'000'010, '<').ok());
+        QVERIFY(with(7'999'990, '=').ok());
+        QVERIFY(!with(8'000'010, '=').ok());
+    }
+
+    void names_up_to_64_mib_together() {
+        const auto with = [](int contours) {
+            std::string text =
+                "<svg width=\"9\" height=\"9\"><path id=\"" + std::string(1 << 20, 'x') + "\" d=\"";
+            for (int i = 0; i < contours; ++i)
+                text += "M0 0 1 1";
+            return tp::sheet_from_svg(text + "\"/></svg>").ok();
+        };
+        QVERIFY(with(60));
+        QVERIFY(!with(70));
+    }
+
     void one_endless_name_for_many_contours() {
         std::string text =
             "<svg width=\"10\" height=\"10\"><path id=\"" + std::string(1 << 20, 'x') + "\" d=\"";

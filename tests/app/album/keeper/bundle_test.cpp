@@ -115,13 +115,76 @@ private slots:
         QVERIFY(!fs::exists(place / "out5/a"));
     }
 
+    /// What shrinks to nothing is a bomb only beyond a megabyte: a page of one colour shrinks so too.
+    void a_megabyte_may_have_shrunk_to_nothing() {
+        const AlbumFolder place;
+        write_zip(place / "small", {{"a.jpg", std::string(1'000'000, '\0')}});
+        QVERIFY(fs::file_size(place / "small") < 5'000);
+        QCOMPARE(unpack_bundle(place / "small", place / "out"), std::string());
+        write_zip(place / "more", {{"a.jpg", std::string(1'100'000, '\0')}});
+        QVERIFY(unpack_bundle(place / "more", place / "out2").find("too large") != std::string::npos);
+        BundleLimits limits;
+        limits.most_bytes = 1'000;
+        write_zip(place / "just", {{"a.jpg", std::string(600, 'x')}, {"b.jpg", std::string(400, 'x')}});
+        QCOMPARE(unpack_bundle(place / "just", place / "out3", limits), std::string());
+        write_zip(place / "one_more", {{"a.jpg", std::string(600, 'x')}, {"b.jpg", std::string(401, 'x')}});
+        QVERIFY(!unpack_bundle(place / "one_more", place / "out4", limits).empty());
+        limits = {};
+        limits.most_growth = 20.0; // stored, nothing grows
+        write_zip(place / "stored", {{"a.jpg", std::string(3'000'000, 'x')}}, "zip:compression=store");
+        QCOMPARE(unpack_bundle(place / "stored", place / "out5", limits), std::string());
+    }
+
+    void folders_may_lie_63_deep() {
+        const AlbumFolder place;
+        std::string deep = "a.jpg";
+        for (int i = 0; i < 63; ++i)
+            deep.insert(0, "a/");
+        write_zip(place / "just", {{deep}});
+        QCOMPARE(unpack_bundle(place / "just", place / "out"), std::string());
+        QVERIFY(fs::exists(place / "out" / deep));
+        write_zip(place / "more", {{"a/" + deep}});
+        QVERIFY(unpack_bundle(place / "more", place / "out2").find("more folders") != std::string::npos);
+    }
+
+    void unpacking_that_is_stopped_says_so() {
+        const AlbumFolder place;
+        write_zip(place / "b", {{"a.jpg"}});
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(
+            unpack_bundle(place / "b", place / "out", {}, {}, stop.get_token()).ends_with("it was stopped."));
+        QVERIFY(fs::is_empty(place / "out"));
+        std::stop_source later;
+        const auto report = [&](std::uintmax_t, std::uintmax_t) { later.request_stop(); };
+        write_zip(place / "large", {{"a.jpg", std::string(400'000, 'x')}}, "zip:compression=store");
+        QVERIFY(unpack_bundle(place / "large", place / "out2", {}, report, later.get_token())
+                    .ends_with("it was stopped."));
+        QVERIFY(!fs::exists(place / "out2/a.jpg"));
+    }
+
     void only_what_belongs_to_photographs_is_unpacked() {
         const AlbumFolder place;
-        const std::vector<std::string> parts{"a.jpg", "a.jpg.xmp", "a.xmp", "a.jpg.contours.svg", "a.jpg.tags/1.flac", "A.WAV", "a.mov",
-                                             "a.jpg.sync-conflict-20260501-101500-ABCDEFG.xmp", "2026/b.c.HEIC", "2026/b.c.mp4"};
-        const std::vector<std::string> foreign{"a.txt",      "readme",       "b.xmp",        "2026/a.xmp",         "c.jpg.tags/1.flac",
-                                               "a.jpg.exe",  "a.jpg.tags/deeper/1.flac",           ".hidden/d.jpg",
-                                               ".e.jpg",     "a.jpgs/1.flac"};
+        const std::vector<std::string> parts{"a.jpg",
+                                             "a.jpg.xmp",
+                                             "a.xmp",
+                                             "a.jpg.contours.svg",
+                                             "a.jpg.tags/1.flac",
+                                             "A.WAV",
+                                             "a.mov",
+                                             "a.jpg.sync-conflict-20260501-101500-ABCDEFG.xmp",
+                                             "2026/b.c.HEIC",
+                                             "2026/b.c.mp4"};
+        const std::vector<std::string> foreign{"a.txt",
+                                               "readme",
+                                               "b.xmp",
+                                               "2026/a.xmp",
+                                               "c.jpg.tags/1.flac",
+                                               "a.jpg.exe",
+                                               "a.jpg.tags/deeper/1.flac",
+                                               ".hidden/d.jpg",
+                                               ".e.jpg",
+                                               "a.jpgs/1.flac"};
         std::vector<ZipEntry> entries;
         for (const auto* names : {&foreign, &parts})
             for (const std::string& name : *names)
@@ -165,7 +228,8 @@ private slots:
         int reports = 0;
         const auto report = [&](std::uintmax_t, std::uintmax_t) { ++reports; };
         const std::string problem = unpack_bundle(place / "many", place / "out", {}, report);
-        QCOMPARE(problem, "The bundle " + quoted(place / "many") + " cannot be used: it holds no photograph.");
+        QCOMPARE(problem,
+                 "The bundle " + quoted(place / "many") + " cannot be used: it holds no photograph.");
         QVERIFY(fs::is_empty(place / "out"));
         many.push_back({"a.jpg"});
         write_zip(place / "one", many, "zip:compression=store");

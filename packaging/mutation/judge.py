@@ -18,7 +18,7 @@ from program import Program, Test
 from record import NOTICED, SAME, SURVIVED, UNBUILDABLE
 
 _ROOM_EFFORT = "-O1"
-_COMPILE_SECONDS = 120.0
+_COMPILE_SECONDS = 300.0
 
 
 class Stopped(Exception):
@@ -162,12 +162,15 @@ class Judge:
         return self._run(line, _COMPILE_SECONDS, folder / "compile.txt")
 
     def _link(self, test: Test, room: dict, own: dict, program: pathlib.Path, folder: pathlib.Path) -> int:
-        """The room's objects before the libraries, so that what a library has of them is not taken."""
+        """The room's objects before the libraries, so that what a library has of them is not taken; those of a library
+        that the test does without stay out."""
         line = []
+        archives = {os.path.basename(word) for word in test.link if word.endswith(".a")}
         placed = False
         for word in test.link:
             if word.endswith(".a") and not placed:
-                line += [str(room.get(file, plain)) for file, plain in self._plain.items()]
+                line += [str(room.get(file, plain)) for file, plain in self._plain.items()
+                         if self._program.archive_of(file) in archives]
                 placed = True
             line.append(str(own[word]) if word in own else word)
         line[line.index("-o") + 1] = str(program)
@@ -177,6 +180,10 @@ class Judge:
         home = folder / "home"
         shutil.rmtree(home, ignore_errors=True)
         home.mkdir()
+        for link in self._program.links_beside(test):
+            beside = folder / link.name
+            beside.unlink(missing_ok=True)
+            beside.symlink_to(link.resolve())
         environment = {**os.environ, **test.environment, "TMPDIR": str(home), "XDG_CONFIG_HOME": str(home / "config"),
                        "XDG_CACHE_HOME": str(home / "cache")}
         return self._run([str(program)], seconds, folder / "test.txt", cwd=home, env=environment, preexec_fn=_limit)

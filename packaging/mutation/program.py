@@ -87,6 +87,17 @@ class Program:
                 files.add(path)
         return sorted(files)
 
+    def archive_of(self, file: str) -> str:
+        """The name of the library that a room's source, with its path, is compiled into."""
+        command = self._commands[self._one_of.get(file, file)]
+        target = re.search(r"CMakeFiles/([^/]+)\.dir/", command[command.index("-o") + 1])
+        return f"lib{target.group(1)}.a" if target else ""
+
+    def links_beside(self, test: Test) -> list[pathlib.Path]:
+        """What the test's program finds beside itself: other programs."""
+        folder = (self.build / self.target(test)).parent
+        return [path for path in folder.iterdir() if path.is_symlink()]
+
     def tests_folder(self, room: str) -> str:
         """tests/ROOM; a room within a room, such as a device's protocol, is tested with the one around it."""
         folder = room

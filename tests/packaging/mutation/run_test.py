@@ -150,6 +150,32 @@ class Run(unittest.TestCase):
         self.build("double twice(double);\nint main() { return twice(3.0) == 6.0 ? 0 : 1; }\n")
         self.assertIn("room/inner: 2 of 2 mutants noticed", self.mutate(room="room/inner"))
 
+    def test_a_test_that_does_without_the_room_s_library_is_linked_without_it(self):
+        """And without what the room needs."""
+        self.write("CMakeLists.txt", HOUSE.replace("add_subdirectory", "add_library(base STATIC base.cpp)\nadd_subdirectory"))
+        self.write("base.cpp", "double base() { return 1.0; }\n")
+        self.write("room/sum.cpp", "double base();\ndouble sum(double a, double b) { return a + b * base(); }\n")
+        self.write("room/alone.cpp", "double alone() { return 2.0; }\n")
+        self.write("CMakeLists.txt", (self.root / "CMakeLists.txt").read_text().replace(
+            "add_subdirectory", "add_library(alone STATIC room/alone.cpp)\ntarget_link_libraries(tiny base)\nadd_subdirectory"))
+        self.write("tests/room/CMakeLists.txt", TESTS + TESTS.replace("limit", "alone").replace("tiny", "alone"))
+        self.write("tests/room/alone_test.cpp", "double alone();\nint main() { return alone() == 2.0 ? 0 : 1; }\n")
+        self.build(SHARP)
+        self.assertIn("alone() { return 2.0; }", self.mutate("--file", "alone.cpp", "--list"))
+        noticed, of = self.counts(self.mutate("--file", "alone.cpp"))
+        self.assertEqual(noticed, of)
+
+    def test_a_program_beside_the_test_is_found_there(self):
+        self.build("""#include "room/limit.hpp"
+#include <filesystem>
+int main() {
+    const auto beside = std::filesystem::canonical("/proc/self/exe").parent_path() / "helper";
+    return std::filesystem::exists(beside) && limited(2.0) == 1.5 ? 0 : 1;
+}
+""")
+        (self.root / "build/release/tests/room/helper").symlink_to("/bin/true")
+        self.assertGreater(self.counts(self.mutate("--sample", "4"))[1], 0)
+
     def test_tests_that_fail_by_themselves_are_told(self):
         self.build("int main() { return 1; }\n")
         done = subprocess.run([sys.executable, MUTATE, "--root", self.root, "room"], capture_output=True, text=True)

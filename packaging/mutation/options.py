@@ -18,7 +18,7 @@ def read_options() -> argparse.Namespace:
         epilog=f"""operators: {', '.join(OPERATORS)}
 
 A run goes on where the last one stopped: what became of each mutant stands in build/mutants/ROOM.jsonl. A fault that no
-test can notice is listed with its reason in tests/equivalent_mutants.txt. tests/README.md has the scores.""")
+test can notice is listed with its reason in tests/equivalent_mutants.txt. tests/MUTANTS.md has the scores.""")
     parser.add_argument("rooms", nargs="*", metavar="ROOM",
                         help="a folder, such as core/servo; without one all of packaging/mutation/rooms.txt")
     parser.add_argument("--sample", type=int, metavar="N", help="only N of the mutants, chosen at random")

@@ -8,13 +8,18 @@
 #include <QDir>
 #include <QFile>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QtGlobal>
 
 /// The start of somebody who has a folder of pictures and no preferences yet.
 struct StartBench {
     explicit StartBench(std::vector<tp::FoundDevice> devices = {}) : devices(std::move(devices)) {}
 
+    /// In a home of its own.
     static void make_pictures_folder() {
+        static const QTemporaryDir home;
+        qputenv("HOME", QFile::encodeName(home.path()));
         QStandardPaths::setTestModeEnabled(true);
         QDir().mkpath(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/check/sidecar_check.hpp"
 
+#include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/conflicts.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "app/album/metadata/sidecar_names.hpp"

@@ -22,8 +22,7 @@
 /// Somebody who touches, types and acts at random; the same for the same seed.
 class Monkey {
 public:
-    Monkey(WholeProgram& whole, unsigned seed)
-        : whole_(whole), random_(seed), screen_(QTest::createTouchDevice()) {
+    Monkey(WholeProgram& whole, unsigned seed) : whole_(whole), random_(seed) {
         for (tp::FolderChooser* chooser :
              {whole.program->start().questions()->chooser(), whole.program->care().chooser(),
               whole.program->settings().storage()->chooser()})
@@ -83,9 +82,14 @@ private:
                 event.release(i, at[static_cast<std::size_t>(i)]);
         });
     }
+    /// One for all: Qt never lets a device go.
+    static QPointingDevice* screen() {
+        static QPointingDevice* const screen = QTest::createTouchDevice();
+        return screen;
+    }
     template <typename Fill>
     void send(Fill fill) {
-        auto event = QTest::touchEvent(whole_.window.get(), screen_, false);
+        auto event = QTest::touchEvent(whole_.window.get(), screen(), false);
         fill(event);
         event.commit();
     }
@@ -119,6 +123,5 @@ private:
 
     WholeProgram& whole_;
     std::mt19937 random_;
-    QPointingDevice* screen_;
     QString last_;
 };

@@ -37,7 +37,8 @@ def at_a_desk(script, *more_tools, size="1400x900", seconds=280):
     environment = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", LC_ALL="C.UTF-8",
                        **{INNER: "1"})
     environment.pop("WAYLAND_DISPLAY", None)
-    command = ["xvfb-run", "-a", "-s", f"-screen 0 {size}x24", "dbus-run-session", "--", sys.executable, script]
+    # -noreset: the first client that comes and goes would throw out whoever comes just then.
+    command = ["xvfb-run", "-a", "-s", f"-screen 0 {size}x24 -noreset", "dbus-run-session", "--", sys.executable, script]
     with tempfile.NamedTemporaryFile("r") as status:
         environment[STATUS] = status.name
         ended = subprocess.run(command + sys.argv[1:], env=environment, timeout=seconds)

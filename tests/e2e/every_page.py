@@ -41,13 +41,14 @@ class Focus:
             self.told = event.source
 
     def after(self, deed):
-        """What is told last after `deed`, and then for a moment no more."""
+        """What is told last after `deed`, and then for a moment no more; None where nothing is told."""
         self.listen(0.0)
         self.told = None
         deed()
         end = time.monotonic() + desk.PATIENCE
         while self.told is None:
-            assert time.monotonic() < end, "the keyboard stays where it is"
+            if time.monotonic() >= end:
+                return None
             self.listen(0.02)
         self.listen(0.05)
         return self.told
@@ -163,9 +164,10 @@ class Walker:
         self.awaited(f"a keyboard on {name}", self.focused)
 
     def points(self, name):
-        """Through how many points of what has the keyboard Tab goes before it leaves."""
+        """Through how many points of what has the keyboard Tab goes before it leaves; they come with the photograph."""
         if name == "mend":
-            return self.focused().childCount
+            return self.awaited("the points of a contour", lambda: sum(
+                child.getRole() == self.atspi.ROLE_PUSH_BUTTON for child in self.focused() if child is not None))
         if name == "explore":  # its features, once a face is found
             return self.awaited("a face", lambda: sum(face.childCount for face in self.focused() if face is not None))
         return 0
@@ -179,6 +181,9 @@ class Walker:
         window = self.place(self.window())
         while len(stops) <= MOST_STOPS:
             now = self.focus.after(lambda: self.page.keys("Tab"))
+            if now is None:
+                raise AssertionError(f"{self.window().name}: the keyboard stays where it is, told on {stops[-1].name}, "
+                                     f"by its state on {self.focused()}; it went through {points} points first")
             if now == first:
                 return stops
             place = self.place(now)

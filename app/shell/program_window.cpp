@@ -16,9 +16,12 @@
 #include <QColor>
 #include <QQmlEngine>
 #include <QQuickItem>
+#include <QRect>
 #include <QScreen>
 #include <QUrl>
 #include <QVariant>
+
+#include <utility>
 
 extern void qml_register_types_TouchPhoto_Shell();
 
@@ -36,7 +39,7 @@ ProgramWindow::ProgramWindow(Program& program) : program_(program) {
     register_lab();
     register_settings();
     setResizeMode(SizeRootObjectToView);
-    setMinimumSize({480, 560});
+    setMinimumSize({480, 480}); // a screen of 600 px has so much left below a title bar and beside a panel
     resize(1280, 800);
     setColor(QColor(0x0e, 0x12, 0x17));
     Shell& shell = program.shell();
@@ -67,6 +70,18 @@ void ProgramWindow::keyPressEvent(QKeyEvent* event) {
 void ProgramWindow::fit_to_screen() {
     const QSize room = screen()->availableSize();
     resize(room.height() > room.width() ? room : size().boundedTo(room));
+    frame_to_fit_ = true;
+}
+
+void ProgramWindow::exposeEvent(QExposeEvent* event) {
+    QQuickView::exposeEvent(event);
+    if (!isExposed() || !std::exchange(frame_to_fit_, false))
+        return;
+    const QRect room = screen()->availableGeometry();
+    if (room.contains(frameGeometry()))
+        return;
+    resize(size().boundedTo(room.marginsRemoved(frameMargins()).size()));
+    setFramePosition(room.topLeft());
 }
 
 } // namespace tp

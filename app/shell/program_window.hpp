@@ -3,6 +3,7 @@
 
 #include "app/shell/program.hpp"
 
+#include <QExposeEvent>
 #include <QKeyEvent>
 #include <QQuickView>
 
@@ -14,15 +15,18 @@ class ProgramWindow final : public QQuickView {
 public:
     /// The program must outlive the window.
     explicit ProgramWindow(Program& program);
-    /// No larger than the screen it is on; the whole of one that is taller than wide.
+    /// No larger than what panels leave of the screen it is on, its frame included; the whole of one that is taller than
+    /// wide. To be called before it is shown.
     void fit_to_screen();
 
 protected:
     /// Tab also tells what it has come to, where the program's own voice speaks.
     void keyPressEvent(QKeyEvent* event) override;
+    void exposeEvent(QExposeEvent* event) override;
 
 private:
     Program& program_;
+    bool frame_to_fit_ = false; ///< which is not known before the window manager has given it one
 };
 
 } // namespace tp

@@ -66,10 +66,13 @@ def is_at_a_desk():
 
 
 class Desk:
-    """What stands on it besides the program."""
+    """What stands on it besides the program; the window manager is started with these words."""
+
+    def __init__(self, *words):
+        self.manager = ["openbox", *words]
 
     def __enter__(self):
-        self.helpers = [subprocess.Popen([LAUNCHER, "--launch-immediately"]), subprocess.Popen(["openbox"])]
+        self.helpers = [subprocess.Popen([LAUNCHER, "--launch-immediately"]), subprocess.Popen(self.manager)]
         time.sleep(1.0)
         return self
 

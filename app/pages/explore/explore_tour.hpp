@@ -20,12 +20,11 @@ namespace tp {
 /// The guided tour: the device leads the finger round a feature, or round every feature of a face, each named
 /// before.
 ///
-/// |         | toggle  | toggleFace | the name is spoken | led round            | end, a hand that leads,
-/// another scene |
-/// |---------|---------|------------|--------------------|----------------------|---------------------------------------|
-/// | None    | Leading | Naming     |                    |                      | | | Naming  | None    |
-/// None       | Leading            |                      | None                                  | | Leading
-/// | None    | None       |                    | Naming the next, or None | None |
+/// |         | toggle  | toggleFace | the name is spoken | led round                | end, a hand that leads, another scene |
+/// |---------|---------|------------|--------------------|--------------------------|---------------------------------------|
+/// | None    | Leading | Naming     |                    |                          |                                       |
+/// | Naming  | None    | None       | Leading            |                          | None                                  |
+/// | Leading | None    | None       |                    | Naming the next, or None | None                                  |
 class ExploreTour final : public QObject {
     Q_OBJECT
     QML_ELEMENT

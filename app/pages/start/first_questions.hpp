@@ -26,8 +26,8 @@ struct FoundDevice {
 ///
 /// | state | answer | back |
 /// | --- | --- | --- |
-/// | a question | the next one; after the last, or with a folder, the end | the one before; none at the first
-/// | | choosing a folder | is the chooser's: the end | the last question |
+/// | a question | the next one; after the last, or with a folder, the end | the one before; none at the first |
+/// | choosing a folder | is the chooser's: the end | the last question |
 class FirstQuestions final : public QObject {
     Q_OBJECT
     QML_ELEMENT

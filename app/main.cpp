@@ -39,7 +39,8 @@ std::vector<tp::FoundDevice> force_devices() {
     std::vector<tp::FoundDevice> found;
     for (const tp::ListedDevice& device : tp::list_devices())
         if (!device.interface.empty()) // the simulated one is always there
-            found.push_back({tp::in_persons_language(device.about), QString::fromStdString(device.serial_number)});
+            found.push_back(
+                {tp::in_persons_language(device.about), QString::fromStdString(device.serial_number)});
     return found;
 }
 
@@ -66,13 +67,17 @@ int main(int argc, char** argv) {
     options.setApplicationDescription("Feel the face in a photograph.");
     options.addHelpOption();
     options.addVersionOption();
-    options.addPositionalArgument("photo", "A photograph to feel at once; without one the start page opens.", "[photo]");
-    const QCommandLineOption voice_option("voice", "Whether the program speaks: on, off, or as it was chosen (default).",
-                                          "on|off");
-    const QCommandLineOption page_option("page", "The page to begin with: start, browse, explore, care, mend, print, settings, lab.", "name");
-    const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.", "file");
+    options.addPositionalArgument("photo", "A photograph to feel at once; without one the start page opens.",
+                                  "[photo]");
+    const QCommandLineOption voice_option(
+        "voice", "Whether the program speaks: on, off, or as it was chosen (default).", "on|off");
+    const QCommandLineOption page_option(
+        "page", "The page to begin with: start, browse, explore, care, mend, print, settings, lab.", "name");
+    const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.",
+                                            "file");
     const QCommandLineOption size_option("size", "The window's size in pixels, such as 1280x800.", "WxH");
-    const QCommandLineOption with_option("with", "Adds features to eyes, lips and outline: brows, nose, irises.", "list");
+    const QCommandLineOption with_option(
+        "with", "Adds features to eyes, lips and outline: brows, nose, irises.", "list");
     options.addOptions({voice_option, page_option, with_option, picture_option, size_option});
     options.process(app);
     const QString voice_wish = options.value(voice_option);
@@ -87,12 +92,17 @@ int main(int argc, char** argv) {
 
     tp::decode_in_helpers(&tp::touchphoto_decoders());
     tp::SpokenVoice voice;
-    tp::ProgramParts parts{voice, [] { return std::make_unique<tp::SystemLoudspeaker>(); }, tp::system_microphone,
-                           tp::Preferences::usual_file(), tp::OpenAlbum::usual_cache(),
-                           tp::PrintSession::usual_folder(), {}, force_devices};
+    tp::ProgramParts parts{voice,
+                           [] { return std::make_unique<tp::SystemLoudspeaker>(); },
+                           tp::system_microphone,
+                           tp::Preferences::usual_file(),
+                           tp::OpenAlbum::usual_cache(),
+                           tp::PrintSession::usual_folder(),
+                           {},
+                           force_devices};
     parts.explore.extras = *extras;
-    parts.explore.devices = tp::DeviceAccess::of_this_computer(
-        tp::Preferences::usual_file().parent_path() / "calibrations.txt");
+    parts.explore.devices =
+        tp::DeviceAccess::of_this_computer(tp::Preferences::usual_file().parent_path() / "calibrations.txt");
     const bool picture = options.isSet(picture_option);
     if (options.isSet(voice_option) || picture)
         parts.by = voice_wish == "on" && !picture ? tp::Narrator::By::voice : tp::Narrator::By::screen_reader;
@@ -101,7 +111,8 @@ int main(int argc, char** argv) {
     const QTemporaryDir folder;
     const QString page = options.value(page_option);
     QString photo = options.positionalArguments().value(0);
-    if (photo.isEmpty() && page == "explore" && program.preferences().choices().last_photo.isEmpty())
+    const tp::Choices& choices = program.preferences().choices();
+    if (photo.isEmpty() && page == "explore" && choices.last_photo.isEmpty() && choices.folders.isEmpty())
         photo = sample_photo(folder);
     program.begin(photo);
     tp::ProgramWindow window(program);
@@ -120,6 +131,7 @@ int main(int argc, char** argv) {
         QObject::connect(&demonstration.emplace(program.explore()), &tp::Demonstration::finished, &window,
                          [&] { take_picture(window, options.value(picture_option)); });
     else if (picture)
-        QTimer::singleShot(picture_after_ms, &window, [&] { take_picture(window, options.value(picture_option)); });
+        QTimer::singleShot(picture_after_ms, &window,
+                           [&] { take_picture(window, options.value(picture_option)); });
     return QGuiApplication::exec();
 }

@@ -6,6 +6,9 @@
 #include "audio/sound/recorder.hpp"
 #include "audio/sound/threaded_filler.hpp"
 
+#include <QByteArray>
+#include <QFile>
+#include <QFileInfo>
 #include <QQmlEngine>
 
 #include <utility>
@@ -18,9 +21,12 @@ constexpr int names_wait_ms = 100; ///< for the languages of names, which a page
 
 Narrator::By by(Choices::Voice voice) {
     switch (voice) {
-    case Choices::Voice::program: return Narrator::By::voice;
-    case Choices::Voice::screen_reader: return Narrator::By::screen_reader;
-    case Choices::Voice::off: return Narrator::By::nobody;
+    case Choices::Voice::program:
+        return Narrator::By::voice;
+    case Choices::Voice::screen_reader:
+        return Narrator::By::screen_reader;
+    case Choices::Voice::off:
+        return Narrator::By::nobody;
     }
     return Narrator::By::voice;
 }
@@ -37,8 +43,8 @@ struct Program::Playing {
 
 struct Program::Browsing {
     explicit Browsing(Program& program)
-        : playing(program.parts_),
-          session(program.album(), program.narrator_, program.earcons_, playing.player, program.preferences_) {}
+        : playing(program.parts_), session(program.album(), program.narrator_, program.earcons_,
+                                           playing.player, program.preferences_) {}
     Playing playing;
     BrowseSession session;
 };
@@ -46,8 +52,8 @@ struct Program::Browsing {
 struct Program::Caring {
     explicit Caring(Program& program)
         : playing(program.parts_), recorder(program.parts_.make_microphone),
-          session(program.album(), program.narrator_, program.earcons_, recorder, playing.player, program.preferences_) {
-    }
+          session(program.album(), program.narrator_, program.earcons_, recorder, playing.player,
+                  program.preferences_) {}
     Playing playing;
     Recorder recorder;
     CareSession session;
@@ -55,9 +61,9 @@ struct Program::Caring {
 
 Program::Program(ProgramParts parts)
     : parts_(std::move(parts)), preferences_(parts_.preferences), narrator_(parts_.voice, announcer_),
-      voice_names_(parts_.voice, preferences_),
-      earcon_output_(parts_.make_loudspeaker()), earcons_(*earcon_output_), guide_output_(parts_.make_loudspeaker()),
-      guide_(*guide_output_, vibration_), shell_(narrator_), start_(narrator_, preferences_, parts_.find_devices) {
+      voice_names_(parts_.voice, preferences_), earcon_output_(parts_.make_loudspeaker()),
+      earcons_(*earcon_output_), guide_output_(parts_.make_loudspeaker()), guide_(*guide_output_, vibration_),
+      shell_(narrator_), start_(narrator_, preferences_, parts_.find_devices) {
     keep_few_heaps();
     follow_choices();
     connect(&preferences_, &Preferences::changed, this, &Program::follow_choices);
@@ -99,20 +105,28 @@ void Program::follow_choices() {
 
 void Program::add_pages() {
     const auto open = [this](const QString& page) { shell_.open(page); };
-    shell_.add({"start", [] { return tr("TouchPhoto"); }, [this] { start_.enter(); }, [this] { start_.leave(); }});
+    shell_.add(
+        {"start", [] { return tr("TouchPhoto"); }, [this] { start_.enter(); }, [this] { start_.leave(); }});
     shell_.add({"browse", [] { return tr("Listen to photographs"); }, [this] { browse().enter(); },
                 [this] { browse().leave(); }});
-    shell_.add({"explore", [] { return tr("Feel a face"); }, [this] { enter_explore(); }, [this] { explore().leave(); }});
-    shell_.add({"care", [] { return tr("Look after the album"); }, [this] { care().enter(); }, [this] { care().leave(); }});
-    shell_.add({"mend", [] { return tr("Mend contours"); }, [this] { mend().enter(); }, [this] { mend().leave(); }});
-    shell_.add({"print", [] { return tr("Print a tactile sheet"); }, [this] { print().enter(); }, [this] { print().leave(); }});
+    shell_.add({"explore", [] { return tr("Feel a face"); }, [this] { enter_explore(); },
+                [this] { explore().leave(); }});
+    shell_.add({"care", [] { return tr("Look after the album"); }, [this] { care().enter(); },
+                [this] { care().leave(); }});
+    shell_.add(
+        {"mend", [] { return tr("Mend contours"); }, [this] { mend().enter(); }, [this] { mend().leave(); }});
+    shell_.add({"print", [] { return tr("Print a tactile sheet"); }, [this] { print().enter(); },
+                [this] { print().leave(); }});
     shell_.add({"lab", [] { return tr("Lab"); }, [this] { lab().enter(); }, [this] { lab().leave(); }});
-    shell_.add({"settings", [] { return tr("Settings"); }, [this] { settings().enter(); }, [this] { settings().leave(); }});
+    shell_.add({"settings", [] { return tr("Settings"); }, [this] { settings().enter(); },
+                [this] { settings().leave(); }});
     connect(&start_, &StartSession::pageAsked, this, open);
 }
 
 QVariantMap Program::page_files() {
-    const auto file = [](const char* path) { return QString("qrc:/qt-project.org/imports/TouchPhoto/") + path; };
+    const auto file = [](const char* path) {
+        return QString("qrc:/qt-project.org/imports/TouchPhoto/") + path;
+    };
     return {{"start", file("Start/StartPage.qml")},
             {"browse", file("Browse/BrowsePage.qml")},
             {"explore", file("Explore/ExplorePage.qml")},
@@ -139,7 +153,8 @@ QObject* Program::session(const QString& page) {
         session = &lab();
     else if (page == "settings")
         session = &settings();
-    QQmlEngine::setObjectOwnership(session, QQmlEngine::CppOwnership); // what an invokable returns is else the engine's
+    QQmlEngine::setObjectOwnership(
+        session, QQmlEngine::CppOwnership); // what an invokable returns is else the engine's
     return session;
 }
 
@@ -148,6 +163,10 @@ OpenAlbum& Program::album() {
         album_ = std::make_unique<OpenAlbum>(parts_.cache, preferences_);
         connect(album_.get(), &OpenAlbum::said, this,
                 [this](const QString& sentence) { narrator_.tell(sentence, Priority::message); });
+        connect(album_.get(), &OpenAlbum::album_changed, this, [this] {
+            if (explore_ && explore_->device()->here())
+                explore_->walk()->album_changed();
+        });
         connect(album_.get(), &OpenAlbum::scanning_changed, this, [this] {
             if (!album_->scanning())
                 voice_names_.read();
@@ -161,7 +180,8 @@ BrowseSession& Program::browse() {
         browsing_ = std::make_unique<Browsing>(*this);
         connect(&browsing_->session, &BrowseSession::exploreAsked, this, &Program::feel);
         connect(&browsing_->session, &BrowseSession::careAsked, this, &Program::care_for);
-        connect(&browsing_->session, &BrowseSession::settingsAsked, this, [this] { shell_.open("settings"); });
+        connect(&browsing_->session, &BrowseSession::settingsAsked, this,
+                [this] { shell_.open("settings"); });
         connect(&browsing_->session, &BrowseSession::importAsked, this, [this] { shell_.open("care"); });
     }
     return browsing_->session;
@@ -206,6 +226,7 @@ LabSession& Program::lab() {
 }
 
 void Program::feel(const QString& photo) {
+    last_at_explore_ = preferences_.choices().last_photo;
     explore().open_file(photo);
     shell_.open("explore");
 }
@@ -215,18 +236,55 @@ void Program::care_for(const QString& photo) {
     shell_.open("care");
 }
 
-/// The photograph that one was at last, where none is open.
+/// Where none is open, or one went on to another photograph meanwhile: the one that one was at last; where there is none,
+/// the newest with a face.
 void Program::enter_explore() {
-    const QString& last = preferences_.choices().last_photo;
-    if (explore().view()->state() == ExploreView::State::Empty && !last.isEmpty())
+    const bool none = explore().view()->state() == ExploreView::State::Empty;
+    const QString last = preferences_.choices().last_photo;
+    if ((none || std::exchange(last_at_explore_, last) != last) && QFileInfo::exists(last))
         explore().open_file(last);
+    else if (none)
+        explore().walk()->newest();
     explore().enter();
+}
+
+/// As ExploreSettings::Beside says.
+QString Program::beside(const QString& file, bool forward) {
+    if (preferences_.choices().folders.isEmpty())
+        return {};
+    AlbumQueries queries = album().queries();
+    const Direction direction = forward ? Direction::forward : Direction::backward;
+    std::optional<PlaceInList> from;
+    if (const auto here = queries.find(QFile::encodeName(file).toStdString()); here && *here)
+        from = (*here)->place;
+    const auto next = queries.page(AllByTime{}, from, 1, direction);
+    return next && !next->empty() ? QFile::decodeName(QByteArray::fromStdString(next->front().path.string()))
+                                  : QString();
+}
+
+/// Where one is in the album is one place for all pages.
+void Program::remember_felt() {
+    if (!explore_->device()->here())
+        return;
+    const QString file = explore_->view()->file();
+    const auto in_album = [&] {
+        const auto known = album().queries().find(QFile::encodeName(file).toStdString());
+        return known && *known;
+    };
+    if (!file.isEmpty() && file != preferences_.choices().last_photo &&
+        !preferences_.choices().folders.isEmpty() && in_album())
+        preferences_.change([&](Choices& choices) { choices.last_photo = file; });
+    last_at_explore_ = preferences_.choices().last_photo;
 }
 
 ExploreSession& Program::explore() {
     if (!explore_) {
-        explore_ = std::make_unique<ExploreSession>(narrator_, earcons_, guide_, preferences_, parts_.explore);
+        ExploreSettings settings = parts_.explore;
+        settings.beside = [this](const QString& file, bool forward) { return beside(file, forward); };
+        explore_ =
+            std::make_unique<ExploreSession>(narrator_, earcons_, guide_, preferences_, std::move(settings));
         connect(explore_.get(), &ExploreSession::backAsked, &shell_, &Shell::back);
+        connect(explore_->view(), &ExploreView::fresh, this, &Program::remember_felt);
     }
     return *explore_;
 }

@@ -37,7 +37,8 @@ namespace tp {
 /// What the program is made of that differs between a person's computer and a test.
 struct ProgramParts {
     Voice& voice;
-    std::function<std::unique_ptr<SoundOutput>()> make_loudspeaker; ///< each thing that sounds has one to itself
+    std::function<std::unique_ptr<SoundOutput>()>
+        make_loudspeaker; ///< each thing that sounds has one to itself
     MakeInput make_microphone;
     std::filesystem::path preferences; ///< file
     std::filesystem::path cache;       ///< folder
@@ -99,6 +100,8 @@ private:
 
     void add_pages();
     void enter_explore();
+    QString beside(const QString& file, bool forward);
+    void remember_felt();
     void feel(const QString& photo);
     void care_for(const QString& photo);
     void follow_choices();
@@ -115,6 +118,7 @@ private:
     NoVibration vibration_;
     SonifiedGuide guide_;
     Shell shell_;
+    QString last_at_explore_;    ///< Choices::last_photo as Explore knew it last
     bool discard_index_ = false; ///< when nobody has it open any more
     std::unique_ptr<OpenAlbum> album_;
     StartSession start_;

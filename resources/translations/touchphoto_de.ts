@@ -482,16 +482,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>KeyHelp</name>
     <message>
-        <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. Enter: force on. Escape: stop. V: voice. O: open.</source>
-        <translation>Pfeiltasten, mit Umschalt schneller: die Hand bewegen. Tab: nächstes Merkmal. W: wo bin ich. Z, Umschalt+Z: vergrößern und verkleinern. Leertaste: Rundgang um das Merkmal. T: Rundgang durch das Gesicht. G: Führung. F: nächstes Gesicht. Eingabetaste: Kraft ein. Escape: anhalten. V: Stimme. O: öffnen.</translation>
-    </message>
-    <message>
         <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I.</source>
         <translation>Berühren: Ein Finger erkundet. Doppeltippen: wo bin ich. Doppeltippen und halten: vergrößern, was dort ist, oder verkleinern. Mit zwei Fingern tippen: anhalten. Mit zwei Fingern doppeltippen: Rundgang. Mit drei Fingern tippen: wo bin ich.</translation>
     </message>
     <message>
         <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line.</source>
         <translation>Im Bild: Ring, die Hand; Scheibe, der Finger; Pfeil, der Zug der Linie.</translation>
+    </message>
+    <message>
+        <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. N, Shift+N: next and previous photograph with a face. Enter: force on. Escape: stop. V: voice. O: open.</source>
+        <translation>Pfeiltasten, mit Umschalt schneller: die Hand bewegen. Tab: nächstes Merkmal. W: wo bin ich. Z, Umschalt+Z: vergrößern und verkleinern. Leertaste: Rundgang um das Merkmal. T: Rundgang durch das Gesicht. G: Führung. F: nächstes Gesicht. N, Umschalt+N: nächstes und voriges Foto mit einem Gesicht. Eingabetaste: Kraft ein. Escape: anhalten. V: Stimme. O: öffnen.</translation>
     </message>
 </context>
 <context>
@@ -3769,6 +3769,22 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Device: %1</source>
         <translation>Gerät: %1</translation>
     </message>
+    <message>
+        <source>Next photograph</source>
+        <translation>Nächstes Foto</translation>
+    </message>
+    <message>
+        <source>The next one of the album with a face. Key: N</source>
+        <translation>Das nächste im Album mit einem Gesicht. Taste: N</translation>
+    </message>
+    <message>
+        <source>Previous photograph</source>
+        <translation>Voriges Foto</translation>
+    </message>
+    <message>
+        <source>Key: Shift and N</source>
+        <translation>Tasten: Umschalt und N</translation>
+    </message>
 </context>
 <context>
     <name>SoundsDialog</name>
@@ -4630,6 +4646,44 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>face</source>
         <translation>Gesicht</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreWalk</name>
+    <message>
+        <source>Your newest photograph with a face.</source>
+        <translation>Ihr neuestes Foto mit einem Gesicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s) without a face passed over.</source>
+        <translation>
+            <numerusform>%n Foto ohne Gesicht übergangen.</numerusform>
+            <numerusform>%n Fotos ohne Gesicht übergangen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <comment>a photograph&apos;s name</comment>
+        <translation>%1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Looking further: %n photograph(s) without a face so far.</source>
+        <translation>
+            <numerusform>Es wird weitergesucht: bisher %n Foto ohne Gesicht.</numerusform>
+            <numerusform>Es wird weitergesucht: bisher %n Fotos ohne Gesicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no face on any photograph of the album.</source>
+        <translation>Auf keinem Foto des Albums ist ein Gesicht.</translation>
+    </message>
+    <message>
+        <source>No photograph with a face comes after this one.</source>
+        <translation>Nach diesem kommt kein Foto mit einem Gesicht mehr.</translation>
+    </message>
+    <message>
+        <source>No photograph with a face comes before this one.</source>
+        <translation>Vor diesem gibt es kein Foto mit einem Gesicht.</translation>
     </message>
 </context>
 <context>

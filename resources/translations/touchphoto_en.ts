@@ -214,6 +214,23 @@
     </message>
 </context>
 <context>
+    <name>tp::ExploreWalk</name>
+    <message numerus="yes">
+        <source>%n photograph(s) without a face passed over.</source>
+        <translation>
+            <numerusform>%n photograph without a face passed over.</numerusform>
+            <numerusform>%n photographs without a face passed over.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Looking further: %n photograph(s) without a face so far.</source>
+        <translation>
+            <numerusform>Looking further: %n photograph without a face so far.</numerusform>
+            <numerusform>Looking further: %n photographs without a face so far.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tp::ExploreZoom</name>
     <message numerus="yes">
         <source>Zoomed out to all %n face(s).</source>

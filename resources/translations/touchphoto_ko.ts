@@ -478,16 +478,16 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>KeyHelp</name>
     <message>
-        <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. Enter: force on. Escape: stop. V: voice. O: open.</source>
-        <translation>화살표 키: 손 이동, Shift와 함께 누르면 더 빠르게. 탭 키: 다음 부위. W: 현재 위치. Z, Shift+Z: 확대와 축소. 스페이스바: 부위 안내. T: 얼굴 안내. G: 길잡이. F: 다음 얼굴. 엔터 키: 힘 켜기. Escape 키: 멈춤. V: 음성. O: 열기.</translation>
-    </message>
-    <message>
         <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I.</source>
         <translation>터치: 한 손가락으로 살펴보기. 두 번 두드리기: 현재 위치. 두 번 두드리고 누르고 있기: 그곳을 확대하거나 축소. 두 손가락으로 두드리기: 멈춤. 두 손가락으로 두 번 두드리기: 안내. 세 손가락으로 두드리기: 현재 위치.</translation>
     </message>
     <message>
         <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line.</source>
         <translation>화면에서: 고리는 손, 원판은 손가락, 화살표는 선이 당기는 힘입니다.</translation>
+    </message>
+    <message>
+        <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. N, Shift+N: next and previous photograph with a face. Enter: force on. Escape: stop. V: voice. O: open.</source>
+        <translation>화살표 키: 손 이동, Shift와 함께 누르면 더 빠르게. 탭 키: 다음 부위. W: 현재 위치. Z, Shift+Z: 확대와 축소. 스페이스바: 부위 안내. T: 얼굴 안내. G: 길잡이. F: 다음 얼굴. N, Shift+N: 얼굴이 있는 다음 사진과 이전 사진. 엔터 키: 힘 켜기. Escape 키: 멈춤. V: 음성. O: 열기.</translation>
     </message>
 </context>
 <context>
@@ -3756,6 +3756,22 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Device: %1</source>
         <translation>장치: %1</translation>
     </message>
+    <message>
+        <source>Next photograph</source>
+        <translation>다음 사진</translation>
+    </message>
+    <message>
+        <source>The next one of the album with a face. Key: N</source>
+        <translation>앨범에서 얼굴이 있는 다음 사진. N 키</translation>
+    </message>
+    <message>
+        <source>Previous photograph</source>
+        <translation>이전 사진</translation>
+    </message>
+    <message>
+        <source>Key: Shift and N</source>
+        <translation>Shift와 N 키</translation>
+    </message>
 </context>
 <context>
     <name>SoundsDialog</name>
@@ -4604,6 +4620,42 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>face</source>
         <translation>얼굴</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreWalk</name>
+    <message>
+        <source>Your newest photograph with a face.</source>
+        <translation>얼굴이 있는 가장 최근 사진입니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s) without a face passed over.</source>
+        <translation>
+            <numerusform>얼굴이 없는 사진 %n장을 건너뛰었습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <comment>a photograph&apos;s name</comment>
+        <translation>%1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Looking further: %n photograph(s) without a face so far.</source>
+        <translation>
+            <numerusform>계속 찾는 중입니다. 지금까지 얼굴이 없는 사진 %n장.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no face on any photograph of the album.</source>
+        <translation>앨범에 얼굴이 있는 사진이 없습니다.</translation>
+    </message>
+    <message>
+        <source>No photograph with a face comes after this one.</source>
+        <translation>이 사진 다음에는 얼굴이 있는 사진이 없습니다.</translation>
+    </message>
+    <message>
+        <source>No photograph with a face comes before this one.</source>
+        <translation>이 사진 앞에는 얼굴이 있는 사진이 없습니다.</translation>
     </message>
 </context>
 <context>

@@ -107,9 +107,10 @@ void BrowseTrail::begin() {
 
 void BrowseTrail::enter() {
     levels_.front().title = tr("All photographs");
-    if (here())
+    const QString last = preferences_.choices().last_photo; // another page may have gone on from here
+    if (here() && (!begun_ || last == photo() || !show(last)))
         show_here();
-    else
+    else if (!here())
         look_at_album();
     active_ = true;
 }

@@ -53,6 +53,7 @@ FocusScope {
         case Qt.Key_E: session.device.engage(); break
         case Qt.Key_W: session.finger.whereAmI(); break
         case Qt.Key_F: session.zoom.nextFace(); break
+        case Qt.Key_N: event.modifiers & Qt.ShiftModifier ? session.walk.previous() : session.walk.next(); break
         case Qt.Key_V: session.words.voiceOn = !session.words.voiceOn; break
         case Qt.Key_O: page.openDialog(); break
         default: event.accepted = false

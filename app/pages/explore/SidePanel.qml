@@ -124,6 +124,20 @@ TpScroll {
             onClicked: panel.session.zoom.nextFace()
         }
     }
+    Pair {
+        Half {
+            enabled: true
+            text: qsTr("Next photograph")
+            hint: qsTr("The next one of the album with a face. Key: N")
+            onClicked: panel.session.walk.next()
+        }
+        Half {
+            enabled: true
+            text: qsTr("Previous photograph")
+            hint: qsTr("Key: Shift and N")
+            onClicked: panel.session.walk.previous()
+        }
+    }
     TpChoice {
         width: parent.width
         label: qsTr("Guide")

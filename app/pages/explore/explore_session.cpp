@@ -12,8 +12,9 @@ ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
                                Preferences& preferences, ExploreSettings settings)
     : now_(settings.now), servo_(settings.surface, settings.servo, settings.plant),
       words_(narrator, earcons, preferences, now_), choices_(preferences, servo_, words_, settings),
-      view_(settings, servo_, words_, choices_), finger_(servo_, view_, words_, now_, settings.dwell_s),
-      tour_(servo_, view_, finger_, words_, now_), zoom_(servo_, view_, finger_, tour_, words_, now_),
+      view_(settings, servo_, words_, choices_), walk_(settings, view_, words_),
+      finger_(servo_, view_, words_, now_, settings.dwell_s), tour_(servo_, view_, finger_, words_, now_),
+      zoom_(servo_, view_, finger_, tour_, words_, now_),
       ear_(servo_, view_, finger_, tour_, zoom_, choices_, words_, earcons, guide, now_),
       hand_(servo_, view_, finger_, tour_, ear_, words_, now_),
       device_(servo_, view_, finger_, tour_, ear_, choices_, words_, settings) {
@@ -21,6 +22,7 @@ ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &ExploreSession::poll);
     connect(&view_, &ExploreView::replaced, this, [this] { view_.ready() ? timer_.start() : timer_.stop(); });
+    connect(&walk_, &ExploreWalk::setting_out, this, &ExploreSession::stop_everything);
     connect(&hand_, &ExploreHand::meant, this, &ExploreSession::perform);
     connect(&device_, &ExploreDevice::disabled, this, &ExploreSession::stop_everything);
     QCoreApplication::instance()->installEventFilter(this);

@@ -9,6 +9,7 @@
 #include "app/pages/explore/explore_settings.hpp"
 #include "app/pages/explore/explore_tour.hpp"
 #include "app/pages/explore/explore_view.hpp"
+#include "app/pages/explore/explore_walk.hpp"
 #include "app/pages/explore/explore_words.hpp"
 #include "app/pages/explore/explore_zoom.hpp"
 #include "app/pages/explore/finger_servo.hpp"
@@ -36,6 +37,7 @@ class ExploreSession final : public QObject {
     Q_PROPERTY(tp::ExploreWords* words READ words CONSTANT)
     Q_PROPERTY(tp::ExploreChoices* choices READ choices CONSTANT)
     Q_PROPERTY(tp::ExploreView* view READ view CONSTANT)
+    Q_PROPERTY(tp::ExploreWalk* walk READ walk CONSTANT)
     Q_PROPERTY(tp::ExploreFinger* finger READ finger CONSTANT)
     Q_PROPERTY(tp::ExploreTour* tour READ tour CONSTANT)
     Q_PROPERTY(tp::ExploreZoom* zoom READ zoom CONSTANT)
@@ -50,6 +52,7 @@ public:
     ExploreChoices* choices() { return &choices_; }
     ExploreView* view() { return &view_; }
     const ExploreView* view() const { return &view_; }
+    ExploreWalk* walk() { return &walk_; }
     ExploreFinger* finger() { return &finger_; }
     ExploreTour* tour() { return &tour_; }
     ExploreZoom* zoom() { return &zoom_; }
@@ -93,6 +96,7 @@ private:
     ExploreWords words_;
     ExploreChoices choices_;
     ExploreView view_;
+    ExploreWalk walk_;
     ExploreFinger finger_;
     ExploreTour tour_;
     ExploreZoom zoom_;

@@ -31,7 +31,9 @@ ExploreView::ExploreView(const ExploreSettings& settings, FingerServo& servo, Ex
                          ExploreChoices& choices)
     : servo_(servo), words_(words), choices_(choices),
       surface_(settings.surface), frame_{surface_.width_mm, surface_.height_mm} {
-    connect(&loader_, &PhotoLoader::loaded, this, &ExploreView::show);
+    connect(&loader_, &PhotoLoader::loaded, this, [this](const std::shared_ptr<const LoadedPhoto>& photo) {
+        looking_into_ ? emit looked_into(photo) : show(photo);
+    });
     connect(&choices_, &ExploreChoices::changed, this, &ExploreView::take_extras);
 }
 
@@ -94,39 +96,66 @@ void ExploreView::forget_scene() {
     face_places_.clear();
 }
 
-void ExploreView::load(const QString& file) {
+void ExploreView::begin_to_look() {
     emit replacing();
     servo_.clear();
     subject_ = {};
     forget_scene();
     become(State::Looking);
     words_.tell(tr("Looking for faces…"), Priority::message);
+}
+
+void ExploreView::load(const QString& file) {
+    looking_into_ = false;
+    begin_to_look();
     loader_.load(file);
 }
 
-void ExploreView::show(std::shared_ptr<const LoadedPhoto> photo) {
+void ExploreView::look_into(const QString& file) {
+    if (!std::exchange(looking_into_, true))
+        begin_to_look();
+    loader_.load(file);
+}
+
+std::shared_ptr<const LoadedPhoto> ExploreView::with_wanted_extras(const LoadedPhoto& photo) const {
+    auto with = std::make_shared<LoadedPhoto>(photo);
+    with->extraction = with_extras(std::move(with->extraction), choices_.extras());
+    return with;
+}
+
+bool ExploreView::can_be_felt(const LoadedPhoto& photo) const {
+    return build_scene(with_wanted_extras(photo)->extraction, surface_, Subject{}).ok();
+}
+
+void ExploreView::show(std::shared_ptr<const LoadedPhoto> photo, const QString& before) {
+    looking_into_ = false;
     loaded_ = std::move(photo);
-    auto shown = std::make_shared<LoadedPhoto>(*loaded_);
-    shown->extraction = with_extras(std::move(shown->extraction), choices_.extras());
-    photo_ = std::move(shown);
+    photo_ = with_wanted_extras(*loaded_);
     subject_ = {};
     build(true);
     found_ = describe(photo_->extraction, photo_->names);
     if (photo_->image.isNull() && !photo_->name.isEmpty())
         found_ = tr("%1: %2").arg(photo_->name, found_);
+    const QString told = before.isEmpty() ? found_ : before + ' ' + found_;
     if (ready())
-        words_.tell(Earcon::ready, found_, Priority::message);
+        words_.tell(Earcon::ready, told, Priority::message);
     else
-        words_.tell(found_, Priority::message);
+        words_.tell(told, Priority::message);
+}
+
+void ExploreView::turn_back() {
+    looking_into_ = false;
+    loader_.cancel();
+    if (photo_)
+        build(true);
+    else
+        become(State::Empty);
 }
 
 QString ExploreView::give_up() {
-    loader_.cancel();
-    if (!photo_) {
-        become(State::Empty);
+    turn_back();
+    if (!photo_)
         return tr("Stopped looking. Press O to open a photograph.");
-    }
-    build(true);
     return ready() ? tr("Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.")
                          .arg(photo_->name)
                    : tr("Stopped looking. %1 is open again.").arg(photo_->name);
@@ -136,12 +165,10 @@ QString ExploreView::give_up() {
 void ExploreView::take_extras() {
     if (!ready() || !loaded_)
         return;
-    Extraction wanted = with_extras(Extraction(loaded_->extraction), choices_.extras());
-    if (contour_count(wanted) == contour_count(photo_->extraction))
+    std::shared_ptr<const LoadedPhoto> wanted = with_wanted_extras(*loaded_);
+    if (contour_count(wanted->extraction) == contour_count(photo_->extraction))
         return;
-    auto shown = std::make_shared<LoadedPhoto>(*loaded_);
-    shown->extraction = std::move(wanted);
-    photo_ = std::move(shown);
+    photo_ = std::move(wanted);
     build(false);
 }
 

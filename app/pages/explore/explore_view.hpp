@@ -34,6 +34,8 @@ namespace tp {
 /// | Looking | Looking | Ready | Problem | what was open before, else Empty |
 /// | Ready   | Looking | Ready | Problem |                                 |
 /// | Problem | Looking | Ready | Problem |                                 |
+///
+/// Looking into a photograph is loading one for whoever decides whether to show it, to look into another, or to turn back.
 class ExploreView final : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -69,6 +71,8 @@ public:
     State state() const { return state_; }
     bool ready() const { return state_ == State::Ready; }
     QString photoName() const { return photo_ ? photo_->name : QString(); }
+    /// The photograph that is open; empty: none, or none that is a file.
+    QString file() const { return photo_ ? photo_->file : QString(); }
     QString title() const;
     QImage photo() const { return photo_ ? photo_->image : QImage(); }
     QRectF photoRect() const { return photo_rect_; }
@@ -80,9 +84,17 @@ public:
 
     /// Reads a photograph and makes it felt. Returns at once.
     void load(const QString& file);
-    /// A photograph that is loaded already.
-    void show(std::shared_ptr<const LoadedPhoto> photo);
-    /// Looks no further: back to what was open before. Returns the sentence for that.
+    /// Reads one, which `looked_into` then hands over instead. Returns at once.
+    void look_into(const QString& file);
+    /// That is what it does.
+    bool looking_into() const { return looking_into_; }
+    /// There is something on it for the finger.
+    bool can_be_felt(const LoadedPhoto& photo) const;
+    /// A photograph that is loaded already; `before` is said before what was found.
+    void show(std::shared_ptr<const LoadedPhoto> photo, const QString& before = {});
+    /// Looks no further: back to what was open before.
+    void turn_back();
+    /// The same. Returns the sentence for that.
     QString give_up();
     /// Fits that into the surface; false, and nothing has changed, where it is too small for that. Only where
     /// Ready.
@@ -119,6 +131,7 @@ public:
 signals:
     void photoChanged();
     void sceneChanged();
+    void looked_into(std::shared_ptr<const tp::LoadedPhoto> photo);
     /// What is felt is about to be another: who leads the finger along a line lets go.
     void replacing();
     /// It is another: what counted its features begins anew. Before photoChanged and sceneChanged.
@@ -129,6 +142,8 @@ signals:
 private:
     void become(State state);
     void forget_scene();
+    void begin_to_look();
+    std::shared_ptr<const LoadedPhoto> with_wanted_extras(const LoadedPhoto& photo) const;
     void build(bool anew);
     void list_faces();
     void take_extras();
@@ -140,6 +155,7 @@ private:
     SheetFrame frame_;
 
     State state_ = State::Empty;
+    bool looking_into_ = false;
     QString found_;                             ///< what was found in the photograph, or why nothing
     std::shared_ptr<const LoadedPhoto> loaded_; ///< as it came
     std::shared_ptr<const LoadedPhoto> photo_;  ///< with the extras that the person wants

@@ -25,6 +25,7 @@ LoadedPhoto read_and_find(const QString& file, std::unique_ptr<FaceExtractor>& e
                           const std::stop_token& stop) {
     LoadedPhoto photo;
     photo.name = QFileInfo(file).fileName();
+    photo.file = file;
     const Result<cv::Mat> picture = read_picture(file.toStdString());
     if (!picture) {
         photo.extraction.problem = picture.error();

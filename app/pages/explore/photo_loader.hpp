@@ -20,8 +20,10 @@ struct LoadedPhoto {
     QString name;          ///< of the file, without its folder
     QImage image;          ///< upright, shrunk to what a screen can show; null where it could not be read
     Extraction extraction; ///< places in pixels of the whole picture; `problem` where it could not be read
-    std::vector<QString> names = {}; ///< of the people, one for each face, as the photograph's metadata and its sidecar
-                                     ///< say; empty where nobody said
+    std::vector<QString> names =
+        {};            ///< of the people, one for each face, as the photograph's metadata and its sidecar
+                       ///< say; empty where nobody said
+    QString file = {}; ///< as it was asked for; empty: it is none
 };
 
 /// Reads photographs and finds their faces on a thread of its own.

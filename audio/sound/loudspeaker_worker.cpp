@@ -15,12 +15,14 @@ namespace tp {
 namespace {
 
 constexpr int look_ms = 40;
+constexpr int look_for_another_ms = 1000;
 constexpr int looks_a_second = 1000 / look_ms;
 constexpr int looks_until_stalled = 3 * looks_a_second;
 constexpr int looks_until_tried_again =
-    5 * looks_a_second;                               ///< the one that was lost, though it never seemed away
-constexpr int short_buffer_ms = 100; ///< asked for; Qt 6.4 on PulseAudio takes 70 of it, and stands still with 50. Its own
-                                     ///< choice is 200
+    5 * looks_a_second; ///< the one that was lost, though it never seemed away
+constexpr int short_buffer_ms =
+    100; ///< asked for; Qt 6.4 on PulseAudio takes 70 of it, and stands still with 50. Its own
+         ///< choice is 200
 constexpr std::int64_t most_silence = 2 * sound_rate; ///< behind the end, where the sink's clock stands still
 
 QAudioFormat played_format(const QAudioDevice& device) {
@@ -36,7 +38,6 @@ QAudioFormat played_format(const QAudioDevice& device) {
 } // namespace
 
 LoudspeakerWorker::LoudspeakerWorker() : look_(this) {
-    look_.setInterval(look_ms);
     connect(&look_, &QTimer::timeout, this, &LoudspeakerWorker::look);
 }
 
@@ -52,7 +53,7 @@ void LoudspeakerWorker::start(quint64 run, std::shared_ptr<SoundSource> source) 
     lost_ = false;
     heard_ = 0;
     looks_ = looks_alike_ = 0;
-    look_.start();
+    look_.start(look_ms);
     const QAudioDevice loudspeaker = QMediaDevices::defaultAudioOutput();
     id_ = loudspeaker.id();
     const QAudioFormat format = played_format(loudspeaker);
@@ -86,13 +87,14 @@ void LoudspeakerWorker::lose() {
     lost_ = true;
     waited_looks_ = 0;
     stop();
+    look_.start(look_for_another_ms);
     emit gone(run_);
 }
 
 void LoudspeakerWorker::look() {
     if (sink_ != nullptr)
         look_at_sound();
-    if (++looks_ >= looks_a_second) {
+    if (lost_ || ++looks_ >= looks_a_second) {
         looks_ = 0;
         look_at_devices();
     }

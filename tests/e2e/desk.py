@@ -65,6 +65,13 @@ def is_at_a_desk():
     return INNER in os.environ
 
 
+def awaited(wanted):
+    end = time.monotonic() + PATIENCE
+    while not wanted():
+        assert time.monotonic() < end, "waited in vain"
+        time.sleep(0.05)
+
+
 class Desk:
     """What stands on it besides the program; the window manager is started with these words."""
 

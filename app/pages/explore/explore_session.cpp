@@ -21,7 +21,7 @@ ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
     timer_.setInterval(poll_ms);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &ExploreSession::poll);
-    connect(&view_, &ExploreView::replaced, this, [this] { view_.ready() ? timer_.start() : timer_.stop(); });
+    connect(&view_, &ExploreView::replaced, this, &ExploreSession::follow_view);
     connect(&walk_, &ExploreWalk::setting_out, this, &ExploreSession::stop_everything);
     connect(&hand_, &ExploreHand::meant, this, &ExploreSession::perform);
     connect(&device_, &ExploreDevice::disabled, this, &ExploreSession::stop_everything);
@@ -41,6 +41,9 @@ bool ExploreSession::eventFilter(QObject* watched, QEvent* event) {
 
 void ExploreSession::enter() {
     const bool was_here = device_.here();
+    away_ = false;
+    servo_.wake();
+    follow_view();
     words_.enter();
     ear_.enter();
     device_.enter();
@@ -60,7 +63,12 @@ void ExploreSession::leave() {
     stop_everything();
     ear_.leave();
     words_.leave();
+    away_ = true;
+    servo_.rest();
+    follow_view();
 }
+
+void ExploreSession::follow_view() { view_.ready() && !away_ ? timer_.start() : timer_.stop(); }
 
 // --- the photograph ---
 

@@ -89,6 +89,7 @@ private:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void stop_everything();
     void perform(TouchGestures::Gesture gesture);
+    void follow_view();
     void poll();
 
     PageClock now_;
@@ -103,7 +104,8 @@ private:
     ExploreEar ear_;
     ExploreHand hand_;
     ExploreDevice device_;
-    QTimer timer_;                   ///< while there is something to feel
+    QTimer timer_;                   ///< while there is something to feel, and the page is in sight
+    bool away_ = false;              ///< the page is out of sight
     bool toured_before_tap_ = false; ///< what the first of two taps has stopped
 };
 

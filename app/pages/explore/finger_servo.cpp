@@ -61,8 +61,26 @@ std::string FingerServo::show(Scene scene) {
     tour_number_ = 0;
     relax(false);
     drive_->loop().render(std::move(*made));
-    drive_->loop().start();
+    start();
     return {};
+}
+
+void FingerServo::start() {
+    if (!resting_ || real())
+        drive_->loop().start();
+}
+
+void FingerServo::rest() {
+    resting_ = true;
+    disengage();
+    if (!real() && drive_->loop().running())
+        use_simulated(); // a new one, and the old one's threads end
+}
+
+void FingerServo::wake() {
+    resting_ = false;
+    if (!felt_.lines.empty())
+        start();
 }
 
 void FingerServo::clear() {

@@ -62,6 +62,12 @@ public:
     bool engaged() const { return engaged_; }
     void set_max_force(double newtons);
 
+    /// Nobody is there to feel anything: without force, and a finger that is only drawn stands still, its loop without
+    /// threads. A real device's goes on, for its motors are not left alone.
+    void rest();
+    /// As before, without force until `engage`.
+    void wake();
+
     ServoSnapshot snapshot() const { return drive_->loop().snapshot(); }
 
 private:
@@ -69,6 +75,7 @@ private:
     std::unique_ptr<DeviceDrive> exchange(std::unique_ptr<DeviceDrive> drive);
     Vec2 inside(Vec2 p) const;
     void relax(bool relaxed);
+    void start();
 
     SurfaceSize size_;
     Rect surface_;
@@ -83,6 +90,7 @@ private:
     std::uint64_t tour_number_ = 0; ///< of the scene that leads; 0: none
     double max_force_;              ///< N
     bool engaged_ = false;
+    bool resting_ = false;
 };
 
 } // namespace tp

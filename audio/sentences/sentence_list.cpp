@@ -286,7 +286,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "There is no unfinished import \"%1\"."),
     QT_TRANSLATE_NOOP("Sentence", "There is not enough memory for this picture."),
     QT_TRANSLATE_NOOP("Sentence", "There is nothing of the name \"%1\" in the trash."),
-    QT_TRANSLATE_NOOP("Sentence", "There is nothing to do again."),
+    QT_TRANSLATE_NOOP("Sentence", "There is nothing to redo."),
     QT_TRANSLATE_NOOP("Sentence", "There is nothing to undo."),
     QT_TRANSLATE_NOOP("Sentence", "This computer has no room for the program that watches over the motors. Close other programs and try again."),
     QT_TRANSLATE_NOOP("Sentence", "This could not be done, because the computer reports: %1"),

@@ -44,8 +44,8 @@
         <translation>Foto. Taste: Pfeil rechts</translation>
     </message>
     <message>
-        <source>Detail before</source>
-        <translation>Einzelheit davor</translation>
+        <source>Previous detail</source>
+        <translation>Vorige Einzelheit</translation>
     </message>
     <message>
         <source>Key: up arrow</source>
@@ -72,8 +72,8 @@
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>To the list before. Key: Backspace</source>
-        <translation>Zur Liste davor. Taste: Rücktaste</translation>
+        <source>To the previous list. Key: Backspace</source>
+        <translation>Zur vorigen Liste. Taste: Rücktaste</translation>
     </message>
     <message>
         <source>All photographs</source>
@@ -193,7 +193,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>CarePage</name>
     <message>
-        <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
+        <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z undoes the last step, Control Shift Z redoes it. Escape stops what plays, and ends a recording and keeps it.</source>
         <translation>Tab geht von Bedienelement zu Bedienelement, die Pfeiltasten gehen von Foto zu Foto, die Eingabetaste öffnet eines. Strg Z nimmt den letzten Schritt zurück, Strg Umschalt Z wiederholt ihn. Escape hält an, was gerade spielt; eine laufende Aufnahme wird beendet und behalten.</translation>
     </message>
 </context>
@@ -429,11 +429,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <name>FolderChooserView</name>
     <message>
         <source>Take this folder</source>
-        <translation>Diesen Ordner nehmen</translation>
+        <translation>Diesen Ordner wählen</translation>
     </message>
     <message>
         <source>To the folder above</source>
-        <translation>Zum Ordner darüber</translation>
+        <translation>Zum übergeordneten Ordner</translation>
     </message>
     <message>
         <source>Do not choose a folder</source>
@@ -467,11 +467,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Importieren</translation>
     </message>
     <message>
-        <source>Go on with the unfinished import</source>
+        <source>Continue the unfinished import</source>
         <translation>Den unfertigen Import fortsetzen</translation>
     </message>
     <message>
-        <source>Give the unfinished import up</source>
+        <source>Give up the unfinished import</source>
         <translation>Den unfertigen Import aufgeben</translation>
     </message>
     <message>
@@ -629,12 +629,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Alle Parameter</translation>
     </message>
     <message>
-        <source>Nothing to take back</source>
-        <translation>Nichts zurückzunehmen</translation>
+        <source>Nothing to undo</source>
+        <translation>Nichts rückgängig zu machen</translation>
     </message>
     <message>
-        <source>Take back: %1</source>
-        <translation>Zurücknehmen: %1</translation>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
     </message>
     <message>
         <source>Key: Control Z</source>
@@ -645,7 +645,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Alles wie am Anfang</translation>
     </message>
     <message>
-        <source>It can be taken back</source>
+        <source>It can be undone</source>
         <translation>Kann zurückgenommen werden</translation>
     </message>
     <message>
@@ -703,10 +703,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>LabPage</name>
     <message>
-        <source>On the surface arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads the plots, O opens a photograph, Control Z takes a change back. Escape stops what runs.</source>
-        <translation>Auf der Tastfläche bewegen die Pfeiltasten die Hand, die Leertaste startet und stoppt den Servo. R nimmt auf, W sagt, wo der Finger ist, P liest die Diagramme vor, O öffnet ein Foto, Strg Z nimmt eine Änderung zurück. Escape hält an, was läuft.</translation>
-    </message>
-    <message>
         <source>Start the servo</source>
         <translation>Den Servo starten</translation>
     </message>
@@ -745,6 +741,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Key: P</source>
         <translation>Taste: P</translation>
+    </message>
+    <message>
+        <source>On the surface arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads the plots, O opens a photograph, Control Z undoes a change. Escape stops what runs.</source>
+        <translation>Auf der Tastfläche bewegen die Pfeiltasten die Hand, die Leertaste startet und stoppt den Servo. R nimmt auf, W sagt, wo der Finger ist, P liest die Diagramme vor, O öffnet ein Foto, Strg Z nimmt eine Änderung zurück. Escape hält an, was läuft.</translation>
     </message>
 </context>
 <context>
@@ -921,7 +921,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>MendPage</name>
     <message>
-        <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
+        <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z undoes the last step, Control S saves; leaving the page saves too.</source>
         <translation>Tab geht von Punkt zu Punkt der Linien auf dem Foto, Bild auf und Bild ab von Merkmal zu Merkmal. Pfeiltasten verschieben einen Punkt um ein Pixel, mit Umschalt um zehn, mit Strg um ein Fünftel. A fügt einen Punkt hinzu, Entf entfernt ihn, C macht aus einer Ecke einen glatten Punkt. Strg Z nimmt den letzten Schritt zurück, Strg S speichert; auch beim Verlassen der Seite wird gespeichert.</translation>
     </message>
 </context>
@@ -1036,7 +1036,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Wie gefunden</translation>
     </message>
     <message>
-        <source>Takes back what was done to this feature alone</source>
+        <source>Undoes what was done to this feature alone</source>
         <translation>Nimmt nur die Änderungen an diesem Merkmal zurück</translation>
     </message>
     <message>
@@ -1092,7 +1092,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Was zu fühlen ist</translation>
     </message>
     <message>
-        <source>Do again</source>
+        <source>Redo</source>
         <translation>Wiederholen</translation>
     </message>
     <message>
@@ -1197,8 +1197,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Nach oben</translation>
     </message>
     <message>
-        <source>To the row before. Key: up arrow</source>
-        <translation>Zur Zeile davor. Taste: Pfeil nach oben</translation>
+        <source>To the previous row. Key: up arrow</source>
+        <translation>Zur vorigen Zeile. Taste: Pfeil nach oben</translation>
     </message>
     <message>
         <source>Down</source>
@@ -1255,7 +1255,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Neueste zuerst</translation>
     </message>
     <message>
-        <source>Looks wrong first</source>
+        <source>Check these first</source>
         <translation>Auffällige zuerst</translation>
     </message>
     <message numerus="yes">
@@ -1558,7 +1558,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Rückt sie in der Liste nach unten.</translation>
     </message>
     <message>
-        <source>Record it anew</source>
+        <source>Record again</source>
         <translation>Neu aufnehmen</translation>
     </message>
     <message>
@@ -2485,7 +2485,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Im Papierkorb gibt es nichts mit dem Namen „%1“.</translation>
     </message>
     <message>
-        <source>There is nothing to do again.</source>
+        <source>There is nothing to redo.</source>
         <translation>Es gibt nichts zu wiederholen.</translation>
     </message>
     <message>
@@ -3444,7 +3444,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>SettingsPage</name>
     <message>
-        <source>Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. Control Z takes the last change back. Each change is kept at once.</source>
+        <source>Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. Control Z undoes the last change. Each change is kept at once.</source>
         <translation>Tab geht von Einstellung zu Einstellung, Leertaste oder Eingabetaste ändert eine, die Pfeiltasten bewegen einen Regler. Strg Z nimmt die letzte Änderung zurück. Jede Änderung wird sofort gespeichert.</translation>
     </message>
     <message>
@@ -3540,7 +3540,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Noch kein Ordner.</translation>
     </message>
     <message>
-        <source>Take %1 off the album</source>
+        <source>Remove %1 from the album</source>
         <translation>%1 aus dem Album nehmen</translation>
     </message>
     <message>
@@ -3564,12 +3564,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Alle Einstellungen</translation>
     </message>
     <message>
-        <source>Nothing to take back</source>
-        <translation>Nichts zurückzunehmen</translation>
+        <source>Nothing to undo</source>
+        <translation>Nichts rückgängig zu machen</translation>
     </message>
     <message>
-        <source>Take back: %1</source>
-        <translation>Zurücknehmen: %1</translation>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
     </message>
     <message>
         <source>Key: Control Z</source>
@@ -3584,7 +3584,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Alles wie am Anfang</translation>
     </message>
     <message>
-        <source>The album&apos;s folders stay; it can be taken back</source>
+        <source>The album&apos;s folders stay; it can be undone</source>
         <translation>Die Ordner des Albums bleiben; es kann zurückgenommen werden</translation>
     </message>
     <message>
@@ -3804,11 +3804,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>StartPage</name>
     <message>
-        <source>Press the number of an answer, or the answer itself. 0 or Backspace: the question before. R: hear the question again.</source>
-        <translation>Drücken Sie die Nummer einer Antwort oder die Antwort selbst. 0 oder Rücktaste: die Frage davor. R: die Frage noch einmal hören.</translation>
+        <source>Press the number of an answer, or the answer itself. 0 or Backspace: previous question. R: repeat the question.</source>
+        <translation>Drücken Sie die Nummer einer Antwort oder die Antwort selbst. 0 oder Rücktaste: vorige Frage. R: die Frage noch einmal hören.</translation>
     </message>
     <message>
-        <source>Press the number of what you want to do, or go through the buttons by Tab. R: hear this page again.</source>
+        <source>Press the number of what you want to do, or go through the buttons with Tab. R: repeat this page.</source>
         <translation>Drücken Sie die Nummer dessen, was Sie tun möchten, oder gehen Sie mit Tab durch die Schaltflächen. R: diese Seite noch einmal hören.</translation>
     </message>
     <message>
@@ -3820,7 +3820,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Hear it again</source>
+        <source>Repeat</source>
         <translation>Noch einmal hören</translation>
     </message>
     <message>
@@ -3828,8 +3828,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Taste: R</translation>
     </message>
     <message>
-        <source>Question before</source>
-        <translation>Frage davor</translation>
+        <source>Previous question</source>
+        <translation>Vorige Frage</translation>
     </message>
     <message>
         <source>Key: 0</source>
@@ -3990,11 +3990,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>TrimPart</name>
     <message>
-        <source>Begin of what stays</source>
+        <source>Start of the part to keep</source>
         <translation>Anfang des Teils, der bleibt</translation>
     </message>
     <message>
-        <source>End of what stays</source>
+        <source>End of the part to keep</source>
         <translation>Ende des Teils, der bleibt</translation>
     </message>
     <message>
@@ -4002,12 +4002,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Listen to what stays</source>
+        <source>Play the part to keep</source>
         <translation>Anhören, was bleibt</translation>
     </message>
     <message>
-        <source>Trim to what stays</source>
-        <translation>Auf das kürzen, was bleibt</translation>
+        <source>Trim to this part</source>
+        <translation>Auf diesen Teil kürzen</translation>
     </message>
     <message>
         <source>The rest can be brought back with Undo.</source>
@@ -4029,7 +4029,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Tasten: Strg Z</translation>
     </message>
     <message>
-        <source>Do again: %1</source>
+        <source>Redo: %1</source>
         <translation>Wiederholen: %1</translation>
     </message>
     <message>
@@ -4345,7 +4345,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Rückgängig gemacht: %1.</translation>
     </message>
     <message>
-        <source>Done again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>Wiederholt: %1.</translation>
     </message>
     <message>
@@ -5143,7 +5143,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Es gibt nichts rückgängig zu machen.</translation>
     </message>
     <message>
-        <source>There is nothing to do again.</source>
+        <source>There is nothing to redo.</source>
         <translation>Es gibt nichts zu wiederholen.</translation>
     </message>
 </context>
@@ -5363,12 +5363,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Führungsgesetz, Servo, Gerät und Fehler sind wie am Anfang.</translation>
     </message>
     <message>
-        <source>There is nothing to take back.</source>
-        <translation>Es gibt nichts zurückzunehmen.</translation>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
     </message>
     <message>
-        <source>Taken back: %1.</source>
-        <translation>Zurückgenommen: %1.</translation>
+        <source>Undone: %1.</source>
+        <translation>Rückgängig gemacht: %1.</translation>
     </message>
 </context>
 <context>
@@ -5559,11 +5559,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Rückgängig gemacht: %1.</translation>
     </message>
     <message>
-        <source>There is nothing to do again.</source>
+        <source>There is nothing to redo.</source>
         <translation>Es gibt nichts zu wiederholen.</translation>
     </message>
     <message>
-        <source>Done again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>Wiederholt: %1.</translation>
     </message>
 </context>
@@ -5875,11 +5875,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::Questions</name>
     <message>
-        <source>Shall TouchPhoto speak to you?</source>
-        <translation>Soll TouchPhoto mit Ihnen sprechen?</translation>
+        <source>Should TouchPhoto speak?</source>
+        <translation>Soll TouchPhoto sprechen?</translation>
     </message>
     <message>
-        <source>How fast shall it speak?</source>
+        <source>How fast should it speak?</source>
         <translation>Wie schnell soll es sprechen?</translation>
     </message>
     <message>
@@ -5911,8 +5911,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Nein, der Text auf dem Bildschirm genügt</translation>
     </message>
     <message>
-        <source>My screen reader shall speak</source>
-        <translation>Mein Screenreader soll sprechen</translation>
+        <source>No, my screen reader speaks</source>
+        <translation>Nein, mein Screenreader spricht</translation>
     </message>
     <message>
         <source>Very slowly</source>
@@ -5963,8 +5963,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>In einem anderen Ordner</translation>
     </message>
     <message>
-        <source>I will say so later</source>
-        <translation>Das sage ich später</translation>
+        <source>Ask me later</source>
+        <translation>Später fragen</translation>
     </message>
     <message>
         <source>Question %1 of %2. %3</source>
@@ -6104,26 +6104,26 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Alle Einstellungen sind wie am Anfang. Die Ordner des Albums bleiben.</translation>
     </message>
     <message>
-        <source>There is nothing to take back.</source>
-        <translation>Es gibt nichts zurückzunehmen.</translation>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
     </message>
     <message>
-        <source>Taken back: %1.</source>
-        <translation>Zurückgenommen: %1.</translation>
+        <source>Undone: %1.</source>
+        <translation>Rückgängig gemacht: %1.</translation>
     </message>
 </context>
 <context>
     <name>tp::SettingsSession</name>
     <message>
-        <source>Settings. Go through them by Tab; each change is kept at once. Control Z takes the last one back.</source>
+        <source>Settings. Go through them by Tab; each change is kept at once. Control Z undoes the last one.</source>
         <translation>Einstellungen. Gehen Sie mit Tab hindurch; jede Änderung wird sofort gespeichert. Strg Z nimmt die letzte zurück.</translation>
     </message>
 </context>
 <context>
     <name>tp::Shell</name>
     <message>
-        <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the page before.</source>
-        <translation>Überall: Escape hält an, was klingt oder sich bewegt, und führt dann zur Startseite. F1: diese Hilfe. F2: der letzte Satz noch einmal. F3: Stimme ein oder aus. Alt und Pfeil links: die Seite davor.</translation>
+        <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the previous page.</source>
+        <translation>Überall: Escape hält an, was klingt oder sich bewegt, und führt dann zur Startseite. F1: diese Hilfe. F2: der letzte Satz noch einmal. F3: Stimme ein oder aus. Alt und Pfeil links: die vorige Seite.</translation>
     </message>
 </context>
 <context>
@@ -6216,8 +6216,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Ein Gesicht fühlen</translation>
     </message>
     <message>
-        <source>The photograph that you were at last, under your finger</source>
-        <translation>Das Foto, bei dem Sie zuletzt waren, unter Ihrem Finger</translation>
+        <source>Your last photograph, under your finger</source>
+        <translation>Ihr letztes Foto, unter Ihrem Finger</translation>
     </message>
     <message>
         <source>Look after the album</source>
@@ -6240,16 +6240,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Ein Foto machen</translation>
     </message>
     <message>
-        <source>Not there yet: photographs of any camera can be imported</source>
-        <translation>Noch nicht da: Fotos jeder Kamera können importiert werden</translation>
+        <source>Not available yet: photographs of any camera can be imported</source>
+        <translation>Noch nicht verfügbar: Fotos jeder Kamera können importiert werden</translation>
     </message>
     <message>
         <source>Studies</source>
         <translation>Studien</translation>
     </message>
     <message>
-        <source>Not there yet</source>
-        <translation>Noch nicht da</translation>
+        <source>Not available yet</source>
+        <translation>Noch nicht verfügbar</translation>
     </message>
     <message>
         <source>TouchPhoto, start page. 1: %1. 2: %2. More below; F1 for help.</source>

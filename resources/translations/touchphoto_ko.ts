@@ -44,7 +44,7 @@
         <translation>사진. 오른쪽 화살표 키</translation>
     </message>
     <message>
-        <source>Detail before</source>
+        <source>Previous detail</source>
         <translation>이전 정보</translation>
     </message>
     <message>
@@ -72,7 +72,7 @@
         <translation>뒤로</translation>
     </message>
     <message>
-        <source>To the list before. Key: Backspace</source>
+        <source>To the previous list. Key: Backspace</source>
         <translation>이전 목록으로 갑니다. 백스페이스 키</translation>
     </message>
     <message>
@@ -193,7 +193,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>CarePage</name>
     <message>
-        <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.</source>
+        <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z undoes the last step, Control Shift Z redoes it. Escape stops what plays, and ends a recording and keeps it.</source>
         <translation>탭 키로 항목 사이를, 화살표 키로 사진 사이를 이동하고, 엔터 키로 사진을 엽니다. Ctrl Z는 마지막 작업을 되돌리고, Ctrl Shift Z는 다시 실행합니다. Escape 키는 재생을 멈추고, 녹음 중이면 녹음을 끝내고 보관합니다.</translation>
     </message>
 </context>
@@ -463,11 +463,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>가져오기</translation>
     </message>
     <message>
-        <source>Go on with the unfinished import</source>
+        <source>Continue the unfinished import</source>
         <translation>끝나지 않은 가져오기 계속하기</translation>
     </message>
     <message>
-        <source>Give the unfinished import up</source>
+        <source>Give up the unfinished import</source>
         <translation>끝나지 않은 가져오기 그만두기</translation>
     </message>
     <message>
@@ -625,11 +625,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모든 매개변수</translation>
     </message>
     <message>
-        <source>Nothing to take back</source>
+        <source>Nothing to undo</source>
         <translation>되돌릴 것이 없습니다</translation>
     </message>
     <message>
-        <source>Take back: %1</source>
+        <source>Undo: %1</source>
         <translation>되돌리기: %1</translation>
     </message>
     <message>
@@ -641,7 +641,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>처음 상태로</translation>
     </message>
     <message>
-        <source>It can be taken back</source>
+        <source>It can be undone</source>
         <translation>되돌릴 수 있습니다</translation>
     </message>
     <message>
@@ -699,10 +699,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>LabPage</name>
     <message>
-        <source>On the surface arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads the plots, O opens a photograph, Control Z takes a change back. Escape stops what runs.</source>
-        <translation>터치 영역에서 화살표 키는 손을 움직이고 스페이스바는 서보를 켜고 끕니다. R은 기록, W는 손가락의 위치, P는 그래프 읽기, O는 사진 열기이며, Ctrl Z는 변경을 되돌립니다. Escape 키는 실행 중인 것을 멈춥니다.</translation>
-    </message>
-    <message>
         <source>Start the servo</source>
         <translation>서보 켜기</translation>
     </message>
@@ -741,6 +737,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Key: P</source>
         <translation>P 키</translation>
+    </message>
+    <message>
+        <source>On the surface arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads the plots, O opens a photograph, Control Z undoes a change. Escape stops what runs.</source>
+        <translation>터치 영역에서 화살표 키는 손을 움직이고 스페이스바는 서보를 켜고 끕니다. R은 기록, W는 손가락의 위치, P는 그래프 읽기, O는 사진 열기이며, Ctrl Z는 변경을 되돌립니다. Escape 키는 실행 중인 것을 멈춥니다.</translation>
     </message>
 </context>
 <context>
@@ -916,7 +916,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>MendPage</name>
     <message>
-        <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z takes the last step back, Control S saves; leaving the page saves too.</source>
+        <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z undoes the last step, Control S saves; leaving the page saves too.</source>
         <translation>탭 키는 사진 위 선의 점에서 점으로, 페이지 업과 페이지 다운 키는 부위에서 부위로 갑니다. 화살표 키는 점을 1픽셀씩, Shift와 함께 10픽셀씩, Ctrl과 함께 5분의 1픽셀씩 옮깁니다. A는 점을 더하고, Delete는 점을 지우고, C는 모서리를 매끄러운 점으로 바꿉니다. Ctrl Z는 마지막 단계를 되돌리고, Ctrl S는 저장합니다. 페이지를 떠날 때도 저장됩니다.</translation>
     </message>
 </context>
@@ -1031,7 +1031,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>처음 찾은 대로</translation>
     </message>
     <message>
-        <source>Takes back what was done to this feature alone</source>
+        <source>Undoes what was done to this feature alone</source>
         <translation>이 부위에 한 작업만 되돌립니다</translation>
     </message>
     <message>
@@ -1087,7 +1087,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>만져지는 것을 보여 줍니다</translation>
     </message>
     <message>
-        <source>Do again</source>
+        <source>Redo</source>
         <translation>다시 실행</translation>
     </message>
     <message>
@@ -1192,8 +1192,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>위로</translation>
     </message>
     <message>
-        <source>To the row before. Key: up arrow</source>
-        <translation>앞의 줄로 갑니다. 위쪽 화살표 키</translation>
+        <source>To the previous row. Key: up arrow</source>
+        <translation>이전 줄로 갑니다. 위쪽 화살표 키</translation>
     </message>
     <message>
         <source>Down</source>
@@ -1250,8 +1250,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>최신 사진부터</translation>
     </message>
     <message>
-        <source>Looks wrong first</source>
-        <translation>잘못되어 보이는 것부터</translation>
+        <source>Check these first</source>
+        <translation>확인이 필요한 것부터</translation>
     </message>
     <message numerus="yes">
         <source>Looking at faces, %n photograph(s) left…</source>
@@ -1545,8 +1545,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>목록에서 아래로 옮깁니다.</translation>
     </message>
     <message>
-        <source>Record it anew</source>
-        <translation>새로 녹음</translation>
+        <source>Record again</source>
+        <translation>다시 녹음</translation>
     </message>
     <message>
         <source>The old one goes to the trash when the new one is kept.</source>
@@ -2472,8 +2472,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>휴지통에 “%1”(이)라는 것이 없습니다.</translation>
     </message>
     <message>
-        <source>There is nothing to do again.</source>
-        <translation>다시 할 것이 없습니다.</translation>
+        <source>There is nothing to redo.</source>
+        <translation>다시 실행할 것이 없습니다.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
@@ -3431,7 +3431,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>SettingsPage</name>
     <message>
-        <source>Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. Control Z takes the last change back. Each change is kept at once.</source>
+        <source>Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. Control Z undoes the last change. Each change is kept at once.</source>
         <translation>탭 키로 설정 사이를 이동하고, 스페이스바나 엔터 키로 설정을 바꾸며, 화살표 키로 슬라이더를 움직입니다. Ctrl Z는 마지막 변경을 되돌립니다. 변경은 바로 저장됩니다.</translation>
     </message>
     <message>
@@ -3527,7 +3527,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>아직 폴더가 없습니다.</translation>
     </message>
     <message>
-        <source>Take %1 off the album</source>
+        <source>Remove %1 from the album</source>
         <translation>앨범에서 빼기: %1</translation>
     </message>
     <message>
@@ -3551,11 +3551,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모든 설정</translation>
     </message>
     <message>
-        <source>Nothing to take back</source>
+        <source>Nothing to undo</source>
         <translation>되돌릴 것이 없습니다</translation>
     </message>
     <message>
-        <source>Take back: %1</source>
+        <source>Undo: %1</source>
         <translation>되돌리기: %1</translation>
     </message>
     <message>
@@ -3571,7 +3571,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모두 처음 상태로</translation>
     </message>
     <message>
-        <source>The album&apos;s folders stay; it can be taken back</source>
+        <source>The album&apos;s folders stay; it can be undone</source>
         <translation>앨범의 폴더는 그대로 남으며, 되돌릴 수 있습니다</translation>
     </message>
     <message>
@@ -3791,11 +3791,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>StartPage</name>
     <message>
-        <source>Press the number of an answer, or the answer itself. 0 or Backspace: the question before. R: hear the question again.</source>
-        <translation>답의 번호를 누르거나 답을 직접 누르세요. 0이나 백스페이스: 앞의 질문. R: 질문 다시 듣기.</translation>
+        <source>Press the number of an answer, or the answer itself. 0 or Backspace: previous question. R: repeat the question.</source>
+        <translation>답의 번호를 누르거나 답을 직접 누르세요. 0이나 백스페이스: 이전 질문. R: 질문 다시 듣기.</translation>
     </message>
     <message>
-        <source>Press the number of what you want to do, or go through the buttons by Tab. R: hear this page again.</source>
+        <source>Press the number of what you want to do, or go through the buttons with Tab. R: repeat this page.</source>
         <translation>하고 싶은 일의 번호를 누르거나, 탭 키로 버튼 사이를 이동하세요. R: 이 페이지 다시 듣기.</translation>
     </message>
     <message>
@@ -3807,7 +3807,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Hear it again</source>
+        <source>Repeat</source>
         <translation>다시 듣기</translation>
     </message>
     <message>
@@ -3815,8 +3815,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>R 키</translation>
     </message>
     <message>
-        <source>Question before</source>
-        <translation>앞의 질문</translation>
+        <source>Previous question</source>
+        <translation>이전 질문</translation>
     </message>
     <message>
         <source>Key: 0</source>
@@ -3975,11 +3975,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>TrimPart</name>
     <message>
-        <source>Begin of what stays</source>
+        <source>Start of the part to keep</source>
         <translation>남길 부분의 시작</translation>
     </message>
     <message>
-        <source>End of what stays</source>
+        <source>End of the part to keep</source>
         <translation>남길 부분의 끝</translation>
     </message>
     <message>
@@ -3987,11 +3987,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>멈춤</translation>
     </message>
     <message>
-        <source>Listen to what stays</source>
+        <source>Play the part to keep</source>
         <translation>남길 부분 듣기</translation>
     </message>
     <message>
-        <source>Trim to what stays</source>
+        <source>Trim to this part</source>
         <translation>남길 부분만 두고 자르기</translation>
     </message>
     <message>
@@ -4014,7 +4014,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>Ctrl Z 키</translation>
     </message>
     <message>
-        <source>Do again: %1</source>
+        <source>Redo: %1</source>
         <translation>다시 실행: %1</translation>
     </message>
     <message>
@@ -4322,7 +4322,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>되돌렸습니다: %1.</translation>
     </message>
     <message>
-        <source>Done again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>다시 실행했습니다: %1.</translation>
     </message>
     <message>
@@ -5109,7 +5109,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>되돌릴 것이 없습니다.</translation>
     </message>
     <message>
-        <source>There is nothing to do again.</source>
+        <source>There is nothing to redo.</source>
         <translation>다시 실행할 것이 없습니다.</translation>
     </message>
 </context>
@@ -5327,11 +5327,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>유도 법칙, 서보, 장치, 고장이 처음 상태로 돌아갔습니다.</translation>
     </message>
     <message>
-        <source>There is nothing to take back.</source>
+        <source>There is nothing to undo.</source>
         <translation>되돌릴 것이 없습니다.</translation>
     </message>
     <message>
-        <source>Taken back: %1.</source>
+        <source>Undone: %1.</source>
         <translation>되돌렸습니다: %1.</translation>
     </message>
 </context>
@@ -5523,11 +5523,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>되돌렸습니다: %1.</translation>
     </message>
     <message>
-        <source>There is nothing to do again.</source>
+        <source>There is nothing to redo.</source>
         <translation>다시 실행할 것이 없습니다.</translation>
     </message>
     <message>
-        <source>Done again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>다시 실행했습니다: %1.</translation>
     </message>
 </context>
@@ -5833,11 +5833,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::Questions</name>
     <message>
-        <source>Shall TouchPhoto speak to you?</source>
+        <source>Should TouchPhoto speak?</source>
         <translation>TouchPhoto가 말로 알려 드릴까요?</translation>
     </message>
     <message>
-        <source>How fast shall it speak?</source>
+        <source>How fast should it speak?</source>
         <translation>얼마나 빠르게 말할까요?</translation>
     </message>
     <message>
@@ -5869,8 +5869,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>아니요, 화면의 글자로 충분합니다</translation>
     </message>
     <message>
-        <source>My screen reader shall speak</source>
-        <translation>제 화면 낭독기로 듣겠습니다</translation>
+        <source>No, my screen reader speaks</source>
+        <translation>아니요, 제 화면 낭독기로 듣겠습니다</translation>
     </message>
     <message>
         <source>Very slowly</source>
@@ -5921,7 +5921,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>다른 폴더</translation>
     </message>
     <message>
-        <source>I will say so later</source>
+        <source>Ask me later</source>
         <translation>나중에 정하기</translation>
     </message>
     <message>
@@ -6062,25 +6062,25 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모든 설정이 처음 상태로 돌아갔습니다. 앨범의 폴더는 그대로입니다.</translation>
     </message>
     <message>
-        <source>There is nothing to take back.</source>
+        <source>There is nothing to undo.</source>
         <translation>되돌릴 것이 없습니다.</translation>
     </message>
     <message>
-        <source>Taken back: %1.</source>
+        <source>Undone: %1.</source>
         <translation>되돌렸습니다: %1.</translation>
     </message>
 </context>
 <context>
     <name>tp::SettingsSession</name>
     <message>
-        <source>Settings. Go through them by Tab; each change is kept at once. Control Z takes the last one back.</source>
+        <source>Settings. Go through them by Tab; each change is kept at once. Control Z undoes the last one.</source>
         <translation>설정. 탭 키로 설정 사이를 이동하세요. 변경은 바로 저장됩니다. Ctrl Z는 마지막 변경을 되돌립니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::Shell</name>
     <message>
-        <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the page before.</source>
+        <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the previous page.</source>
         <translation>어디서나: Escape 키는 소리나 움직임을 멈추고, 그다음에는 홈으로 갑니다. F1: 이 도움말. F2: 마지막 문장 다시. F3: 음성 켜기 또는 끄기. Alt와 왼쪽 화살표 키: 이전 페이지.</translation>
     </message>
 </context>
@@ -6174,7 +6174,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴 만져 보기</translation>
     </message>
     <message>
-        <source>The photograph that you were at last, under your finger</source>
+        <source>Your last photograph, under your finger</source>
         <translation>마지막으로 본 사진을 손가락으로 만집니다</translation>
     </message>
     <message>
@@ -6198,7 +6198,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진 찍기</translation>
     </message>
     <message>
-        <source>Not there yet: photographs of any camera can be imported</source>
+        <source>Not available yet: photographs of any camera can be imported</source>
         <translation>아직 없습니다. 어떤 카메라의 사진이든 가져올 수 있습니다</translation>
     </message>
     <message>
@@ -6206,7 +6206,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>연구</translation>
     </message>
     <message>
-        <source>Not there yet</source>
+        <source>Not available yet</source>
         <translation>아직 없습니다</translation>
     </message>
     <message>

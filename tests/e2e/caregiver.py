@@ -66,10 +66,10 @@ class Caregiver:
     def trims_it(self):
         before = self.album.tags(self.photo)[0]["duration_s"]
         self.page.press("Memo…", self.page.atspi.ROLE_LIST_ITEM)
-        end = self.page.await_name("End of what stays…", self.page.atspi.ROLE_SLIDER)
+        end = self.page.await_name("End of the part to keep…", self.page.atspi.ROLE_SLIDER)
         end.queryComponent().grabFocus()
         self.page.keys("shift+Left")
-        self.page.press("Trim to what stays")
+        self.page.press("Trim to this part")
         self.hears("Trimmed: ")
         after = self.album.tags(self.photo)[0]["duration_s"]
         print(f"trimmed from {before:.2f} to {after:.2f} s")

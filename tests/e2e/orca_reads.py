@@ -20,7 +20,7 @@ import sound_server
 from album import Album, preferences
 
 SPEECH = re.compile(r"^[0-9:.]+ - SPEECH OUTPUT: '(.*?)'(?: voice=\w+)? ?(?:[\[{].*)?$")
-SCREEN_READER = "3: My screen reader shall speak"
+SCREEN_READER = "3: No, my screen reader speaks"
 
 
 class Orca:
@@ -77,7 +77,7 @@ class Listener:
         self.orca.says("1: Yes push button")
         self.presses("Tab", "2: No, the words on the screen are enough push button")
         self.presses("Tab", SCREEN_READER + " push button")
-        self.presses("3", "notification Question 2 of 5. How fast shall it speak?")
+        self.presses("3", "notification Question 2 of 5. How fast should it speak?")
         self.presses("3", "notification Question 3 of 5.")
         self.presses("1", "notification Question 4 of 5. No force device was found.")
         self.presses("1", "notification Question 5 of 5. Where are your photographs?")
@@ -101,7 +101,7 @@ class Listener:
         force.queryComponent().grabFocus()
         self.orca.says("Strongest force slider 1.0", "1.0 newtons")
         self.presses("Right", "1.1", "notification At most 1.1 newtons.")
-        self.presses("ctrl+z", "notification Taken back: ")
+        self.presses("ctrl+z", "notification Undone: ")
         self.presses("Escape", "notification TouchPhoto, start page.")
 
     def browses(self):
@@ -127,7 +127,7 @@ class Listener:
         self.reviews_the_heading("Photographs of the album", "Photographs of the album heading")
         self.presses("Tab", "Import a folder… push button")
         self.presses("Tab", "Order: Newest first", "selected radio button")
-        self.presses("Tab", "Order: Looks wrong first", "not selected radio button")
+        self.presses("Tab", "Order: Check these first", "not selected radio button")
         self.presses("space", "selected")
         self.presses("Escape", "notification TouchPhoto, start page.")
 

@@ -47,8 +47,8 @@ class Person:
 
     def answers_the_five_questions(self):
         self.page.await_name("1: Yes")
-        self.page.press("3: My screen reader shall speak")
-        self.hears("Question 2 of 5. How fast shall it speak?")
+        self.page.press("3: No, my screen reader speaks")
+        self.hears("Question 2 of 5. How fast should it speak?")
         self.page.keys("4")
         self.hears("Question 3 of 5.")
         self.page.keys("1")
@@ -137,7 +137,7 @@ class Person:
         self.page.press("Speed of speech: Slow")
         self.hears("Slow. This is how fast I speak.")
         self.page.keys("ctrl+z")
-        self.hears("Taken back: the speed of speech.")
+        self.hears("Undone: the speed of speech.")
         self.page.keys("Escape")
         self.hears("TouchPhoto, start page.")
 

@@ -24,7 +24,7 @@ std::string UndoHistory::undo() {
 
 std::string UndoHistory::redo() {
     if (undone_.empty())
-        return "There is nothing to do again.";
+        return "There is nothing to redo.";
     if (std::string problem = undone_.back().redo(); !problem.empty())
         return problem;
     steps_.push_back(std::move(undone_.back()));

@@ -61,7 +61,7 @@ Column {
             onClicked: buttons.session.trail.next()
         }
         Half {
-            text: qsTr("Detail before")
+            text: qsTr("Previous detail")
             hint: qsTr("Key: up arrow")
             onClicked: buttons.session.details.previous()
         }
@@ -81,7 +81,7 @@ Column {
     Pairs {
         Half {
             text: qsTr("Back")
-            hint: qsTr("To the list before. Key: Backspace")
+            hint: qsTr("To the previous list. Key: Backspace")
             onClicked: buttons.session.lists.back()
         }
         Half {

@@ -148,7 +148,7 @@ FocusScope {
         TpButton {
             width: bar.third
             text: qsTr("Up")
-            hint: qsTr("To the row before. Key: up arrow")
+            hint: qsTr("To the previous row. Key: up arrow")
             onClicked: list.stepTo(Math.max(0, list.current - 1))
         }
         TpButton {

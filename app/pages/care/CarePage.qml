@@ -11,7 +11,7 @@ FocusScope {
 
     required property CareSession session
     readonly property bool wide: width > 1.15 * height && width > 900 * Theme.textScale
-    readonly property string help: qsTr("Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z takes the last step back, Control Shift Z does it again. Escape stops what plays, and ends a recording and keeps it.")
+    readonly property string help: qsTr("Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z undoes the last step, Control Shift Z redoes it. Escape stops what plays, and ends a recording and keeps it.")
     readonly property bool photoShown: session.photoOpen
 
     focus: true

@@ -63,7 +63,7 @@ Column {
     TpButton {
         width: parent.width
         visible: part.importing.unfinished
-        text: qsTr("Go on with the unfinished import")
+        text: qsTr("Continue the unfinished import")
         onClicked: {
             first.forceActiveFocus() // this one vanishes
             part.importing.goOn()
@@ -72,7 +72,7 @@ Column {
     TpButton {
         width: parent.width
         visible: part.importing.unfinished
-        text: qsTr("Give the unfinished import up")
+        text: qsTr("Give up the unfinished import")
         hint: qsTr("What it brought stays.")
         onClicked: {
             first.forceActiveFocus()

@@ -124,7 +124,7 @@ FocusScope {
                     width: parent.width
                     visible: pane.session.photos.total > 0
                     label: qsTr("Order")
-                    options: [qsTr("Newest first"), qsTr("Looks wrong first")]
+                    options: [qsTr("Newest first"), qsTr("Check these first")]
                     current: pane.session.photos.order
                     onPicked: (index) => pane.session.photos.order = index
                 }

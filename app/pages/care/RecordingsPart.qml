@@ -93,7 +93,7 @@ FocusScope {
             TpButton {
                 objectName: "recordAgain"
                 width: Math.min(implicitWidth, parent.width)
-                text: qsTr("Record it anew")
+                text: qsTr("Record again")
                 hint: qsTr("The old one goes to the trash when the new one is kept.")
                 onClicked: {
                     part.session.take.startAgain()

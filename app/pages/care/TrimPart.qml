@@ -59,7 +59,7 @@ Column {
             atBegin: true
             x: track.xOf(part.trimming.begin) - width
             height: parent.height
-            label: qsTr("Begin of what stays")
+            label: qsTr("Start of the part to keep")
             valueText: part.trimming.beginText
             setting: part.trimming.begin
             duration: part.trimming.duration
@@ -71,7 +71,7 @@ Column {
             atBegin: false
             x: track.xOf(part.trimming.end)
             height: parent.height
-            label: qsTr("End of what stays")
+            label: qsTr("End of the part to keep")
             valueText: part.trimming.endText
             setting: part.trimming.end
             duration: part.trimming.duration
@@ -90,13 +90,13 @@ Column {
         TpButton {
             objectName: "listenPart"
             width: Math.min(implicitWidth, parent.width)
-            text: part.trimming.playing ? qsTr("Stop") : qsTr("Listen to what stays")
+            text: part.trimming.playing ? qsTr("Stop") : qsTr("Play the part to keep")
             onClicked: part.trimming.playPartOrStop()
         }
         TpButton {
             objectName: "cut"
             width: Math.min(implicitWidth, parent.width)
-            text: qsTr("Trim to what stays")
+            text: qsTr("Trim to this part")
             hint: qsTr("The rest can be brought back with Undo.")
             onClicked: part.trimming.cut()
         }

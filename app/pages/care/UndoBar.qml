@@ -43,7 +43,7 @@ FocusScope {
             objectName: "redo"
             visible: bar.session.redoText !== ""
             width: Math.min(implicitWidth, flow.width)
-            text: qsTr("Do again: %1").arg(bar.session.redoText)
+            text: qsTr("Redo: %1").arg(bar.session.redoText)
             hint: qsTr("Key: Control Shift Z")
             onClicked: bar.session.redo()
         }

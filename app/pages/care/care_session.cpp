@@ -191,7 +191,7 @@ void CareSession::step_taken_back(bool back, const QString& what, const QString&
         album_.touched(gone_);
     if (photo_.is_open())
         album_.touched(photo_.place().photo);
-    teller_.did(Earcon::undone, back ? tr("Undone: %1.").arg(what) : tr("Done again: %1.").arg(what));
+    teller_.did(Earcon::undone, back ? tr("Undone: %1.").arg(what) : tr("Redone: %1.").arg(what));
 }
 
 void CareSession::undo() {

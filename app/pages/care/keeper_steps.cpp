@@ -68,7 +68,7 @@ void KeeperSteps::undo(Then then) {
 
 void KeeperSteps::redo(Then then) {
     if (last_ == nullptr)
-        then(tr("There is nothing to do again."));
+        then(tr("There is nothing to redo."));
     else
         step_back([](AlbumKeeper& keeper) { return keeper.history().redo(); }, std::move(then));
 }

@@ -156,7 +156,7 @@ Column {
         objectName: "undo"
         width: parent.width
         enabled: controls.free && controls.tuning.undoable !== ""
-        text: controls.tuning.undoable === "" ? qsTr("Nothing to take back") : qsTr("Take back: %1").arg(controls.tuning.undoable)
+        text: controls.tuning.undoable === "" ? qsTr("Nothing to undo") : qsTr("Undo: %1").arg(controls.tuning.undoable)
         hint: qsTr("Key: Control Z")
         onClicked: controls.tuning.undo()
     }
@@ -165,7 +165,7 @@ Column {
         width: parent.width
         enabled: controls.free
         text: qsTr("As they were at first")
-        hint: qsTr("It can be taken back")
+        hint: qsTr("It can be undone")
         onClicked: controls.tuning.reset()
     }
 

@@ -9,8 +9,8 @@ FocusScope {
 
     required property LabSession session
     readonly property string help: qsTr("On the surface arrow keys move the hand and Space starts and stops the servo. R records, "
-                                        + "W says where the finger is, P reads the plots, O opens a photograph, Control Z takes "
-                                        + "a change back. Escape stops what runs.")
+                                        + "W says where the finger is, P reads the plots, O opens a photograph, Control Z undoes "
+                                        + "a change. Escape stops what runs.")
     readonly property bool wide: width > 1.15 * height
     readonly property bool plotsBeside: wide && Theme.textScale < 1.4 && height > 640
     readonly property real margin: 2 * Theme.gap

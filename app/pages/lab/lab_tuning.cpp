@@ -106,13 +106,13 @@ void LabTuning::reset() {
 
 void LabTuning::undo() {
     if (history_.empty())
-        return teller_.tell(tr("There is nothing to take back."));
+        return teller_.tell(tr("There is nothing to undo."));
     if (activity_.refuses_change())
         return;
     const Step last = history_.back();
     history_.pop_back();
     take(last.before);
-    teller_.tell(tr("Taken back: %1.").arg(last.what));
+    teller_.tell(tr("Undone: %1.").arg(last.what));
 }
 
 } // namespace tp

@@ -128,7 +128,7 @@ TpScroll {
             width: panel.half
             enabled: panel.selection.featureMended
             text: qsTr("As it was found")
-            hint: qsTr("Takes back what was done to this feature alone")
+            hint: qsTr("Undoes what was done to this feature alone")
             onClicked: panel.session.editing.resetFeature()
         }
         TpButton {
@@ -197,7 +197,7 @@ TpScroll {
         TpButton {
             width: panel.half
             enabled: panel.session.history.canRedo
-            text: qsTr("Do again")
+            text: qsTr("Redo")
             hint: qsTr("Key: Control+Shift+Z")
             onClicked: panel.session.history.redo()
         }

@@ -59,7 +59,7 @@ void MendHistory::undo() {
 void MendHistory::redo() {
     emit turning();
     const QString what = turn(undone_, steps_);
-    narrator_.tell(what.isEmpty() ? tr("There is nothing to do again.") : tr("Done again: %1.").arg(what),
+    narrator_.tell(what.isEmpty() ? tr("There is nothing to redo.") : tr("Redone: %1.").arg(what),
                    Priority::touch);
 }
 

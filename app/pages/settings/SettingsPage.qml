@@ -10,7 +10,7 @@ FocusScope {
 
     required property SettingsSession session
     readonly property string help: qsTr("Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. "
-                                        + "Control Z takes the last change back. Each change is kept at once.")
+                                        + "Control Z undoes the last change. Each change is kept at once.")
 
     Keys.onPressed: (event) => {
         if (event.key === Qt.Key_Z && event.modifiers === Qt.ControlModifier)
@@ -243,7 +243,7 @@ FocusScope {
                 }
                 TpButton {
                     width: parent.width
-                    text: qsTr("Take %1 off the album").arg(folder.modelData.split("/").pop())
+                    text: qsTr("Remove %1 from the album").arg(folder.modelData.split("/").pop())
                     hint: qsTr("The photographs stay where they are")
                     onClicked: page.session.storage.removeFolder(folder.index)
                 }
@@ -277,7 +277,7 @@ FocusScope {
             objectName: "undo"
             width: parent.width
             enabled: page.session.steps.undoable !== ""
-            text: page.session.steps.undoable === "" ? qsTr("Nothing to take back") : qsTr("Take back: %1").arg(page.session.steps.undoable)
+            text: page.session.steps.undoable === "" ? qsTr("Nothing to undo") : qsTr("Undo: %1").arg(page.session.steps.undoable)
             hint: qsTr("Key: Control Z")
             onClicked: page.session.steps.undo()
         }
@@ -290,7 +290,7 @@ FocusScope {
             objectName: "reset"
             width: parent.width
             text: qsTr("Everything as it was at first")
-            hint: qsTr("The album's folders stay; it can be taken back")
+            hint: qsTr("The album's folders stay; it can be undone")
             onClicked: page.session.steps.reset()
         }
     }

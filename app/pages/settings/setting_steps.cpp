@@ -45,14 +45,14 @@ void SettingSteps::reset() {
 
 void SettingSteps::undo() {
     if (history_.empty())
-        return tell(tr("There is nothing to take back."));
+        return tell(tr("There is nothing to undo."));
     const Step step = history_.back();
     history_.pop_back();
     Choices before = step.before;
     before.last_photo = now().last_photo; // where one is, is no setting
     preferences_.set(before);
     emit changed();
-    tell(tr("Taken back: %1.").arg(step.what));
+    tell(tr("Undone: %1.").arg(step.what));
 }
 
 } // namespace tp

@@ -13,7 +13,7 @@ SettingsSession::SettingsSession(Narrator& narrator, Preferences& preferences, S
 
 void SettingsSession::enter() {
     steps_.tell(tr(
-        "Settings. Go through them by Tab; each change is kept at once. Control Z takes the last one back."));
+        "Settings. Go through them by Tab; each change is kept at once. Control Z undoes the last one."));
     storage_.enter();
     devices_.enter();
 }

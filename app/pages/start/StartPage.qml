@@ -10,8 +10,8 @@ FocusScope {
 
     required property StartSession session
     readonly property string help: session.asking
-        ? qsTr("Press the number of an answer, or the answer itself. 0 or Backspace: the question before. R: hear the question again.")
-        : qsTr("Press the number of what you want to do, or go through the buttons by Tab. R: hear this page again.")
+        ? qsTr("Press the number of an answer, or the answer itself. 0 or Backspace: previous question. R: repeat the question.")
+        : qsTr("Press the number of what you want to do, or go through the buttons with Tab. R: repeat this page.")
 
     Keys.onPressed: (event) => {
         const number = event.key - Qt.Key_1
@@ -68,13 +68,13 @@ FocusScope {
             Row {
                 spacing: Theme.gap
                 TpButton {
-                    text: qsTr("Hear it again")
+                    text: qsTr("Repeat")
                     hint: qsTr("Key: R")
                     onClicked: page.session.repeat()
                 }
                 TpButton {
                     visible: page.session.questions.number > 1
-                    text: qsTr("Question before")
+                    text: qsTr("Previous question")
                     hint: qsTr("Key: 0")
                     onClicked: page.session.questions.back()
                 }

@@ -20,8 +20,8 @@ constexpr std::array voice_answers{Choices::Voice::program, Choices::Voice::off,
 
 QString words_of(Question question, const QuestionFacts& facts) {
     switch (question) {
-    case Question::voice: return Words::tr("Shall TouchPhoto speak to you?");
-    case Question::rate: return Words::tr("How fast shall it speak?");
+    case Question::voice: return Words::tr("Should TouchPhoto speak?");
+    case Question::rate: return Words::tr("How fast should it speak?");
     case Question::user: return Words::tr("Who uses this tablet most?");
     case Question::device:
         if (facts.looking_for_device)
@@ -38,7 +38,7 @@ QStringList answers_of(Question question, const QuestionFacts& facts) {
     switch (question) {
     case Question::voice:
         return {Words::tr("Yes"), Words::tr("No, the words on the screen are enough"),
-                Words::tr("My screen reader shall speak")};
+                Words::tr("No, my screen reader speaks")};
     case Question::rate:
         return {Words::tr("Very slowly"), Words::tr("Slowly"), Words::tr("At the usual speed"),
                 Words::tr("Fast"), Words::tr("Very fast")};
@@ -51,7 +51,7 @@ QStringList answers_of(Question question, const QuestionFacts& facts) {
         QStringList answers;
         if (!facts.pictures.isEmpty())
             answers << Words::tr("In the folder %1").arg(facts.pictures);
-        return answers << Words::tr("In another folder") << Words::tr("I will say so later");
+        return answers << Words::tr("In another folder") << Words::tr("Ask me later");
     }
     }
     return {};

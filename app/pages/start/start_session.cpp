@@ -21,7 +21,7 @@ QVariantList StartSession::destinations() const {
                              {"hint", tr("One photograph after the other, with what was recorded for it")}};
     const QVariantMap explore{{"page", "explore"},
                               {"title", tr("Feel a face")},
-                              {"hint", tr("The photograph that you were at last, under your finger")}};
+                              {"hint", tr("Your last photograph, under your finger")}};
     const QVariantMap care{{"page", "care"},
                            {"title", tr("Look after the album")},
                            {"hint", tr("Import photographs, name people, record")}};
@@ -34,8 +34,8 @@ QVariantList StartSession::destinations() const {
         {"hint", tr("For researchers: guidance laws, their parameters, plots, recordings")}};
     const QVariantMap capture{{"page", ""},
                               {"title", tr("Take a photograph")},
-                              {"hint", tr("Not there yet: photographs of any camera can be imported")}};
-    const QVariantMap study{{"page", ""}, {"title", tr("Studies")}, {"hint", tr("Not there yet")}};
+                              {"hint", tr("Not available yet: photographs of any camera can be imported")}};
+    const QVariantMap study{{"page", ""}, {"title", tr("Studies")}, {"hint", tr("Not available yet")}};
     const bool caregiver = preferences_.choices().user == Choices::User::caregiver;
     QVariantList list = caregiver ? QVariantList{care, browse, explore} : QVariantList{browse, explore, care};
     list << settings << lab << capture << study;

@@ -68,7 +68,7 @@ public:
             whole.program->start().askAgain();
         for (int i = 0; page == "folders" && i < 4; ++i)
             whole.program->start().questions()->answer(0);
-        if (page == "folders") // "In another folder", before "I will say so later"
+        if (page == "folders") // "In another folder", before "Ask me later"
             whole.program->start().questions()->answer(
                 static_cast<int>(whole.program->start().questions()->answers().size()) - 2);
         QTRY_VERIFY_WITH_TIMEOUT(whole.complete(), 60000);

@@ -201,7 +201,7 @@ private slots:
         // Five questions.
         QVERIFY(person.hears({"Question 1 of 5."}));
         QVERIFY(hand.tap("1: Yes"));
-        QVERIFY(person.hears({"Question 2 of 5. How fast shall it speak?"}));
+        QVERIFY(person.hears({"Question 2 of 5. How fast should it speak?"}));
         QVERIFY(hand.tap("4: Fast"));
         QVERIFY(person.hears({"Question 3 of 5."}));
         QVERIFY(hand.tap("1: …"));
@@ -365,7 +365,7 @@ private slots:
         hand.tap_at(track->mapToScene({0.25 * track->width(), 0.5 * track->height()}).toPoint());
         QVERIFY(caregiver.hears({"From "}));
         QVERIFY(caregiver.care().trimming()->begin() > 0.4);
-        QVERIFY(hand.tap("Trim to what stays"));
+        QVERIFY(hand.tap("Trim to this part"));
         QVERIFY(caregiver.hears({"Trimmed: "}));
         QVERIFY(hand.tap("Delete the recording"));
         QVERIFY(caregiver.hears({"Deleted: "}));

@@ -420,7 +420,7 @@ private slots:
         QVERIFY(act(page.window, "Previous"));
         QCOMPARE(page.session->trail()->position(), 4);
         QVERIFY(act(page.window, "Next detail"));
-        QVERIFY(act(page.window, "Detail before"));
+        QVERIFY(act(page.window, "Previous detail"));
         QVERIFY(act(page.window, "People"));
         QVERIFY(act(page.window, "Ben, 1 photograph(s), 2 of 3"));
         QCOMPARE(page.session->trail()->title(), QString("Ben"));

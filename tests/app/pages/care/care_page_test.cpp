@@ -301,17 +301,17 @@ private slots:
         QCOMPARE(page.focused(), QString("Record"));
         QCOMPARE(page.bench.last_said(), QString("Recorded: 2 seconds. It is saved."));
 
-        QVERIFY(page.tab_to("Begin of what stays"));
+        QVERIFY(page.tab_to("Start of the part to keep"));
         page.key(Qt::Key_Right);
         QCOMPARE(page.bench.last_said(), QString("From 0.1 seconds"));
         page.key(Qt::Key_Left);
         page.key(Qt::Key_Right, Qt::ShiftModifier);
         QCOMPARE(page.bench.last_said(), QString("From 1.0 seconds"));
         page.key(Qt::Key_Tab);
-        QCOMPARE(page.focused(), QString("End of what stays"));
+        QCOMPARE(page.focused(), QString("End of the part to keep"));
         page.key(Qt::Key_Left);
         QCOMPARE(page.bench.last_said(), QString("To 1.9 seconds"));
-        QVERIFY(page.tab_to("Trim to what stays"));
+        QVERIFY(page.tab_to("Trim to this part"));
         page.key(Qt::Key_Space);
         QVERIFY(page.bench.rests());
         QCOMPARE(page.bench.last_said(), QString("Trimmed: 0.9 seconds stay. Undo brings the rest back."));
@@ -348,18 +348,18 @@ private slots:
         QVERIFY(page.bench.rests());
         QVERIFY(beginning(page, "Place, 2 seconds") != nullptr);
 
-        QAccessibleInterface* const begin = named(page, "Begin of what stays");
+        QAccessibleInterface* const begin = named(page, "Start of the part to keep");
         QVERIFY(begin != nullptr && begin->valueInterface() != nullptr);
         QCOMPARE(begin->valueInterface()->maximumValue().toDouble(), 2.0);
         begin->valueInterface()->setCurrentValue(0.5);
         QCOMPARE(page.session().trimming()->begin(), 0.5);
         QCOMPARE(begin->valueInterface()->currentValue().toDouble(), 0.5);
-        QAccessibleInterface* const end = named(page, "End of what stays");
+        QAccessibleInterface* const end = named(page, "End of the part to keep");
         end->actionInterface()->doAction(QAccessibleActionInterface::decreaseAction());
         QVERIFY(std::abs(page.session().trimming()->end() - 1.9) < 1e-9);
         end->valueInterface()->setCurrentValue(0.0); // not before the begin
         QVERIFY(std::abs(end->valueInterface()->currentValue().toDouble() - 0.6) < 1e-9);
-        QVERIFY(press(named(page, "Trim to what stays")));
+        QVERIFY(press(named(page, "Trim to this part")));
         QVERIFY(page.bench.rests());
         QVERIFY(std::abs(page.bench.record("a.png").tags.at(0).duration_s - 0.1) < 1e-9);
 
@@ -371,7 +371,7 @@ private slots:
         QVERIFY(press(named(page, "Undo: the place was trimmed")));
         QVERIFY(page.bench.rests());
         QCOMPARE(page.bench.record("a.png").tags.at(0).duration_s, 2.0);
-        QVERIFY(beginning(page, "Do again: ") != nullptr);
+        QVERIFY(beginning(page, "Redo: ") != nullptr);
     }
 
     void nothing_recorded_is_thrown_away_by_one_press() {
@@ -395,7 +395,7 @@ private slots:
         page.bench.add_sound("a.png", 4.0, 300.0);
         page.session().open_photo(page.bench.photo("a.png"));
         QVERIFY(page.bench.rests());
-        QVERIFY(page.tab_to("End of what stays")); // and so in view
+        QVERIFY(page.tab_to("End of the part to keep")); // and so in view
         QQuickItem* const handle = page.item("trimEnd");
         QTRY_VERIFY(handle->x() > 100.0);
         const QPoint grip = handle->mapToScene({20.0, 0.5 * handle->height()}).toPoint();
@@ -553,7 +553,7 @@ private slots:
         QVERIFY(page.tab_to("Undo: a.png was described"));
         page.key(Qt::Key_Return);
         QVERIFY(page.bench.rests());
-        CARE_TRY_COMPARE(page.focused(), QString("Do again: a.png was described"));
+        CARE_TRY_COMPARE(page.focused(), QString("Redo: a.png was described"));
         page.key(Qt::Key_Space);
         QVERIFY(page.bench.rests());
         CARE_TRY_COMPARE(page.focused(), QString("Undo: a.png was described"));
@@ -566,8 +566,8 @@ private slots:
         page.session().importing()->import({QUrl::fromLocalFile(QString::fromStdString((page.bench.folder / "card").string()))});
         QVERIFY(named(page, "Stop the import") != nullptr);
         QVERIFY(press(named(page, "Stop the import")));
-        CARE_TRY_VERIFY(named(page, "Go on with the unfinished import") != nullptr);
-        QVERIFY(page.tab_to("Go on with the unfinished import"));
+        CARE_TRY_VERIFY(named(page, "Continue the unfinished import") != nullptr);
+        QVERIFY(page.tab_to("Continue the unfinished import"));
         page.key(Qt::Key_Return);
         QVERIFY(page.focused() == "Stop the import" || page.focused() == "Import photographs…");
         CARE_TRY_VERIFY(!page.session().importing()->running());

@@ -95,7 +95,7 @@ private slots:
         bench.session->redo();
         QVERIFY(bench.rests());
         QCOMPARE(texts(bench.list()), QStringList{"Story"});
-        QCOMPARE(bench.last_said(), QString("Done again: the memo was deleted."));
+        QCOMPARE(bench.last_said(), QString("Redone: the memo was deleted."));
     }
 
     void its_label_is_changed() {

@@ -170,7 +170,7 @@ private slots:
         bench.session->undo();
         QCOMPARE(bench.last_said(), QString("There is nothing to undo."));
         bench.session->redo();
-        QCOMPARE(bench.last_said(), QString("There is nothing to do again."));
+        QCOMPARE(bench.last_said(), QString("There is nothing to redo."));
         bench.open("a.jpg");
         bench.session->undo();
         QVERIFY(bench.rests());

@@ -105,9 +105,9 @@ private slots:
         QCOMPARE(bench.session.tuning()->parameters().law, LawKind::published);
         QVERIFY(window.press("Scene: Triangle, 50 mm high"));
         QCOMPARE(bench.session.scene()->current(), 1);
-        QVERIFY(window.press("Take back: the law"));
-        QVERIFY(window.press("Take back: Corner cue"));
-        QVERIFY(window.press("Take back: Stiffness K"));
+        QVERIFY(window.press("Undo: the law"));
+        QVERIFY(window.press("Undo: Corner cue"));
+        QVERIFY(window.press("Undo: Stiffness K"));
         QVERIFY(bench.session.tuning()->parameters() == LabParameters{});
         QCOMPARE(stiffness->valueInterface()->currentValue().toDouble(), 0.2);
     }

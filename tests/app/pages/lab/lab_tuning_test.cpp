@@ -33,7 +33,7 @@ private slots:
             QVERIFY2(bench.tuning.parameters() == before, one.key);
         }
         bench.tuning.undo();
-        QCOMPARE(bench.last(), QString("There is nothing to take back."));
+        QCOMPARE(bench.last(), QString("There is nothing to undo."));
     }
 
     void hysteresis_and_blending_take_turns() {

@@ -32,11 +32,11 @@ private slots:
         QCOMPARE(bench.said(), QString("There is nothing to undo."));
         for (std::size_t i = 1; i < texts.size(); ++i) {
             bench.history.redo();
-            QCOMPARE(bench.said(), QString("Done again: a point was moved."));
+            QCOMPARE(bench.said(), QString("Redone: a point was moved."));
             QCOMPARE(bench.text(), texts[i]);
         }
         bench.history.redo();
-        QCOMPARE(bench.said(), QString("There is nothing to do again."));
+        QCOMPARE(bench.said(), QString("There is nothing to redo."));
     }
     void a_run_is_one_step_until_a_person_does_something_else() {
         MendParts bench;

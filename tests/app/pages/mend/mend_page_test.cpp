@@ -281,7 +281,7 @@ private slots:
             QVERIFY2(page.act(name), name);
         QVERIFY(near_to(page.node(0).at, before + Vec2(-1, -1), 1e-9));
         for (const char* name : {"Next point", "Previous point", "Add a point", "Delete the point", "Larger", "Smaller",
-                                 "Whole photograph", "This feature", "Undo", "Do again", "Feature: right eye"})
+                                 "Whole photograph", "This feature", "Undo", "Redo", "Feature: right eye"})
             QVERIFY2(page.act(name), name);
         QCOMPARE(page.selection().featureName(), QString("right eye"));
         for (const char* name : {"Move the whole feature", "Show the force"})

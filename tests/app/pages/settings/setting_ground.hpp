@@ -35,7 +35,7 @@ struct SettingGround {
             changes[i](); // the same again is no change
             steps.undo();
             QVERIFY2(now() == before, qPrintable(QString::number(i)));
-            QVERIFY(last().startsWith("Taken back: "));
+            QVERIFY(last().startsWith("Undone: "));
         }
         QVERIFY(steps.undoable().isEmpty());
     }

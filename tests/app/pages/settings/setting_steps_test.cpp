@@ -13,7 +13,7 @@ private slots:
         };
         ground.try_each({brows});
         ground.steps.undo();
-        QCOMPARE(ground.last(), QString("There is nothing to take back."));
+        QCOMPARE(ground.last(), QString("There is nothing to undo."));
         brows();
         QCOMPARE(ground.steps.undoable(), QString("brows"));
         QCOMPARE(ground.last(), QString("Brows are felt."));

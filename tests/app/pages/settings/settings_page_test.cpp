@@ -59,7 +59,7 @@ private slots:
         QVERIFY(size != nullptr);
         size->valueInterface()->setCurrentValue(1.5);
         QCOMPARE(bench.now().text_scale, 1.5);
-        QVERIFY(window.press("Take back: the size of text"));
+        QVERIFY(window.press("Undo: the size of text"));
         QCOMPARE(bench.now().text_scale, 1.0);
         QCOMPARE(size->valueInterface()->currentValue().toDouble(), 1.0);
     }

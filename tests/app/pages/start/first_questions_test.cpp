@@ -17,8 +17,8 @@ private slots:
         questions.go_on();
         QVERIFY(questions.asking());
         QCOMPARE(bench.last_said(),
-                 QString("Question 1 of 5. Shall TouchPhoto speak to you? 1: Yes. 2: No, the words on "
-                         "the screen are enough. 3: My screen reader shall speak."));
+                 QString("Question 1 of 5. Should TouchPhoto speak? 1: Yes. 2: No, the words on "
+                         "the screen are enough. 3: No, my screen reader speaks."));
         questions.answer(0);
         QVERIFY(bench.last_said().startsWith("Question 2 of 5. How fast"));
         questions.answer(3);

@@ -40,8 +40,8 @@ private slots:
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
         bench.session.enter();
-        for (const char* answer : {"3: My screen reader shall speak", "4: Fast", "1: Somebody who listens and feels",
-                                   "1: Go on without a device", "3: I will say so later"}) {
+        for (const char* answer : {"3: No, my screen reader speaks", "4: Fast", "1: Somebody who listens and feels",
+                                   "1: Go on without a device", "3: Ask me later"}) {
             QTRY_VERIFY2(window.named(answer) != nullptr, answer);
             QCOMPARE(window.faulty_targets().join("; "), QString());
             QVERIFY(window.press(answer));

@@ -44,7 +44,7 @@ private slots:
         QCOMPARE(asked.takeFirst().first().toString(), QString("browse"));
         QCOMPARE(asked.takeFirst().first().toString(), QString("explore"));
         session.go(5); // not there yet
-        QVERIFY(voice.said().back().contains("Not there yet"));
+        QVERIFY(voice.said().back().contains("Not available yet"));
         session.go(77);
         QVERIFY(asked.isEmpty());
     }

@@ -120,10 +120,12 @@ private slots:
             QCOMPARE(bed.seen().loads_begun, 0);
             for (int i = 0; i < 800; ++i)
                 bench.tick(true);
-            const ServoSnapshot view = bench.loop->snapshot();
-            QCOMPARE(view.fault, Fault::none);
-            QVERIFY(std::abs(view.x - 10.0) < 0.5);
-            QVERIFY(view.y < 2.0); // drawn to the line
+            // Drawn to the line; a command that a busy computer gave up on has drawn nothing.
+            bench.until([&bench] {
+                const ServoSnapshot now = bench.loop->snapshot();
+                return now.fault != Fault::none || (std::abs(now.x - 10.0) < 0.5 && now.y < 2.0);
+            });
+            QCOMPARE(bench.loop->snapshot().fault, Fault::none);
             QVERIFY(bed.seen().command.leds == falcon::led::green);
         }
         // The way out leaves no force, and the interface to others.

@@ -50,7 +50,8 @@ void Shell::goHome() { open(order_.front()); }
 
 void Shell::help(const QString& of_page) {
     narrator_.tell(title() + ". " + of_page + ' ' +
-                       tr("Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last "
+                       tr("Everywhere: Escape stops what sounds or moves, and then leads home. F1: this "
+                          "help. F2: the last "
                           "sentence again. F3: voice on or off. Alt and Left: the previous page."),
                    Priority::touch);
 }

@@ -14,22 +14,28 @@ class Words {
     Q_DECLARE_TR_FUNCTIONS(tp::Questions)
 };
 
-constexpr std::array voice_answers{Choices::Voice::program, Choices::Voice::off, Choices::Voice::screen_reader};
+constexpr std::array voice_answers{Choices::Voice::program, Choices::Voice::off,
+                                   Choices::Voice::screen_reader};
 
 } // namespace
 
 QString words_of(Question question, const QuestionFacts& facts) {
     switch (question) {
-    case Question::voice: return Words::tr("Should TouchPhoto speak?");
-    case Question::rate: return Words::tr("How fast should it speak?");
-    case Question::user: return Words::tr("Who uses this tablet most?");
+    case Question::voice:
+        return Words::tr("Should TouchPhoto speak?");
+    case Question::rate:
+        return Words::tr("How fast should it speak?");
+    case Question::user:
+        return Words::tr("Who uses this tablet most?");
     case Question::device:
         if (facts.looking_for_device)
             return Words::tr("Looking for a force device.");
         return facts.device.isEmpty()
-                   ? Words::tr("No force device was found. A finger on the screen is guided by sound instead.")
+                   ? Words::tr(
+                         "No force device was found. A finger on the screen is guided by sound instead.")
                    : Words::tr("A force device was found: %1.").arg(facts.device);
-    case Question::photos: return Words::tr("Where are your photographs?");
+    case Question::photos:
+        return Words::tr("Where are your photographs?");
     }
     return {};
 }

@@ -60,7 +60,9 @@ struct MendWindow : MendBench {
     }
     /// Pixels of the screen that are so many of the photograph.
     Vec2 photo_px(QPoint by) { return Vec2(by.x(), by.y()) / session.view()->scale(); }
-    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) { QTest::keyClick(&window, key, modifiers); }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QTest::keyClick(&window, key, modifiers);
+    }
 
     QAccessibleInterface* named(const QString& name) {
         QList<QAccessibleInterface*> all;
@@ -196,7 +198,8 @@ private slots:
             QTest::mouseMove(&page.window, from + QPoint(10 * i, -8 * i));
         QTest::mouseRelease(&page.window, Qt::LeftButton, {}, from + QPoint(50, -40));
         QCOMPARE(page.text(), before);
-        QVERIFY(page.session.view()->origin().x() < origin.x() && page.session.view()->origin().y() > origin.y());
+        QVERIFY(page.session.view()->origin().x() < origin.x() &&
+                page.session.view()->origin().y() > origin.y());
     }
 
     void everything_by_keys_alone() {
@@ -280,8 +283,9 @@ private slots:
         for (const char* name : {"Move left", "Move right", "Move up", "Move up"})
             QVERIFY2(page.act(name), name);
         QVERIFY(near_to(page.node(0).at, before + Vec2(-1, -1), 1e-9));
-        for (const char* name : {"Next point", "Previous point", "Add a point", "Delete the point", "Larger", "Smaller",
-                                 "Whole photograph", "This feature", "Undo", "Redo", "Feature: right eye"})
+        for (const char* name :
+             {"Next point", "Previous point", "Add a point", "Delete the point", "Larger", "Smaller",
+              "Whole photograph", "This feature", "Undo", "Redo", "Feature: right eye"})
             QVERIFY2(page.act(name), name);
         QCOMPARE(page.selection().featureName(), QString("right eye"));
         for (const char* name : {"Move the whole feature", "Show the force"})
@@ -314,7 +318,11 @@ private slots:
             const QString name = one->text(QAccessible::Name);
             QVERIFY2(!name.isEmpty(), qPrintable(QString("role %1").arg(one->role())));
             QVERIFY2(one->rect().width() >= 48 && one->rect().height() >= 48,
-                     qPrintable(QString("%1: %2 × %3, %4").arg(name).arg(one->rect().width()).arg(one->rect().height()).arg(actions.join(' '))));
+                     qPrintable(QString("%1: %2 × %3, %4")
+                                    .arg(name)
+                                    .arg(one->rect().width())
+                                    .arg(one->rect().height())
+                                    .arg(actions.join(' '))));
         }
         QVERIFY(operable >= 40);
     }

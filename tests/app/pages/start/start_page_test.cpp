@@ -40,15 +40,18 @@ private slots:
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
         bench.session.enter();
-        for (const char* answer : {"3: No, my screen reader speaks", "4: Fast", "1: Somebody who listens and feels",
-                                   "1: Go on without a device", "3: Ask me later"}) {
+        for (const char* answer :
+             {"3: No, my screen reader speaks", "4: Fast", "1: Somebody who listens and feels",
+              "1: Go on without a device", "3: Ask me later"}) {
             QTRY_VERIFY2(window.named(answer) != nullptr, answer);
             QCOMPARE(window.faulty_targets().join("; "), QString());
             QVERIFY(window.press(answer));
         }
         QVERIFY(!bench.session.asking());
-        QTRY_VERIFY(window.named("1: Listen to photographs, One photograph after the other, with what was recorded for it")
-                    != nullptr);
+        QTRY_VERIFY(
+            window.named(
+                "1: Listen to photographs, One photograph after the other, with what was recorded for it") !=
+            nullptr);
         QCOMPARE(window.faulty_targets().join("; "), QString());
     }
 
@@ -67,7 +70,9 @@ private slots:
         tap({590, 990});
         QCOMPARE(bench.voice.said().size(), said + 1);
         for (int i = 0; i < 3; ++i) {
-            QAccessibleInterface* answer = window.named(i == 1 ? "3: At the usual speed" : i == 0 ? "1: Yes" : "1: Somebody who listens and feels");
+            QAccessibleInterface* answer = window.named(i == 1   ? "3: At the usual speed"
+                                                        : i == 0 ? "1: Yes"
+                                                                 : "1: Somebody who listens and feels");
             QVERIFY(answer != nullptr);
             auto* item = qobject_cast<QQuickItem*>(answer->object());
             tap(item->mapToScene({item->width() / 2, item->height() / 2}).toPoint());

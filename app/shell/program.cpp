@@ -257,9 +257,15 @@ QString Program::beside(const QString& file, bool forward) {
     std::optional<PlaceInList> from;
     if (const auto here = queries.find(QFile::encodeName(file).toStdString()); here && *here)
         from = (*here)->place;
-    const auto next = queries.page(AllByTime{}, from, 1, direction);
-    return next && !next->empty() ? QFile::decodeName(QByteArray::fromStdString(next->front().path.string()))
-                                  : QString();
+    for (;;) {
+        const auto next = queries.page(AllByTime{}, from, 1, direction);
+        if (!next || next->empty())
+            return {};
+        const QByteArray name = QByteArray::fromStdString(next->front().path.string());
+        if (const QString text = QFile::decodeName(name); QFile::encodeName(text) == name)
+            return text;
+        from = next->front().place; // its name is no text: it cannot be asked for
+    }
 }
 
 /// Where one is in the album is one place for all pages.

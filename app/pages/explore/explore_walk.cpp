@@ -40,7 +40,7 @@ void ExploreWalk::set_out(Way way) {
     if (view_.looking_into())
         view_.turn_back();
     way_ = way;
-    passed_ = 0;
+    passed_.clear();
     const QString open = way == Way::newest ? QString() : view_.file();
     const QString first = beside(open);
     waiting_ = first.isEmpty() && view_.state() == ExploreView::State::Empty;
@@ -62,16 +62,16 @@ void ExploreWalk::judge(const std::shared_ptr<const LoadedPhoto>& photo) {
         QStringList before;
         if (way_ == Way::newest)
             before << tr("Your newest photograph with a face.");
-        else if (passed_ > 0)
-            before << tr("%n photograph(s) without a face passed over.", nullptr, passed_);
+        else if (!passed_.isEmpty())
+            before << tr("%n photograph(s) without a face passed over.", nullptr, passed());
         if (!has_a_name(*photo))
             before << tr("%1.", "a photograph's name").arg(photo->name);
         return view_.show(photo, before.join(' '));
     }
-    ++passed_;
-    if (const QString further = beside(at_); !further.isEmpty()) {
-        if (passed_ % told_after == 0)
-            words_.tell(tr("Looking further: %n photograph(s) without a face so far.", nullptr, passed_),
+    passed_.insert(at_);
+    if (const QString further = beside(at_); !further.isEmpty() && !passed_.contains(further)) {
+        if (passed() % told_after == 0)
+            words_.tell(tr("Looking further: %n photograph(s) without a face so far.", nullptr, passed()),
                         Priority::message);
         return look_into(further);
     }

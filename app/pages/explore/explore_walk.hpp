@@ -7,6 +7,7 @@
 #include "app/pages/explore/photo_loader.hpp"
 
 #include <QObject>
+#include <QSet>
 #include <QString>
 #include <QtQml/qqmlregistration.h>
 
@@ -45,13 +46,14 @@ private:
     void judge(const std::shared_ptr<const LoadedPhoto>& photo);
     void end_of_album();
     QString beside(const QString& file) const;
+    int passed() const { return static_cast<int>(passed_.size()); }
 
     ExploreSettings::Beside beside_;
     ExploreView& view_;
     ExploreWords& words_;
     Way way_ = Way::forward;
     QString at_;           ///< the photograph that is looked into
-    int passed_ = 0;       ///< without a face
+    QSet<QString> passed_; ///< without a face; the album may change on the way, and none comes twice
     bool waiting_ = false; ///< for the album's first photograph
 };
 

@@ -86,6 +86,26 @@ private slots:
         QCOMPARE(bench.shown(), at);
     }
 
+    void a_name_that_is_no_text_is_passed_over() {
+        WithAlbum bench;
+        const std::filesystem::path family = bench.whole.file("Family");
+        std::filesystem::copy_file(family / "anna_smiling.jpg", family / "\xff\xfe.jpg");
+        bench.whole.program->album().rescan();
+        QTRY_VERIFY_WITH_TIMEOUT(bench.by_time().size() == 4 && bench.read(), patience_ms);
+        bench.whole.shell().open("explore");
+        ExploreWalk& walk = *bench.whole.program->explore().walk();
+        QStringList felt;
+        for (int i = 0; i < 3; ++i) {
+            QTRY_VERIFY_WITH_TIMEOUT(bench.felt().ready(), patience_ms);
+            felt << bench.felt().photoName();
+            walk.previous();
+        }
+        felt.sort();
+        QCOMPARE(felt, QStringList({"anna_smiling.jpg", "ben_and_clara.jpg", "ben_smiling.jpg"}));
+        QCOMPARE(bench.whole.voice.said().back(),
+                 QString("No photograph with a face comes before this one."));
+    }
+
     void where_the_last_one_is_gone_the_newest_is_opened() {
         Choices choices = WholeProgram::asked();
         choices.last_photo = "/nowhere/gone.jpg";

@@ -167,6 +167,21 @@ private slots:
         QVERIFY(bench.stands_at("2_anna.jpg"));
     }
 
+    void a_photograph_that_goes_meanwhile_leads_nobody_in_a_circle() {
+        WalkBench bench;
+        bench.album.files = {bench.album.files[0], bench.album.files[2]};
+        const QStringList whole = bench.album.files;
+        bench.settings.beside = [&](const QString& file, bool) {
+            return file == whole[0] ? whole[1] : whole[0]; // the second one is not known any more
+        };
+        ExploreWalk walk(bench.settings, bench.view(), bench.parts.words);
+        bench.walk.reset();
+        walk.next();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.parts.said(),
+                                  QString("There is no face on any photograph of the album."), patience_ms);
+        QCOMPARE(bench.view().state(), ExploreView::State::Empty);
+    }
+
     void without_an_album_there_is_nowhere_to_go() {
         ExploreParts parts;
         ExploreWalk walk(parts.settings, parts.view, parts.words);

@@ -22,8 +22,8 @@ const char* sentence(Fault fault) {
     case Fault::late_ticks:
         return "The force is off for a moment, because this computer was too busy to guide the finger.";
     case Fault::stalled:
-        return "The device was switched off, because this computer stood still. Start it again when you are "
-               "ready.";
+        return "The device was switched off, because this computer stopped responding for a while. Start it "
+               "again when you are ready.";
     case Fault::device_lost:
         return "The device was switched off, because it no longer answers. Check its cable and start it "
                "again.";

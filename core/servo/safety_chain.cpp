@@ -36,6 +36,14 @@ void SafetyChain::engage(double now) noexcept {
     started_ = true;
 }
 
+void SafetyChain::rest() noexcept {
+    started_ = false;
+    engaged_ = false;
+    if (!disables(fault_))
+        fault_ = Fault::none;
+    gain_ = 0.0; // and so is the first force
+}
+
 void SafetyChain::lowered_to(double share) noexcept {
     gain_ *= share;
     last_force_ *= share;

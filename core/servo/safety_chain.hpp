@@ -48,6 +48,8 @@ public:
     /// Another hand (the watchdog) has let only `share` of the last force through since: the chain goes on
     /// from there.
     void lowered_to(double share) noexcept;
+    /// As before the first reading: without force, and nothing is awaited. A disabling fault stays until engage().
+    void rest() noexcept;
     /// Takes the force away, by a ramp.
     void disengage() noexcept { engaged_ = false; }
     bool engaged() const noexcept { return engaged_; }

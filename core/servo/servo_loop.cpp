@@ -50,6 +50,23 @@ void ServoLoop::stop() noexcept {
         watch_thread_.join();
     device_.write(SafeForce{});
     device_.stop();
+    forget_force();
+}
+
+/// What the next tick must not go on from; while no thread runs.
+void ServoLoop::forget_force() noexcept {
+    watchdog_.rest();
+    chain_.rest();
+    velocity_ = VelocityFilter{};
+    fade_left_ = 0.0;
+    rendered_ = Vec2(0.0);
+    engaged_before_ = engaged_before_ && disables(chain_.fault());
+    ServoSnapshot view = snapshot_.latest();
+    view.fx = view.fy = 0.0;
+    view.gain = 0.0;
+    view.fault = chain_.fault();
+    view.engaged = false;
+    snapshot_.publish(view);
 }
 
 void ServoLoop::run() noexcept {

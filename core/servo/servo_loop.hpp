@@ -58,9 +58,11 @@ public:
     /// The user's own limit, N.
     void set_max_force(double newtons) { max_force_.store(newtons); }
 
-    /// Ticks on a thread of its own until stop().
+    /// Ticks on a thread of its own until stop(). Where the device can be written to after its own stop, it may
+    /// be started again, and lets the force in by a ramp as at first: the scene and who wants the force are kept.
     void start();
-    /// Ends the thread; zero force is written and the device stopped.
+    /// Ends the threads; zero force is written and the device stopped. Nothing wakes up after it. A fault that
+    /// disables stays until a person engages again.
     void stop() noexcept;
     bool running() const { return thread_.joinable(); }
 
@@ -86,6 +88,7 @@ private:
     };
     void run() noexcept;
     void watch() noexcept;
+    void forget_force() noexcept;
     void take_new_scene(Vec2 finger) noexcept;
     Guidance wanted(Vec2 finger, double dt) noexcept;
     Vec2 damping(const Guidance& guidance, Vec2 finger, Vec2 velocity) const noexcept;

@@ -48,6 +48,13 @@ void Watchdog::rearm(double now) noexcept {
     halted_.store(false, std::memory_order_release);
 }
 
+void Watchdog::rest() noexcept {
+    last_beat_.store(no_beat, std::memory_order_release);
+    share_.store(1.0, std::memory_order_release);
+    last_force_ = SafeForce{};
+    last_reading_ = {};
+}
+
 void Watchdog::halt() noexcept {
     halted_.store(true, std::memory_order_release);
     share_.store(0.0, std::memory_order_release);

@@ -47,10 +47,16 @@ public:
     /// Forgets a halt; the loop's thread, when a person engages again.
     void rearm(double now) noexcept;
 
+    /// As before the first write, but for a halt, which stays until `rearm`: no sign of life is awaited. Only while
+    /// neither thread runs.
+    void rest() noexcept;
+
     /// The other thread's step, at `now` s. Nothing happens before the first write.
     void check(double now) noexcept;
 
 private:
+    static constexpr double no_beat = -1.0;
+
     void halt() noexcept;
     /// To the device; only whoever has entered.
     bool deliver(const SafeForce& force) noexcept;
@@ -60,7 +66,7 @@ private:
     ForceDevice& device_;
     Limits limits_;
     std::atomic<bool> busy_{false};
-    std::atomic<double> last_beat_{-1.0};    ///< s; negative before the first
+    std::atomic<double> last_beat_{no_beat}; ///< s; negative where none is awaited
     std::atomic<double> watch_entered_{0.0}; ///< s; when the watchdog last took the device, or was about to
     std::atomic<double> share_{1.0};         ///< of last_force_ that is on the device
     std::atomic<bool> halted_{false};

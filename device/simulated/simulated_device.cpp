@@ -90,6 +90,11 @@ std::optional<DeviceState> SimulatedDevice::read(double now) noexcept {
     return state;
 }
 
+void SimulatedDevice::stop() noexcept {
+    halt();
+    started_ = false;
+}
+
 bool SimulatedDevice::write(const SafeForce& force) noexcept {
     halted_.store(false, std::memory_order_release);
     newest_ = (newest_ + 1) % on_their_way_.size();

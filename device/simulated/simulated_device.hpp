@@ -44,7 +44,8 @@ public:
     std::optional<DeviceState> read(double now) noexcept override;
     bool write(const SafeForce& force) noexcept override;
     void halt() noexcept override { halted_.store(true, std::memory_order_release); }
-    void stop() noexcept override { halt(); }
+    /// Time stands still for it until it is read again.
+    void stop() noexcept override;
 
 private:
     struct Pointer {

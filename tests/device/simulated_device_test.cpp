@@ -62,6 +62,21 @@ double swing_of_released_handle(double stiffness, int delay, double mass, double
 class SimulatedDeviceTest : public QObject {
     Q_OBJECT
 private slots:
+    void while_it_is_stopped_its_finger_stands_still() {
+        Bench bench;
+        bench.device.place_finger({0.0, 20.0});
+        bench.run(0.1);
+        bench.device.move_pointer({0.0, 30.0});
+        bench.run(0.01); // on its way
+        const Vec2 on_its_way = bench.finger();
+        bench.loop.stop();
+        bench.clock.sleep_until(bench.clock.now() + 100.0);
+        bench.loop.tick();
+        QVERIFY(length(bench.finger() - on_its_way) < 1e-9);
+        bench.run(1.0);
+        QVERIFY(length(bench.finger() - Vec2(0.0, 30.0)) < 0.01);
+    }
+
     /// The well of a corner cue adds its own stiffness to the tent's: the worst place for a released handle.
     void a_handle_released_beside_a_ticking_corner_comes_to_rest_data() {
         QTest::addColumn<double>("blend_mm");

@@ -460,6 +460,24 @@ private slots:
         QVERIFY(bench.until_zero() <= 0.020 + 1e-9);
     }
 
+    void after_a_rest_it_is_as_at_first_but_for_a_disabling_fault() {
+        Bench bench, fresh;
+        bench.run(1.0);
+        bench.chain.rest();
+        QVERIFY(!bench.chain.engaged() && bench.chain.gain() == 0.0);
+        QVERIFY(bench.tick(50.0) == Vec2(0.0)); // it may have lasted
+        QCOMPARE(bench.chain.fault(), Fault::none);
+        bench.chain.engage(bench.input.now);
+        for (int i = 0; i < 600; ++i)
+            QVERIFY(length(bench.tick() - fresh.tick()) < 1e-9);
+
+        bench.tick(0.1);
+        QCOMPARE(bench.chain.fault(), Fault::stalled);
+        bench.chain.rest();
+        bench.run(1.0);
+        QCOMPARE(bench.chain.fault(), Fault::stalled);
+    }
+
     void every_fault_has_a_sentence_of_its_own() {
         std::set<std::string> sentences;
         for (const Fault fault :

@@ -189,6 +189,65 @@ private slots:
         QVERIFY(!nothing_read.state && !nothing_read.lost && !nothing_read.motors_off);
     }
 
+    void a_loop_that_has_ended_is_not_waited_for_until_it_writes_again() {
+        CrowdedDevice device;
+        Watchdog watchdog(device, {});
+        watchdog.write(SafeForce{}, 1.0);
+        watchdog.rest();
+        watchdog.check(100.0);
+        QCOMPARE(device.written, 1);
+        QCOMPARE(device.halts, 0);
+        QCOMPARE(watchdog.take_share_left(), 1.0);
+        watchdog.write(SafeForce{}, 100.0);
+        watchdog.check(101.0);
+        QCOMPARE(device.halts, 1);
+        watchdog.rest();
+        QVERIFY(watchdog.halted()); // only a person's engaging forgets that
+    }
+
+    /// The loop hangs after a rest before it has written once: what is taken away is not the force of before.
+    void a_force_from_before_a_rest_never_comes_again() {
+        DeviceDouble device;
+        Watchdog watchdog(device, {});
+        SafetyChain chain(SafetyLimits{}, DeviceDouble::capabilities(), 0.001);
+        SafetyInput input;
+        input.fresh = true;
+        input.force = {1.0, 0.0};
+        chain.engage(0.0);
+        for (int i = 0; i < 600; ++i) {
+            input.now += 0.001;
+            watchdog.write(chain.pass(input), input.now);
+        }
+        QVERIFY(device.last_force() != Vec2(0.0));
+        watchdog.write(SafeForce{}, input.now);
+        watchdog.write(chain.pass(input), input.now);
+        watchdog.rest();
+        watchdog.rearm(2.0);
+        watchdog.check(2.015); // late, and not so late that it halts
+        QVERIFY(!watchdog.halted());
+        QVERIFY(device.last_force() == Vec2(0.0));
+    }
+
+    void what_was_read_before_a_rest_is_not_read_again() {
+        CrowdedDevice device;
+        Watchdog watchdog(device, {});
+        QVERIFY(watchdog.read(1.0).motors_off);
+        watchdog.rest();
+        Watchdog::Reading reading{{}, true, true};
+        device.meanwhile = [&] { reading = watchdog.read(2.0); }; // nobody may come to the device meanwhile
+        watchdog.write(SafeForce{}, 2.0);
+        QVERIFY(!reading.state && !reading.lost && !reading.motors_off);
+    }
+
+    void a_rest_forgets_what_it_has_taken_away() {
+        CrowdedDevice device;
+        Watchdog watchdog(device, {});
+        watchdog.write(SafeForce{}, 1.0);
+        watchdog.check(1.020);
+        watchdog.rest();
+        QCOMPARE(watchdog.take_share_left(), 1.0);
+    }
+
     /// In parts of a power of two, which add up exactly.
     void each_of_its_times_is_the_last_moment_before_it_acts() {
         const auto share_after = [](double seconds, bool& halted) {

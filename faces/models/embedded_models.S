@@ -16,6 +16,7 @@
     MODEL(outline, "outline.onnx")
     MODEL(mesh, "mesh.onnx")
     MODEL(yunet, "yunet.onnx")
+    MODEL(descriptor, "descriptor.packed")
 
 #if defined(__linux__)
     .section .note.GNU-stack, "", %progbits

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/models/model_catalog.hpp"
 
+#include "faces/models/packed_onnx.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
@@ -16,7 +18,8 @@
     MODEL(mouth, "looks closely at the mouth", "Apache-2.0")                                                 \
     MODEL(outline, "looks closely at the outline", "Apache-2.0")                                             \
     MODEL(mesh, "places the points of a face of which the others are not sure", "Apache-2.0")                \
-    MODEL(yunet, "finds faces where the other detector finds none", "MIT")
+    MODEL(yunet, "finds faces where the other detector finds none", "MIT")                                   \
+    MODEL(descriptor, "describes a face, to tell whether two show one person", "CC0-1.0, MIT")
 
 #define TP_DECLARE(name, purpose, licence) extern const char tp_model_##name[], tp_model_##name##_end[];
 extern "C" {
@@ -111,7 +114,9 @@ std::optional<std::filesystem::path> installed_file(const PluggableModel& model)
 
 cv::dnn::Net embedded_net(EmbeddedModel model) {
     const Embedded& file = embedded_files().at(static_cast<std::size_t>(model));
-    cv::dnn::Net net = cv::dnn::readNetFromONNX(file.begin, file.facts.bytes);
+    const auto unpacked = unpacked_onnx({file.begin, file.facts.bytes});
+    cv::dnn::Net net = unpacked ? cv::dnn::readNetFromONNX(unpacked->data(), unpacked->size())
+                                : cv::dnn::readNetFromONNX(file.begin, file.facts.bytes);
     let_go(file.begin, file.end);
     return net;
 }

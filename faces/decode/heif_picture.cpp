@@ -92,9 +92,8 @@ HeifPicture::HeifPicture(const char* format, std::shared_ptr<heif_context> conte
 Result<HeifPicture> HeifPicture::open(const Bytes& bytes, const char* format) {
     const LibHeif* const heif = load_libheif();
     if (heif == nullptr)
-        return Error{
-            "Pictures in the formats HEIC and AVIF need the library libheif (Debian: libheif1), which is not "
-            "here: install it or save the picture as JPEG."};
+        return Error{"Pictures in the formats HEIC and AVIF need the library libheif (Debian: libheif1), "
+                     "which is not installed: install it or save the picture as JPEG."};
     std::shared_ptr<heif_context> context(heif->heif_context_alloc(), heif->heif_context_free);
     if (context == nullptr)
         return Error{"There is not enough memory for this picture."};

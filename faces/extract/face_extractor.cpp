@@ -126,14 +126,21 @@ struct FaceExtractor::Parts {
     std::unique_ptr<FaceSearch> search;
     bool edges = true;
 
+    /// Gives back what is made anew when it is asked for.
+    void rest() const {
+        if (second)
+            second->rest();
+        else
+            give_back_freed_memory();
+    }
+
     /// Where no face is sure, the picture may stand on its side or its head: a scan, or a camera that noted
     /// nothing. (The nets, which know nothing else, see an upright face in some that stand on their head.)
     /// Turns `picture` where that makes a face surer than the best of `located`; first a small copy of it,
     /// because it seldom does.
     void look_turned(cv::Mat& picture, std::vector<LocatedFace>& located, Extraction& result,
                      SearchTimes& times, const std::stop_token& stop) const {
-        if (second)
-            second->rest();
+        rest();
         cv::Mat small = not_larger_than(picture, longest_turned_px);
         double best = surest(located);
         int best_degrees = 0, small_degrees = 0;
@@ -294,7 +301,7 @@ Extraction FaceExtractor::extract(const std::filesystem::path& photo, const std:
         if (!enough) {
             const ExtractionTimes in_vain = result.milliseconds;
             shrunk->pixels.release();
-            give_back_freed_memory();
+            parts_->rest(); // the whole picture and the mesh need not be there at once
             watch.lap();
             const Result<cv::Mat> picture = shrunk->whole();
             decode += watch.lap();

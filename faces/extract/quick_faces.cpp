@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "faces/extract/quick_faces.hpp"
+
+#include "faces/base/landmarks.hpp"
+#include "faces/base/refinement.hpp"
+#include "faces/contours/contour_nets.hpp"
+#include "faces/decode/quiet_opencv.hpp"
+#include "faces/detect/detector.hpp"
+#include "faces/detect/embedded_detector.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace tp {
+
+namespace {
+
+constexpr double same_head = 0.4;    ///< of a face's size; two heads cannot be that near
+constexpr double sure_of_face = 0.5; ///< of the points of a face whose eyes are judged
+constexpr double shut_below = 0.15;  ///< of `openness` (faces/base/landmarks.hpp)
+
+/// Of boxes round one head only the surest.
+std::vector<Detection> one_a_head(std::vector<Detection> found) {
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Detection& a, const Detection& b) { return a.score > b.score; });
+    std::vector<Detection> heads;
+    for (const Detection& face : found)
+        if (std::none_of(heads.begin(), heads.end(), [&face](const Detection& head) {
+                return length(head.box.centre() - face.box.centre()) <
+                       same_head * std::max(head.size(), face.size());
+            }))
+            heads.push_back(face);
+    return heads;
+}
+
+} // namespace
+
+struct QuickFaces::Nets {
+    EmbeddedDetector detector;
+    ContourNets points{Refinement::close_looks}; ///< without close looks shut eyes are placed as open ones
+};
+
+QuickFaces::QuickFaces() {
+    quiet_opencv();
+    nets_ = std::make_unique<Nets>();
+}
+QuickFaces::QuickFaces(QuickFaces&&) noexcept = default;
+QuickFaces& QuickFaces::operator=(QuickFaces&&) noexcept = default;
+QuickFaces::~QuickFaces() = default;
+
+std::vector<Detection> QuickFaces::find(const cv::Mat& picture) {
+    std::vector<Detection> faces = one_a_head(nets_->detector.detect(picture, Effort::usual));
+    std::stable_sort(faces.begin(), faces.end(),
+                     [](const Detection& a, const Detection& b) { return a.size() > b.size(); });
+    return faces;
+}
+
+bool QuickFaces::eyes_shut(const cv::Mat& picture, const Detection& face) {
+    const auto points = nets_->points.locate(picture, face);
+    return points && points->confidence >= sure_of_face &&
+           std::max(openness(points->right_eye), openness(points->left_eye)) < shut_below;
+}
+
+} // namespace tp

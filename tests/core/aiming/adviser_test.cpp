@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/aiming/adviser.hpp"
+#include "frames.hpp"
+
+#include <QTest>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <tuple>
+
+using namespace tp;
+using namespace tp::testing;
+
+Q_DECLARE_METATYPE(tp::Advice)
+
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// An adviser with its tracks, shown one frame after the other.
+struct Watched {
+    explicit Watched(Aim aim = Aim::middle, HeldCamera camera = {}) : adviser(aim, camera) {}
+    AimInstruction see(AimFrame frame) {
+        frame.time_s = now += 0.1;
+        tracks.see(frame);
+        return adviser.advise(tracks.faces(), frame);
+    }
+    AimInstruction see(const AimFace& face) { return see(frame_of(0.0, {face})); }
+    /// Until smoothing has settled.
+    AimInstruction stare(const AimFrame& frame) {
+        AimInstruction last;
+        for (int i = 0; i < 15; ++i)
+            last = see(frame);
+        return last;
+    }
+    AimInstruction stare(const AimFace& face) { return stare(frame_of(0.0, {face})); }
+
+    FaceTracks tracks;
+    Adviser adviser;
+    double now = 0.0;
+};
+
+} // namespace
+
+class AdviserTest : public QObject {
+    Q_OBJECT
+private slots:
+    void one_fault_is_one_advice_data() {
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::addColumn<double>("height");
+        QTest::addColumn<double>("tilt");
+        QTest::addColumn<Advice>("advice");
+        QTest::newRow("at_the_right") << 0.7 << 0.45 << 0.27 << 0.0 << Advice::move_right;
+        QTest::newRow("at_the_left") << 0.3 << 0.45 << 0.27 << 0.0 << Advice::move_left;
+        QTest::newRow("high") << 0.5 << 0.25 << 0.27 << 0.0 << Advice::move_up;
+        QTest::newRow("low") << 0.5 << 0.7 << 0.27 << 0.0 << Advice::move_down;
+        QTest::newRow("small") << 0.5 << 0.45 << 0.1 << 0.0 << Advice::closer;
+        QTest::newRow("large") << 0.5 << 0.45 << 0.6 << 0.0 << Advice::farther;
+        QTest::newRow("turned") << 0.5 << 0.45 << 0.27 << 12.0 << Advice::turn_clockwise;
+        QTest::newRow("turned_back") << 0.5 << 0.45 << 0.27 << -12.0 << Advice::turn_anticlockwise;
+        QTest::newRow("well") << 0.5 << 0.45 << 0.27 << 0.0 << Advice::ready;
+        QTest::newRow("far_to_the_right_and_low") << 0.8 << 0.6 << 0.27 << 0.0 << Advice::move_right;
+        QTest::newRow("low_and_a_little_left") << 0.38 << 0.8 << 0.27 << 0.0 << Advice::move_down;
+        QTest::newRow("over_all_edges") << 0.6 << 0.5 << 1.3 << 0.0 << Advice::farther;
+    }
+    void one_fault_is_one_advice() {
+        QFETCH(double, x);
+        QFETCH(double, y);
+        QFETCH(double, height);
+        QFETCH(double, tilt);
+        QFETCH(Advice, advice);
+        Watched back;
+        const AimInstruction said = back.stare(face_at(x, y, height, tilt));
+        QCOMPARE(said.advice, advice);
+        QCOMPARE(said.faces, 1);
+        QCOMPARE(back.adviser.good(), advice == Advice::ready);
+        QCOMPARE(said.amount > 0.0, advice != Advice::ready);
+    }
+
+    void a_front_camera_and_a_mirrored_picture_each_swap_the_sides() {
+        for (const bool front : {false, true})
+            for (const bool mirrored : {false, true}) {
+                const HeldCamera camera{front, mirrored};
+                const bool swaps = front != mirrored;
+                QCOMPARE(Watched(Aim::middle, camera).stare(face_at(0.75, 0.45)).advice,
+                         swaps ? Advice::move_left : Advice::move_right);
+                QCOMPARE(Watched(Aim::middle, camera).stare(face_at(0.5, 0.2)).advice, Advice::move_up);
+                QCOMPARE(Watched(Aim::middle, camera).stare(face_at(0.5, 0.45, 0.27, 15.0)).advice,
+                         swaps ? Advice::turn_anticlockwise : Advice::turn_clockwise);
+                QCOMPARE(Watched(Aim::middle, camera).stare(face_at(0.98, 0.45)).cut,
+                         swaps ? AimEdge::left : AimEdge::right);
+                QCOMPARE(Watched(Aim::middle, camera).stare(face_at(0.02, 0.45)).cut,
+                         swaps ? AimEdge::right : AimEdge::left);
+            }
+        QCOMPARE(Watched().stare(face_at(0.5, 0.05)).cut, AimEdge::top);
+        QCOMPARE(Watched().stare(face_at(0.5, 0.95)).cut, AimEdge::bottom);
+        QCOMPARE(Watched().stare(face_at(0.5, 0.5)).cut, AimEdge::none);
+    }
+
+    void a_face_nearer_to_an_edge_than_a_fiftieth_is_cut() {
+        for (const Aim aim : {Aim::middle, Aim::thirds}) {
+            const auto cut = [aim](double top) { return Watched(aim).stare(face_at(0.5, top + 0.135)).cut; };
+            QCOMPARE(cut(0.03), AimEdge::none);
+            QCOMPARE(cut(0.015), AimEdge::top);
+        }
+    }
+
+    /// Picture widths a second count: as fast up and down is slower.
+    void a_face_that_moves_is_blurred_by_the_widths_that_it_goes() {
+        const auto blur = [](Vec2 way) {
+            Watched back;
+            for (int i = 0; i < 15; ++i)
+                back.see(face_at(0.45 + way.x * 0.1 * i, 0.4 + way.y * 0.1 * i));
+            return back.adviser.faults()[static_cast<std::size_t>(AimFault::blur)];
+        };
+        QVERIFY(blur({0.16, 0.0}) >= 1.0);
+        QVERIFY(blur({0.0, 0.16}) < 1.0);
+    }
+
+    void a_turn_is_little_some_or_much() {
+        const auto step = [](double tilt) { return Watched().stare(face_at(0.5, 0.45, 0.27, tilt)).step; };
+        QCOMPARE(step(7.6), AimStep::little);
+        QCOMPARE(step(10.0), AimStep::some);
+        QCOMPARE(step(14.0), AimStep::some);
+        QCOMPARE(step(16.0), AimStep::much);
+    }
+
+    /// A fault begins at 0.22 of brightness and is twice its limit a tenth below.
+    void a_face_is_dark_below_its_limit_and_the_darker_the_worse() {
+        const auto light = [](double brightness) {
+            Watched back;
+            AimFace face = face_at(0.5, 0.45);
+            face.brightness = brightness;
+            back.stare(face);
+            return back.adviser.faults()[static_cast<std::size_t>(AimFault::light)];
+        };
+        QVERIFY(std::abs(light(0.22) - 1.0) < 1e-9);
+        QVERIFY(std::abs(light(0.12) - 2.0) < 1e-9);
+        QVERIFY(light(0.3) < 1.0);
+    }
+
+    void how_much_grows_with_the_fault() {
+        const auto step = [](double x, double y = 0.45) { return Watched().stare(face_at(x, y)).step; };
+        QCOMPARE(step(0.61), AimStep::little);
+        QCOMPARE(step(0.7), AimStep::some);
+        QCOMPARE(step(0.8), AimStep::much);
+        QCOMPARE(step(0.5, 0.6), AimStep::little);
+        QCOMPARE(step(0.5, 0.75), AimStep::some);
+        QCOMPARE(step(0.5, 0.92), AimStep::much);
+        QCOMPARE(Watched().stare(face_at(0.5, 0.45, 0.14)).step, AimStep::some);
+        QCOMPARE(Watched().stare(face_at(0.5, 0.45, 0.09)).step, AimStep::much);
+        QCOMPARE(Watched().stare(face_at(0.5, 0.45, 0.52)).step, AimStep::little);
+        QVERIFY(std::abs(Watched().stare(face_at(0.7, 0.45)).amount - 0.2) < 1e-3);
+        // Of a usual camera, a face of 0.1 is 3 m away, and 1.48 m where it is of a good size.
+        QVERIFY(std::abs(Watched().stare(face_at(0.5, 0.45, 0.1)).amount - 1.52) < 0.02);
+        QVERIFY(std::abs(Watched().stare(face_at(0.5, 0.45, 0.27, 20.0)).amount - 20.0) < 1e-3);
+    }
+
+    void the_moment_counts_last_data() {
+        QTest::addColumn<double>("brightness");
+        QTest::addColumn<double>("surroundings");
+        QTest::addColumn<double>("motion");
+        QTest::addColumn<double>("sharpness");
+        QTest::addColumn<bool>("shut");
+        QTest::addColumn<Advice>("advice");
+        QTest::newRow("dark") << 0.15 << 0.2 << 0.0 << 1.0 << false << Advice::more_light;
+        QTest::newRow("against_the_light") << 0.3 << 0.8 << 0.0 << 1.0 << false << Advice::light_behind_them;
+        QTest::newRow("light_enough_before_white") << 0.5 << 0.95 << 0.0 << 1.0 << false << Advice::ready;
+        QTest::newRow("moving") << 0.5 << 0.5 << 0.3 << 1.0 << false << Advice::keep_still;
+        QTest::newRow("blurred") << 0.5 << 0.5 << 0.0 << 0.2 << false << Advice::keep_still;
+        QTest::newRow("eyes_shut") << 0.5 << 0.5 << 0.0 << 1.0 << true << Advice::eyes_shut;
+        QTest::newRow("dark_before_blurred") << 0.15 << 0.2 << 0.3 << 1.0 << true << Advice::more_light;
+        QTest::newRow("blurred_before_shut") << 0.5 << 0.5 << 0.3 << 1.0 << true << Advice::keep_still;
+        QTest::newRow("nothing_is_a_number")
+            << no_number << no_number << no_number << no_number << false << Advice::ready;
+    }
+    void the_moment_counts_last() {
+        QFETCH(double, brightness);
+        QFETCH(double, surroundings);
+        QFETCH(double, motion);
+        QFETCH(double, sharpness);
+        QFETCH(bool, shut);
+        QFETCH(Advice, advice);
+        for (const double x : {0.5, 0.8}) {
+            AimFace face = face_at(x, 0.45);
+            face.brightness = brightness;
+            face.eyes_shut = shut;
+            AimFrame frame = frame_of(0.0, {face});
+            frame.surroundings = surroundings;
+            frame.motion = motion;
+            frame.sharpness = sharpness;
+            QCOMPARE(Watched().stare(frame).advice, x > 0.6 ? Advice::move_right : advice);
+        }
+    }
+
+    void a_blur_ends_well_above_where_it_begins() {
+        Watched watched;
+        const auto advice = [&watched](double sharpness) {
+            AimFrame frame = frame_of(0.0, {face_at(0.5, 0.45)});
+            frame.sharpness = sharpness;
+            return watched.stare(frame).advice;
+        };
+        QCOMPARE(advice(0.36), Advice::ready);
+        QCOMPARE(advice(0.34), Advice::keep_still);
+        QCOMPARE(advice(0.39), Advice::keep_still);
+        QCOMPARE(advice(0.41), Advice::ready);
+    }
+
+    void the_faces_own_motion_is_motion() {
+        Watched watched;
+        AimInstruction last;
+        for (int i = 0; i < 12; ++i)
+            last = watched.see(face_at(0.41 + 0.015 * i, 0.45));
+        QCOMPARE(last.advice, Advice::keep_still);
+    }
+
+    void without_eyes_the_horizon_says_the_tilt() {
+        AimFace face = face_at(0.5, 0.45);
+        face.eyes.reset();
+        AimFrame frame = frame_of(0.0, {face});
+        frame.horizon_deg = -15.0;
+        QCOMPARE(Watched().stare(frame).advice, Advice::turn_anticlockwise);
+        frame.horizon_deg = no_number;
+        QCOMPARE(Watched().stare(frame).advice, Advice::ready);
+        frame.horizon_deg = 15.0;
+        frame.faces[0] = face_at(0.5, 0.45);
+        QCOMPARE(Watched().stare(frame).advice, Advice::ready);
+    }
+
+    void a_place_at_its_limit_does_not_flap() {
+        Watched watched;
+        Advice before = watched.stare(face_at(0.59, 0.45)).advice;
+        QCOMPARE(before, Advice::ready);
+        int changes = 0;
+        for (int i = 0; i < 200; ++i) {
+            const AimInstruction now = watched.see(face_at(0.6 + (i % 2 == 0 ? 0.006 : -0.006), 0.45));
+            changes += now.advice != before ? 1 : 0;
+            before = now.advice;
+        }
+        QCOMPARE(before, Advice::move_right);
+        QCOMPARE(changes, 1);
+    }
+
+    void a_fault_ends_well_below_where_it_begins() {
+        Watched watched;
+        watched.stare(face_at(0.5, 0.45));
+        QCOMPARE(watched.stare(face_at(0.595, 0.45)).advice, Advice::ready);
+        QCOMPARE(watched.stare(face_at(0.605, 0.45)).advice, Advice::move_right);
+        QCOMPARE(watched.stare(face_at(0.58, 0.45)).advice, Advice::move_right);
+        QCOMPARE(watched.stare(face_at(0.57, 0.45)).advice, Advice::ready);
+    }
+
+    void two_faults_of_one_size_do_not_take_turns() {
+        Watched watched;
+        watched.stare(face_at(0.72, 0.45 + 0.24));
+        std::set<Advice> advices;
+        for (int i = 0; i < 100; ++i)
+            advices.insert(watched.see(face_at(0.72 + (i % 2) * 0.01, 0.69 - (i % 2) * 0.01)).advice);
+        QCOMPARE(advices.size(), std::size_t{1});
+        QCOMPARE(watched.stare(face_at(0.61, 0.75)).advice, Advice::move_down);
+    }
+
+    void words_say_first_what_a_tone_does_not() {
+        const AimFace face = face_at(0.68, 0.45, 0.27, 11.0); // 1.8 and 1.6 times their limits
+        QCOMPARE(Watched().stare(face).advice, Advice::move_right);
+        Watched with_tone;
+        with_tone.adviser.with_tone(true);
+        QCOMPARE(with_tone.stare(face).advice, Advice::turn_clockwise);
+        QCOMPARE(with_tone.stare(face_at(0.9, 0.45, 0.27, 8.0)).advice, Advice::move_right);
+    }
+
+    void a_lost_face_is_looked_for_where_it_went() {
+        for (const auto& [x, y, advice] :
+             {std::tuple{0.9, 0.5, Advice::look_right}, std::tuple{0.1, 0.5, Advice::look_left},
+              std::tuple{0.5, 0.85, Advice::look_down}, std::tuple{0.5, 0.1, Advice::look_up}}) {
+            Watched watched;
+            watched.stare(face_at(x, y));
+            const AimInstruction lost = watched.stare(frame_of(0.0, {}));
+            QCOMPARE(lost.advice, advice);
+            QCOMPARE(lost.faces, 0);
+            QVERIFY(!watched.adviser.good());
+        }
+        Watched front(Aim::middle, {true, false});
+        front.stare(face_at(0.9, 0.5));
+        QCOMPARE(front.stare(frame_of(0.0, {})).advice, Advice::look_left);
+    }
+
+    void who_was_too_large_is_stepped_back_from() {
+        Watched watched;
+        watched.stare(face_at(0.5, 0.5, 0.8));
+        QCOMPARE(watched.stare(frame_of(0.0, {})).advice, Advice::farther);
+    }
+
+    void nobody_yet_is_looked_for_upright_and_on_both_sides() {
+        AimFrame tipped = frame_of(0.0, {});
+        tipped.elevation_deg = -20.0;
+        const AimInstruction up = Watched().see(tipped);
+        QCOMPARE(up.advice, Advice::move_up);
+        QVERIFY(std::abs(up.amount - 20.0 / 37.0) < 1e-9);
+        tipped.elevation_deg = 20.0;
+        QCOMPARE(Watched().see(tipped).advice, Advice::move_down);
+        Watched watched;
+        std::set<Advice> advices;
+        tipped.elevation_deg = 3.0;
+        QCOMPARE(watched.see(tipped).advice, Advice::look_right);
+        for (int i = 0; i < 200; ++i)
+            advices.insert(watched.see(tipped).advice);
+        QCOMPARE(advices,
+                 (std::set{Advice::look_left, Advice::look_right, Advice::look_up, Advice::look_down}));
+    }
+
+    void for_everybody_a_missing_one_is_stepped_back_for() {
+        Watched watched(Aim::everybody);
+        watched.adviser.expect(3);
+        const AimFrame two = frame_of(0.0, {face_at(0.4, 0.45), face_at(0.6, 0.45)});
+        QCOMPARE(watched.stare(two).advice, Advice::farther);
+        QCOMPARE(watched.stare(two).faces, 2);
+        watched.adviser.expect(2);
+        QCOMPARE(watched.stare(two).advice, Advice::ready);
+    }
+
+    void a_name_is_that_of_the_one_subject() {
+        AimFace anna = face_at(0.5, 0.45, 0.3);
+        anna.name = "Anna";
+        const AimFrame both = frame_of(0.0, {face_at(0.8, 0.4, 0.2), anna});
+        QCOMPARE(Watched(Aim::middle).stare(both).name, std::string("Anna"));
+        QCOMPARE(Watched(Aim::everybody).stare(both).name, std::string());
+    }
+
+    void forgotten_is_as_at_first() {
+        Watched watched;
+        watched.stare(face_at(0.9, 0.5));
+        watched.adviser.forget();
+        watched.tracks.forget();
+        QVERIFY(!watched.adviser.framing());
+        QCOMPARE(watched.see(frame_of(0.0, {})).advice, Advice::look_right);
+        QCOMPARE(watched.adviser.badness(), 0.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(AdviserTest)
+#include "adviser_test.moc"

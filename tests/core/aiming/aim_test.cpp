@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/aiming/aim.hpp"
+#include "frames.hpp"
+
+#include <QTest>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+using namespace tp;
+using namespace tp::testing;
+
+namespace {
+
+std::vector<TrackedFace> tracked(const std::vector<AimFace>& faces) {
+    FaceTracks tracks;
+    tracks.see(frame_of(0.0, faces));
+    tracks.see(frame_of(0.1, faces));
+    return tracks.faces();
+}
+
+constexpr double wide = 16.0 / 9.0;
+
+} // namespace
+
+class AimTest : public QObject {
+    Q_OBJECT
+private slots:
+    void nobody_is_no_framing() {
+        for (const Aim aim : {Aim::middle, Aim::thirds, Aim::head_and_shoulders, Aim::everybody})
+            QVERIFY(!Framer(aim).frame({}, wide));
+    }
+
+    void each_aim_has_its_place() {
+        const auto place = [](Aim aim, double x) {
+            const auto framing = Framer(aim).frame(tracked({face_at(x, 0.5)}), wide);
+            return Vec2(x, 0.5) - framing->off;
+        };
+        QVERIFY(length(place(Aim::middle, 0.2) - Vec2(0.5, 0.45)) < 1e-9);
+        QVERIFY(length(place(Aim::head_and_shoulders, 0.2) - Vec2(0.5, 0.4)) < 1e-9);
+        QVERIFY(length(place(Aim::everybody, 0.2) - Vec2(0.5, 0.45)) < 1e-9);
+        QVERIFY(length(place(Aim::thirds, 0.2) - Vec2(1.0 / 3.0, 0.4)) < 1e-9);
+        QVERIFY(length(place(Aim::thirds, 0.8) - Vec2(2.0 / 3.0, 0.4)) < 1e-9);
+    }
+
+    void a_group_has_more_room_than_one_face() {
+        const auto room = [](Aim aim) {
+            return Framer(aim).frame(tracked({face_at(0.2, 0.5)}), wide)->tolerance;
+        };
+        QVERIFY(length(room(Aim::middle) - Vec2(0.1, 0.12)) < 1e-9);
+        QVERIFY(length(room(Aim::thirds) - Vec2(0.08, 0.12)) < 1e-9);
+        QVERIFY(length(room(Aim::head_and_shoulders) - Vec2(0.1, 0.1)) < 1e-9);
+        QVERIFY(length(room(Aim::everybody) - Vec2(0.15, 0.15)) < 1e-9);
+    }
+
+    void a_size_is_one_at_its_limits_and_grows_back_into_them() {
+        const AimLimits limits = limits_of(Aim::middle);
+        for (const double size : {limits.smallest, limits.largest}) {
+            const auto at = Framer(Aim::middle).frame(tracked({face_at(0.5, 0.45, size)}), wide);
+            QVERIFY(std::abs(std::abs(at->size_off) - 1.0) < 1e-9);
+            QCOMPARE(at->size_off > 0.0, size == limits.largest);
+            const auto mended =
+                Framer(Aim::middle).frame(tracked({face_at(0.5, 0.45, size * at->grow)}), wide);
+            QVERIFY(std::abs(mended->size_off) < 0.75);
+        }
+    }
+
+    void a_size_is_over_the_shorter_side() {
+        AimFace face;
+        face.box = {{0.4, 0.4}, {0.6, 0.6}};
+        const auto lying = Framer(Aim::middle).frame(tracked({face}), 2.0);
+        const auto standing = Framer(Aim::middle).frame(tracked({face}), 0.5);
+        QVERIFY(std::abs(lying->face - 0.2) < 1e-9);
+        QVERIFY(std::abs(standing->face - 0.4) < 1e-9);
+    }
+
+    void an_edge_that_cuts_is_named_by_sign_data() {
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::addColumn<int>("across");
+        QTest::addColumn<int>("height");
+        QTest::newRow("left") << 0.02 << 0.5 << -1 << 0;
+        QTest::newRow("right") << 0.98 << 0.5 << 1 << 0;
+        QTest::newRow("top") << 0.5 << 0.05 << 0 << -1;
+        QTest::newRow("bottom") << 0.5 << 0.95 << 0 << 1;
+        QTest::newRow("none") << 0.5 << 0.5 << 0 << 0;
+    }
+    void an_edge_that_cuts_is_named_by_sign() {
+        QFETCH(double, x);
+        QFETCH(double, y);
+        QFETCH(int, across);
+        QFETCH(int, height);
+        const auto framing = Framer(Aim::middle).frame(tracked({face_at(x, y)}), wide);
+        const auto sign = [](double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; };
+        QCOMPARE(sign(framing->cut.x), across);
+        QCOMPARE(sign(framing->cut.y), height);
+        QVERIFY(!framing->cut_both);
+    }
+
+    void a_face_over_both_edges_is_cut_by_both() {
+        const auto framing = Framer(Aim::middle).frame(tracked({face_at(0.5, 0.5, 1.2)}), wide);
+        QVERIFY(framing->cut_both);
+        QVERIFY(framing->size_off > 1.0);
+    }
+
+    void two_faces_of_one_size_do_not_take_turns() {
+        Framer framer(Aim::middle);
+        const auto subject = [&framer](double left, double right) {
+            FaceTracks tracks;
+            tracks.see(frame_of(0.0, {face_at(0.3, 0.5, left), face_at(0.7, 0.5, right)}));
+            tracks.see(frame_of(0.1, {face_at(0.3, 0.5, left), face_at(0.7, 0.5, right)}));
+            std::vector<TrackedFace> faces = tracks.faces();
+            for (TrackedFace& face : faces)
+                face.id = face.box.centre().x < 0.5 ? 1 : 2;
+            return framer.frame(faces, wide)->subjects.front();
+        };
+        QCOMPARE(subject(0.30, 0.29), 1U);
+        QCOMPARE(subject(0.29, 0.30), 1U);
+        QCOMPARE(subject(0.22, 0.30), 1U);
+        QCOMPARE(subject(0.20, 0.30), 2U);
+        QCOMPARE(subject(0.30, 0.29), 2U);
+    }
+
+    void a_face_in_the_middle_does_not_change_its_third() {
+        Framer framer(Aim::thirds);
+        const auto place = [&framer](double x) {
+            return framer.frame(tracked({face_at(x, 0.4)}), wide)->off.x < x - 0.5 ? 2 : 1;
+        };
+        QCOMPARE(place(0.49), 1);
+        QCOMPARE(place(0.55), 1);
+        QCOMPARE(place(0.59), 2);
+        QCOMPARE(place(0.45), 2);
+        QCOMPARE(place(0.41), 1);
+    }
+
+    void everybody_is_all_of_them() {
+        const auto framing =
+            Framer(Aim::everybody)
+                .frame(tracked({face_at(0.2, 0.4), face_at(0.5, 0.45), face_at(0.75, 0.5)}), wide);
+        QCOMPARE(framing->subjects.size(), std::size_t{3});
+        QVERIFY(framing->box.min.x < 0.2 && framing->box.max.x > 0.75);
+        QVERIFY(std::abs(framing->size_off) < 1.0);
+        const auto crowd =
+            Framer(Aim::everybody).frame(tracked({face_at(0.01, 0.4), face_at(0.99, 0.4)}), wide);
+        QVERIFY(crowd->cut_both);
+        QVERIFY(crowd->size_off > 1.0);
+        QVERIFY(crowd->grow < 1.0);
+        const auto far =
+            Framer(Aim::everybody).frame(tracked({face_at(0.48, 0.4, 0.05), face_at(0.53, 0.4, 0.05)}), wide);
+        QVERIFY(far->size_off < -1.0);
+        QVERIFY(far->grow > 1.5);
+    }
+
+    void the_tilt_of_everybody_is_the_mean_of_those_with_eyes() {
+        AimFace without = face_at(0.8, 0.4);
+        without.eyes.reset();
+        const auto tilt = [](const std::vector<AimFace>& faces) {
+            return Framer(Aim::everybody).frame(tracked(faces), wide)->tilt_deg;
+        };
+        QVERIFY(std::abs(*tilt({face_at(0.2, 0.4, 0.27, 10.0), face_at(0.5, 0.4, 0.27, 20.0), without}) -
+                         15.0) < 1e-6);
+        QVERIFY(!tilt({without}));
+    }
+
+    void small_faces_far_apart_are_not_brought_closer() {
+        const auto framing =
+            Framer(Aim::everybody).frame(tracked({face_at(0.1, 0.4, 0.06), face_at(0.9, 0.4, 0.06)}), wide);
+        QVERIFY(std::abs(framing->size_off) < 1.0);
+    }
+
+    void who_is_missing_is_counted_for_everybody_only() {
+        for (const auto& [aim, missing] : {std::pair{Aim::everybody, 2}, std::pair{Aim::middle, 0}}) {
+            Framer framer(aim);
+            framer.expect(3);
+            QCOMPARE(framer.frame(tracked({face_at(0.5, 0.5)}), wide)->missing, missing);
+        }
+        Framer framer(Aim::everybody);
+        framer.expect(1);
+        QCOMPARE(framer.frame(tracked({face_at(0.3, 0.5), face_at(0.7, 0.5)}), wide)->missing, 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(AimTest)
+#include "aim_test.moc"

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/aiming/face_tracks.hpp"
+#include "frames.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+#include <limits>
+
+using namespace tp;
+using namespace tp::testing;
+
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+AimFace box_of(Vec2 min, Vec2 max) {
+    AimFace face;
+    face.box = {min, max};
+    return face;
+}
+
+} // namespace
+
+class FaceTracksTest : public QObject {
+    Q_OBJECT
+private slots:
+    void a_face_counts_from_its_second_frame_on() {
+        FaceTracks tracks;
+        tracks.see(frame_of(0.0, {face_at(0.3, 0.4)}));
+        QCOMPARE(tracks.faces().size(), std::size_t{0});
+        tracks.see(frame_of(0.1, {face_at(0.3, 0.4)}));
+        QCOMPARE(tracks.faces().size(), std::size_t{1});
+        QCOMPARE(tracks.faces()[0].sightings, 2);
+        const Rect seen = face_at(0.3, 0.4).box; // where it was all the time
+        QVERIFY(length(tracks.faces()[0].box.min - seen.min) < 1e-12);
+        QVERIFY(length(tracks.faces()[0].box.max - seen.max) < 1e-12);
+    }
+
+    void what_is_no_face_is_not_followed_data() {
+        QTest::addColumn<double>("x0");
+        QTest::addColumn<double>("y0");
+        QTest::addColumn<double>("x1");
+        QTest::addColumn<double>("y1");
+        QTest::addColumn<double>("confidence");
+        QTest::newRow("left_is_nan") << no_number << 0.2 << 0.4 << 0.6 << 1.0;
+        QTest::newRow("bottom_is_infinite") << 0.2 << 0.2 << 0.4 << inf << 1.0;
+        QTest::newRow("no_width") << 0.3 << 0.2 << 0.3 << 0.6 << 1.0;
+        QTest::newRow("no_height") << 0.2 << 0.6 << 0.4 << 0.6 << 1.0;
+        QTest::newRow("inside_out") << 0.4 << 0.2 << 0.2 << 0.6 << 1.0;
+        QTest::newRow("right_of_the_picture") << 1.1 << 0.2 << 1.3 << 0.6 << 1.0;
+        QTest::newRow("above_the_picture") << 0.2 << -0.6 << 0.4 << -0.1 << 1.0;
+        QTest::newRow("left_of_the_picture") << -0.6 << 0.2 << -0.1 << 0.6 << 1.0;
+        QTest::newRow("below_the_picture") << 0.2 << 1.2 << 0.4 << 1.6 << 1.0;
+        QTest::newRow("many_pictures_wide") << -9.0 << -9.0 << 9.0 << 9.0 << 1.0;
+        QTest::newRow("hardly_sure") << 0.2 << 0.2 << 0.4 << 0.6 << 0.4;
+        QTest::newRow("sureness_is_nan") << 0.2 << 0.2 << 0.4 << 0.6 << no_number;
+    }
+    void what_is_no_face_is_not_followed() {
+        QFETCH(double, x0);
+        QFETCH(double, y0);
+        QFETCH(double, x1);
+        QFETCH(double, y1);
+        QFETCH(double, confidence);
+        AimFace face = box_of({x0, y0}, {x1, y1});
+        face.confidence = confidence;
+        FaceTracks tracks;
+        for (int i = 0; i < 5; ++i)
+            tracks.see(frame_of(0.1 * i, {face, face_at(0.7, 0.5)}));
+        QCOMPARE(tracks.faces().size(), std::size_t{1});
+        QVERIFY(tracks.faces()[0].box.centre().x > 0.6);
+    }
+
+    void a_face_that_flickers_stays_and_one_that_is_gone_goes() {
+        FaceTracks tracks;
+        double now = 0.0;
+        for (int i = 0; i < 30; ++i, now += 0.1) {
+            tracks.see(
+                frame_of(now, i % 3 == 0 || i < 2 ? std::vector{face_at(0.3, 0.4)} : std::vector<AimFace>{}));
+            if (i > 1)
+                QCOMPARE(tracks.faces().size(), std::size_t{1});
+        }
+        const std::uint32_t id = tracks.faces()[0].id;
+        const double last = tracks.faces()[0].seen_s;
+        tracks.see(frame_of(last + face_stays_s, {}));
+        QCOMPARE(tracks.faces().size(), std::size_t{1});
+        QCOMPARE(tracks.faces()[0].id, id);
+        tracks.see(frame_of(last + face_stays_s + 0.01, {}));
+        QVERIFY(tracks.faces().empty());
+    }
+
+    void faces_that_swap_their_order_stay_who_they_are() {
+        FaceTracks tracks;
+        tracks.see(frame_of(0.0, {face_at(0.3, 0.4, 0.3), face_at(0.7, 0.4, 0.28)}));
+        tracks.see(frame_of(0.1, {face_at(0.7, 0.4, 0.28), face_at(0.3, 0.4, 0.3)}));
+        QCOMPARE(tracks.faces().size(), std::size_t{2});
+        const std::uint32_t left = tracks.faces()[0].id;
+        for (int i = 2; i < 20; ++i) {
+            const AimFace one = face_at(0.3 + 0.002 * i, 0.4, 0.3);
+            const AimFace other = face_at(0.7, 0.4, 0.28);
+            tracks.see(frame_of(0.1 * i, i % 2 == 0 ? std::vector{one, other} : std::vector{other, one}));
+            QCOMPARE(tracks.faces().size(), std::size_t{2});
+            QCOMPARE(tracks.faces()[0].id, left);
+            QVERIFY(tracks.faces()[0].box.centre().x < 0.5);
+        }
+    }
+
+    void a_face_four_times_as_large_at_one_blow_is_another_one() {
+        FaceTracks tracks;
+        for (int i = 0; i < 3; ++i)
+            tracks.see(frame_of(0.1 * i, {face_at(0.5, 0.5, 0.15)}));
+        const auto first = tracks.faces().at(0).id;
+        for (int i = 3; i < 5; ++i)
+            tracks.see(frame_of(0.1 * i, {face_at(0.5, 0.5, 0.6)}));
+        QVERIFY(std::ranges::any_of(tracks.faces(), [&](const TrackedFace& face) {
+            return face.id != first && face.box.height() > 0.5;
+        }));
+    }
+
+    void two_side_by_side_are_each_the_nearest() {
+        FaceTracks tracks;
+        tracks.see(frame_of(0.0, {face_at(0.40, 0.4, 0.28), face_at(0.47, 0.4, 0.27)}));
+        tracks.see(frame_of(0.1, {face_at(0.40, 0.4, 0.28), face_at(0.47, 0.4, 0.27)}));
+        const std::uint32_t left = tracks.faces()[0].id;
+        tracks.see(frame_of(0.2, {face_at(0.43, 0.4, 0.28), face_at(0.50, 0.4, 0.27)}));
+        QCOMPARE(tracks.faces().size(), std::size_t{2});
+        for (const TrackedFace& face : tracks.faces())
+            QCOMPARE(face.box.centre().x < 0.455, face.id == left);
+    }
+
+    void a_name_follows_a_face_that_jumps() {
+        FaceTracks tracks;
+        AimFace anna = face_at(0.2, 0.4);
+        anna.name = "Anna";
+        tracks.see(frame_of(0.0, {anna}));
+        tracks.see(frame_of(0.1, {anna}));
+        const std::uint32_t id = tracks.faces()[0].id;
+        AimFace there = face_at(0.8, 0.4);
+        there.name = "Anna";
+        tracks.see(frame_of(0.2, {there}));
+        QCOMPARE(tracks.faces().size(), std::size_t{1});
+        QCOMPARE(tracks.faces()[0].id, id);
+        tracks.see(frame_of(0.3, {face_at(0.8, 0.4)}));
+        QCOMPARE(tracks.faces()[0].name, std::string("Anna"));
+    }
+
+    void a_camera_that_is_swung_takes_its_only_face_along() {
+        FaceTracks tracks;
+        tracks.see(frame_of(0.0, {face_at(0.1, 0.4, 0.1)}));
+        tracks.see(frame_of(0.1, {face_at(0.1, 0.4, 0.1)}));
+        const std::uint32_t id = tracks.faces()[0].id;
+        tracks.see(frame_of(0.2, {face_at(0.8, 0.4, 0.1)}));
+        QCOMPARE(tracks.faces().size(), std::size_t{1});
+        QCOMPARE(tracks.faces()[0].id, id);
+        tracks.see(frame_of(0.3, {face_at(0.1, 0.4, 0.4)})); // another one: far too large
+        tracks.see(frame_of(0.4, {face_at(0.1, 0.4, 0.4)}));
+        QCOMPARE(tracks.faces().size(), std::size_t{2});
+    }
+
+    void boxes_are_smoothed_and_their_speed_is_known() {
+        FaceTracks tracks;
+        for (int i = 0; i < 20; ++i)
+            tracks.see(frame_of(0.1 * i, {face_at(0.2 + 0.02 * i, 0.5)}));
+        const TrackedFace& face = tracks.faces()[0];
+        QVERIFY(std::abs(face.speed.x - 0.2) < 0.01);
+        QVERIFY(std::abs(face.speed.y) < 1e-9);
+        QVERIFY(face.box.centre().x < 0.2 + 0.02 * 19 && face.box.centre().x > 0.2 + 0.02 * 18);
+    }
+
+    void a_tilt_is_that_of_the_eyes_whichever_comes_first_data() {
+        QTest::addColumn<double>("tilt");
+        for (const double tilt : {-60.0, -12.0, 0.0, 5.0, 44.0})
+            QTest::addRow("%g degrees", tilt) << tilt;
+    }
+    void a_tilt_is_that_of_the_eyes_whichever_comes_first() {
+        QFETCH(double, tilt);
+        for (const bool swapped : {false, true}) {
+            AimFace face = face_at(0.5, 0.5, 0.3, tilt);
+            if (swapped)
+                std::swap((*face.eyes)[0], (*face.eyes)[1]);
+            FaceTracks tracks;
+            tracks.see(frame_of(0.0, {face}));
+            tracks.see(frame_of(0.1, {face}));
+            QVERIFY(tracks.faces()[0].tilt_deg);
+            QVERIFY(std::abs(*tracks.faces()[0].tilt_deg - tilt) < 1e-6);
+        }
+    }
+
+    void eyes_in_one_place_or_nowhere_say_no_tilt() {
+        for (const Vec2 eye : {Vec2(0.5, 0.5), Vec2(no_number, 0.5)}) {
+            AimFace face = face_at(0.5, 0.5);
+            face.eyes = {{eye, Vec2(0.5, 0.5)}};
+            FaceTracks tracks;
+            tracks.see(frame_of(0.0, {face}));
+            tracks.see(frame_of(0.1, {face}));
+            QCOMPARE(tracks.faces().size(), std::size_t{1});
+            QVERIFY(!tracks.faces()[0].tilt_deg);
+        }
+    }
+
+    void fifty_faces_are_fifty_and_ninety_are_the_largest() {
+        for (const int count : {50, 90}) {
+            std::vector<AimFace> crowd;
+            for (int i = 0; i < count; ++i)
+                crowd.push_back(face_at(0.05 + 0.1 * (i % 10), 0.06 + 0.1 * (i / 10), 0.05 + 0.0003 * i));
+            FaceTracks tracks;
+            for (int i = 0; i < 5; ++i) {
+                std::reverse(crowd.begin(), crowd.end());
+                tracks.see(frame_of(0.1 * i, crowd));
+            }
+            QCOMPARE(tracks.faces().size(), std::min(static_cast<std::size_t>(count), most_faces));
+            QVERIFY(tracks.faces().front().box.height() >= tracks.faces().back().box.height());
+            QVERIFY(std::abs(tracks.faces().front().box.height() - (0.05 + 0.0003 * (count - 1))) < 1e-3);
+        }
+    }
+
+    void a_clock_that_jumps_begins_anew_data() {
+        QTest::addColumn<double>("to");
+        QTest::newRow("back") << 1.0;
+        QTest::newRow("far_ahead") << 1000.0;
+    }
+    void a_clock_that_jumps_begins_anew() {
+        QFETCH(double, to);
+        FaceTracks tracks;
+        for (int i = 0; i < 5; ++i)
+            tracks.see(frame_of(2.0 + 0.1 * i, {face_at(0.3, 0.4)}));
+        QCOMPARE(tracks.breaks(), 0U);
+        tracks.see(frame_of(to, {face_at(0.3, 0.4)}));
+        QCOMPARE(tracks.breaks(), 1U);
+        QVERIFY(tracks.faces().empty());
+        tracks.see(frame_of(to + 0.1, {face_at(0.3, 0.4)}));
+        QCOMPARE(tracks.faces().size(), std::size_t{1});
+        QVERIFY(length(tracks.faces()[0].speed) < 1e-9);
+    }
+
+    void a_frame_without_time_or_shape_changes_nothing() {
+        FaceTracks tracks;
+        tracks.see(frame_of(0.0, {face_at(0.3, 0.4)}));
+        tracks.see(frame_of(0.1, {face_at(0.3, 0.4)}));
+        tracks.see(frame_of(no_number, {}));
+        AimFrame flat = frame_of(0.9, {});
+        flat.aspect = 0.0;
+        tracks.see(flat);
+        flat.aspect = no_number;
+        tracks.see(flat);
+        QCOMPARE(tracks.faces().size(), std::size_t{1});
+        tracks.see(frame_of(0.1, {face_at(0.3, 0.4)})); // two frames of one time
+        QCOMPARE(tracks.faces().size(), std::size_t{1});
+        QVERIFY(is_finite(tracks.faces()[0].speed));
+    }
+};
+
+QTEST_APPLESS_MAIN(FaceTracksTest)
+#include "face_tracks_test.moc"

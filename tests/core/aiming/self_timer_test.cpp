@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/aiming/self_timer.hpp"
+
+#include <QTest>
+
+#include <limits>
+#include <vector>
+
+using namespace tp;
+
+namespace {
+
+/// Ten good frames a second from `now` on; when pictures were taken.
+std::vector<double> taken(SelfTimer& timer, double& now, int frames, double apart = 0.1) {
+    std::vector<double> times;
+    for (int i = 0; i < frames; ++i, now += apart)
+        if (timer.see(true, now))
+            times.push_back(now);
+    return times;
+}
+
+} // namespace
+
+class SelfTimerTest : public QObject {
+    Q_OBJECT
+private slots:
+    void a_picture_comes_after_the_wait_and_once() {
+        SelfTimer timer;
+        double now = 10.0;
+        const std::vector<double> times = taken(timer, now, 100);
+        QCOMPARE(times.size(), std::size_t{1});
+        QVERIFY(times[0] - 10.0 >= good_for_s - 1e-9 && times[0] - 10.0 < good_for_s + 0.101);
+    }
+
+    void one_bad_frame_begins_the_wait_anew() {
+        SelfTimer timer;
+        double now = 0.0;
+        QVERIFY(taken(timer, now, 7).empty());
+        QVERIFY(timer.share() > 0.7);
+        timer.see(false, now);
+        QCOMPARE(timer.share(), 0.0);
+        now += 0.1;
+        QVERIFY(taken(timer, now, 7).empty());
+        QCOMPARE(taken(timer, now, 3).size(), std::size_t{1});
+    }
+
+    void after_a_bad_frame_or_armed_it_takes_another() {
+        SelfTimer timer;
+        double now = 0.0;
+        QCOMPARE(taken(timer, now, 20).size(), std::size_t{1});
+        timer.see(false, now);
+        now += 0.1;
+        QCOMPARE(taken(timer, now, 20).size(), std::size_t{1});
+        timer.arm();
+        QCOMPARE(taken(timer, now, 20).size(), std::size_t{1});
+    }
+
+    void what_was_not_seen_was_not_good() {
+        SelfTimer timer;
+        double now = 0.0;
+        QVERIFY(taken(timer, now, 50, longest_unseen_s + 0.05).empty());
+    }
+
+    void a_clock_set_back_begins_the_wait_anew() {
+        SelfTimer timer;
+        double now = 100.0;
+        QVERIFY(taken(timer, now, 7).empty());
+        now = 99.0;
+        const std::vector<double> times = taken(timer, now, 20);
+        QCOMPARE(times.size(), std::size_t{1});
+        QVERIFY(times[0] >= 99.0 + good_for_s - 1e-9);
+    }
+
+    void no_time_is_no_frame() {
+        SelfTimer timer;
+        QVERIFY(!timer.see(true, std::numeric_limits<double>::quiet_NaN()));
+        QCOMPARE(timer.share(), 0.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(SelfTimerTest)
+#include "self_timer_test.moc"

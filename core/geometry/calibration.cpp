@@ -160,7 +160,7 @@ std::string tenths(double mm) {
 Result<Calibration> calibrate(const std::vector<FramePair>& pairs, double max_residual_mm) {
     const Error more{"Calibration needs at least three marks that do not lie on one line; touch more marks."};
     if (!std::ranges::all_of(pairs, [](const FramePair& one) { return is_place(one.device) && is_place(one.surface); }))
-        return Error{"A calibration sample is no place; touch the marks again."};
+        return Error{"A calibration sample is not a valid place; touch the marks again."};
     if (pairs.size() < 3)
         return more;
     const Agreed start = agreed(pairs);

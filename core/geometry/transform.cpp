@@ -11,7 +11,7 @@ Result<Affine> Affine::inverse() const {
     const double scale = std::max(length(linear[0]), length(linear[1]));
     if (!std::isfinite(scale) || !is_finite(offset) || !(std::abs(determinant()) > 1e-12 * scale * scale))
         return Error{
-            "The map between two frames cannot be turned round, because it flattens the plane to a line."};
+            "The map between two frames cannot be inverted, because it flattens the plane to a line."};
     const glm::dmat2 back = glm::inverse(linear);
     return Affine{back, -(back * offset)};
 }

@@ -20,7 +20,7 @@ milliseconds look_every(milliseconds still) {
 
 Error cannot_start(const std::filesystem::path& program) {
     return {"The program " + program.filename().string() +
-            ", which decodes such files, cannot be started: install TouchPhoto anew."};
+            ", which decodes such files, cannot be started: install TouchPhoto again."};
 }
 
 } // namespace

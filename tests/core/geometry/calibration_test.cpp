@@ -151,7 +151,7 @@ private slots:
             Vec2& touched = number < 2 ? pairs[1].device : pairs[1].surface;
             (number % 2 == 0 ? touched.x : touched.y) = reach;
             const std::string said = calibrate(pairs).error(); // a map like a needle is another complaint
-            QCOMPARE(said.find("is no place") == std::string::npos, place);
+            QCOMPARE(said.find("is not a valid place") == std::string::npos, place);
         }
     }
 

@@ -32,7 +32,7 @@ std::size_t PartOfBytes::read(std::uint64_t at, std::span<char> to) const {
 Result<std::unique_ptr<FileBytes>> FileBytes::open(const std::filesystem::path& file) {
     const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
-        return Error{errno == ENOENT   ? "it is not there."
+        return Error{errno == ENOENT   ? "it does not exist."
                      : errno == EACCES ? "you are not allowed to read it."
                                        : reason_of(errno)};
     std::unique_ptr<FileBytes> bytes(new FileBytes(descriptor, true));

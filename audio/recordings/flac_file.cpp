@@ -80,7 +80,8 @@ Result<std::uint64_t> store_flac(SoundStream& sound, const VorbisComments& comme
         return Error{reason};
     auto written = SoundReader::open(whole->temporary());
     if (!written || written->frames() != encoded->frames || fingerprint_of(*written) != encoded->fingerprint)
-        return Error{"what was written is not what was to be written; the disk or the memory may be faulty."};
+        return Error{
+            "what was written is not what should have been written; the disk or the memory may be faulty."};
     if (std::string reason = whole->take_place(Existing::kept); !reason.empty())
         return Error{reason};
     return encoded->frames;

@@ -138,17 +138,17 @@ Result<SoundReader> SoundReader::open(std::unique_ptr<ByteSource> bytes) {
     if (bytes->size() == 0)
         return Error{"it is empty."};
     if (!may_be_sound(*bytes))
-        return Error{"it is no sound file that can be read here."};
+        return Error{"it is not a sound file that can be read here."};
     auto impl = std::make_unique<Impl>();
     impl->bytes = std::move(bytes);
     if (!impl->open())
-        return Error{"it is damaged, or no sound file that can be read here."};
+        return Error{"it is damaged, or not a sound file that can be read here."};
     const SF_INFO& info = impl->info;
     if (info.channels < 1 || info.channels > most_channels)
         return Error{"it has " + std::to_string(info.channels) + " channels; at most " +
                      std::to_string(most_channels) + " can be read."};
     if (info.samplerate < lowest_rate || info.samplerate > highest_rate)
-        return Error{"its sample rate is none of a recording."};
+        return Error{"recordings do not have its sample rate."};
     const auto most = static_cast<sf_count_t>(longest_recording_s) * info.samplerate;
     if (info.frames == SF_COUNT_MAX && !impl->count_frames(most)) // a FLAC that was written into a pipe
         return Error{"it is damaged."};

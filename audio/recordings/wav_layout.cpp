@@ -85,7 +85,7 @@ Result<SoundFormat> format_in(std::string_view fmt) {
     if (channels < 1 || channels > 2)
         return Error{"it is neither mono nor stereo."};
     if (rate < 8'000 || rate > 192'000)
-        return Error{"its sample rate is none of a recording."};
+        return Error{"recordings do not have its sample rate."};
     return SoundFormat{static_cast<int>(rate), channels};
 }
 

@@ -30,7 +30,7 @@ Result<WavPart> WavPart::create(const std::filesystem::path& place, const SoundF
     if (!lock)
         return Error{lock.error()};
     if (!*lock)
-        return Error{"another program holds it."};
+        return Error{"another program is using it."};
     std::string reason = made->write(header);
     if (reason.empty())
         reason = made->take_place(Existing::kept);

@@ -141,7 +141,7 @@ void RecorderWorker::block(std::span<const std::int16_t> samples) {
     }
     emit level_changed(level_->level().rms_dbfs, level_->level().peak_dbfs);
     if (level_->hears_nothing() && !std::exchange(told_silence_, true))
-        emit said(tr("The microphone hears nothing. It may be switched off or covered."));
+        emit said(tr("The microphone picks up nothing. It may be switched off or covered."));
     if (part_->frames() >= next_look_ || kept.size() < samples.size())
         look_at_time();
 }
@@ -190,7 +190,7 @@ void RecorderWorker::finish_because(const QString& reason) {
     become(State::idle);
     const QString begin = reason.isEmpty() ? QString() : reason + ' ';
     if (!file) {
-        emit failed(begin + tr("What was recorded is kept as \"%1\" and will be stored later, because %2")
+        emit failed(begin + tr("What was recorded is kept as \"%1\" and will be saved later, because %2")
                                 .arg(name, in_persons_language(file.error())));
     } else if (!*file) {
         emit failed(begin + tr("Nothing was recorded."));

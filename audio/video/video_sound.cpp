@@ -128,7 +128,7 @@ struct VideoSound::Impl {
     }
 
     std::string open_file() {
-        const std::string no_video = "it is damaged, or no video that can be read here.";
+        const std::string no_video = "it is damaged, or not a video that can be read here.";
         auto* buffer = static_cast<std::uint8_t*>(av().av_malloc(read_block));
         io = av().avio_alloc_context(buffer, read_block, 0, this, take, nullptr, go_to);
         file = av().avformat_alloc_context();
@@ -178,7 +178,7 @@ struct VideoSound::Impl {
             return "its sound has " + std::to_string(format.channels) + " channels; at most " +
                    std::to_string(most_video_channels) + " can be read.";
         if (format.rate < lowest_video_rate || format.rate > highest_video_rate)
-            return "its sample rate is none of a recording.";
+            return "recordings do not have its sample rate.";
         hold();
         return {};
     }
@@ -233,7 +233,7 @@ VideoSound::~VideoSound() = default;
 Result<VideoSound> VideoSound::open(std::unique_ptr<ByteSource> video) {
     if (load_libav() == nullptr)
         return Error{std::string("reading it needs the library ") + libav_name +
-                     " of FFmpeg (Debian: libavformat59), which is not here."};
+                     " of FFmpeg (Debian: libavformat59), which is not installed."};
     av().av_log_set_level(AV_LOG_QUIET); // it would print on stderr; what is wrong is said by who asked
     av().av_max_alloc(most_memory);
     auto impl = std::make_unique<Impl>();

@@ -137,7 +137,7 @@ private slots:
         bench.hear(1.0);
         bench.microphone->hear_nothing(10.0);
         QCOMPARE(bench.said.size(), 1);
-        QVERIFY(bench.said.last().at(0).toString().startsWith("The microphone hears nothing."));
+        QVERIFY(bench.said.last().at(0).toString().startsWith("The microphone picks up nothing."));
     }
 
     void a_microphone_that_goes_costs_nothing_that_was_recorded() {

@@ -179,15 +179,15 @@ private slots:
                 return std::string("it was taken");
             return sound.error().find(words) != std::string::npos ? std::string{} : sound.error();
         };
-        QCOMPARE(refused("", "no video"), std::string());
-        QCOMPARE(refused("not a video at all", "no video"), std::string());
-        QCOMPARE(refused(std::string(100'000, '\0'), "no video"), std::string());
+        QCOMPARE(refused("", "not a video"), std::string());
+        QCOMPARE(refused("not a video at all", "not a video"), std::string());
+        QCOMPARE(refused(std::string(100'000, '\0'), "not a video"), std::string());
         QCOMPARE(refused(video({{}, {}, QStringLiteral("mp4"), {}, true}), "it has no sound."),
                  std::string());
         QCOMPARE(
             refused(
                 video({VideoParts{}.sound, QStringLiteral("wavpack"), QStringLiteral("matroska"), {}, true}),
-                "no video"),
+                "not a video"),
             std::string());
         QCOMPARE(refused(video({VideoParts{}.sound,
                                 QStringLiteral("flac"),

@@ -155,7 +155,7 @@ Extraction with_corrections(Extraction extraction, const std::filesystem::path& 
         return extraction;
     const auto unusable = [&](const std::string& why) {
         extraction.problem = "The mended contours in " + file.filename().string() +
-                             " cannot be used, and the program's own are taken: " + why;
+                             " cannot be used, so the program's own are used: " + why;
         return extraction;
     };
     const Result<ContourSheet> sheet = read_sheet(file, ContourSheet::Unit::pixel);

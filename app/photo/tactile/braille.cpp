@@ -98,7 +98,8 @@ std::vector<std::string> braille_languages() {
 Result<BrailleText> braille_of(std::string_view text, const std::string& language) {
     const BrailleTable* table = table_for(language);
     if (!table)
-        return Error{"There is no braille for the language " + quoted_readable(language) + "; en, de and ko there is."};
+        return Error{"There is no braille for the language " + quoted_readable(language) +
+                     "; there is for en, de and ko."};
     const std::vector<widechar> characters = characters_of(readable(text));
     if (characters.empty())
         return BrailleText{};

@@ -139,7 +139,7 @@ private:
                          .arg(quoted_name(name)));
             if (label.lines.size() > most_label_lines) {
                 label.lines.resize(most_label_lines);
-                note(TactileNotes::tr("The name %1 is cut after %n line(s) of braille.", nullptr,
+                note(TactileNotes::tr("The name %1 is cut off after %n line(s) of braille.", nullptr,
                                       static_cast<int>(most_label_lines))
                          .arg(quoted_name(name)));
             }

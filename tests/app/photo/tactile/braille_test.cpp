@@ -67,7 +67,7 @@ private slots:
     }
     void a_language_without_braille_is_said() {
         QCOMPARE(QString::fromStdString(braille_of("Anna", "xx").error()),
-                 QString("There is no braille for the language \"xx\"; en, de and ko there is."));
+                 QString("There is no braille for the language \"xx\"; there is for en, de and ko."));
     }
     void threads_take_turns() {
         std::atomic<int> wrong{0};

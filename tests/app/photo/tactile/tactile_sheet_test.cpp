@@ -138,8 +138,8 @@ private slots:
         }
         const auto cut = make_tactile_sheet(one_drawn_face(), named({std::string(300, 'n')}));
         QCOMPARE(cut->labels[0].lines.size(), 3u);
-        QVERIFY(cut->notes.back().ends_with("is cut after 3 line(s) of braille.") ||
-                cut->notes.front().ends_with("is cut after 3 line(s) of braille."));
+        QVERIFY(cut->notes.back().ends_with("is cut off after 3 line(s) of braille.") ||
+                cut->notes.front().ends_with("is cut off after 3 line(s) of braille."));
     }
     void a_long_title_is_shortened() {
         TactileOptions options;

@@ -19,7 +19,7 @@ namespace {
 void misplaced_name(const fs::path& file, const std::string& person, const fs::path& place,
                     Findings& findings) {
     const std::string sentence =
-        quoted(file) + " says the name of " + readable(person) + " and does not have its place.";
+        quoted(file) + " says the name of " + readable(person) + " but is not in its place.";
     if (name_taken(place))
         findings.add(
             Finding::Kind::unlisted_recording, file, sentence,
@@ -42,7 +42,7 @@ void check_name_language(const fs::path& file, const std::set<std::string>* know
                             "It goes to the trash, and the language can be chosen again.", to_trash);
     if (const fs::path place = NameLanguages(findings.keeper()).place_of(name->person); place != file) {
         const std::string sentence = quoted(file) + " says how the name of " + readable(name->person) +
-                                     " is read, and does not have its place.";
+                                     " is read, but is not in its place.";
         if (name_taken(place))
             return findings.add(Finding::Kind::damaged_name_language, file, sentence,
                                 "Another one has it, so this one goes to the trash.", to_trash);

@@ -70,7 +70,7 @@ Result<AlbumIndex> AlbumIndex::open(const fs::path& cache) {
     Result<AlbumIndex> index = in_memory();
     if (index)
         index->notices_ = {"The album's index cannot be kept in " + quoted(cache) +
-                           "; it is held in memory and made anew at every start: " + file.error()};
+                           "; it is held in memory and rebuilt at every start: " + file.error()};
     return index;
 }
 
@@ -86,7 +86,7 @@ Result<AlbumIndex> AlbumIndex::in_memory() {
         migrate(index.connection());
         return index;
     } catch (const SqlFault& fault) {
-        return Error{"The album's index cannot be made: " + fault.text + "."};
+        return Error{"The album's index cannot be created: " + fault.text + "."};
     }
 }
 
@@ -106,8 +106,8 @@ std::string AlbumIndex::sentence_of(const SqlFault& fault) const {
     if (fault.damaged()) {
         if (!is_in_memory())
             IndexFile::note_damage(file_.parent_path());
-        return "The album's index is damaged; it is made anew when the album is opened next. The photographs "
-               "are not touched by this.";
+        return "The album's index is damaged; it is rebuilt when the album is next opened. The photographs "
+               "are not affected.";
     }
     if (fault.full())
         return "The album's index cannot grow: the disk is full.";

@@ -3,6 +3,7 @@
 
 #include "app/album/index/photo_store.hpp"
 #include "app/album/index/search_words.hpp"
+#include "app/album/index/seen_photos.hpp"
 #include "app/album/index/sort_keys.hpp"
 
 #include <QByteArray>
@@ -164,7 +165,8 @@ Result<std::optional<PhotoEntry>> AlbumQueries::neighbour(const PhotoList& list,
     return one->empty() ? std::nullopt : std::optional(std::move(one->front()));
 }
 
-Result<std::size_t> AlbumQueries::count_before(const PhotoList& list, const std::optional<PlaceInList>& place) {
+Result<std::size_t> AlbumQueries::count_before(const PhotoList& list,
+                                               const std::optional<PlaceInList>& place) {
     const PlaceInList end = behind_all();
     return index_.guarded([&] {
         SqlRun run = std::visit(CountRun{index_.connection(), place ? *place : end}, list);
@@ -200,6 +202,7 @@ Result<std::optional<PhotoSummary>> AlbumQueries::summary(PhotoId photo) {
             summary.missing = run.integer(7) != 0;
         }
         summary.record = stored_record(index_.connection(), photo).value_or(PhotoRecord{});
+        summary.seen = stored_sight(index_.connection(), photo);
         return summary;
     });
 }
@@ -292,7 +295,8 @@ Result<std::vector<std::string>> AlbumQueries::next_letters(std::string_view typ
         // From each letter to the first word behind it, so that it takes no longer where there are more words.
         std::string from = begun + '\x01';
         while (letters.size() < most) {
-            SqlRun run = connection.run("SELECT term FROM temp.vocabulary WHERE term >= ? ORDER BY term LIMIT 1", from);
+            SqlRun run = connection.run(
+                "SELECT term FROM temp.vocabulary WHERE term >= ? ORDER BY term LIMIT 1", from);
             if (!run.next())
                 break;
             const std::string term = run.text(0);

@@ -3,6 +3,7 @@
 
 #include "app/album/index/album_index.hpp"
 #include "app/album/metadata/photo_record.hpp"
+#include "app/photo/seen/seen_photo.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -53,7 +54,8 @@ struct PhotoSummary {
     PhotoEntry entry;
     std::string sha256; ///< hexadecimal; empty: it cannot be read
     bool missing = false;
-    PhotoRecord record; ///< what the last scan read; of a missing one little
+    PhotoRecord record;            ///< what the last scan read; of a missing one little
+    std::optional<SeenPhoto> seen; ///< nothing: nobody has looked yet
 };
 
 /// What pages ask of an index. Nothing here but `count_before` takes longer because the album is larger; missing

@@ -94,7 +94,7 @@ private:
             if (content && !content->photo) {
                 if (has_photo_name(facts.listed.name))
                     report_.problems.push_back("The file " + quoted(photo) +
-                                               " is called a photograph, but is none.");
+                                               " is named like a photograph, but is not one.");
                 no_photos_.push_back(photo);
                 return std::nullopt;
             }

@@ -135,8 +135,8 @@ void FolderWalk::cannot_read(const fs::path& folder, int error) {
     unreadable_.push_back(folder);
     const bool gone = error == ENOENT || error == ENOTDIR;
     changes_.problems.push_back("The folder " + quoted(folder) +
-                                (gone              ? " is not there."
-                                 : error == EACCES ? " may not be opened by you."
+                                (gone              ? " is missing."
+                                 : error == EACCES ? " cannot be opened: you are not allowed to."
                                                    : " cannot be read: " + reason_of(error)));
 }
 

@@ -88,8 +88,7 @@ Result<IndexFile> IndexFile::open(const fs::path& cache, std::vector<std::string
     const auto told = [&](const char* why) {
         set_aside(cache);
         notices.push_back("The album's index " + std::string(why) + "; it was set aside as " +
-                          quoted(cache / aside_name) +
-                          " and is made anew. The photographs are not touched by this.");
+                          quoted(cache / aside_name) + " and is rebuilt. The photographs are not affected.");
     };
     std::error_code none;
     if (fs::exists(cache / damage_name, none))

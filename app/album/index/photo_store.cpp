@@ -111,8 +111,8 @@ void put_words(SqlConnection& connection, std::int64_t id, const PhotoFacts& fac
             descriptions.add(text);
     for (const std::string& keyword : record.keywords)
         keywords.add(keyword);
-    connection.run("INSERT INTO words(rowid, names, descriptions, transcripts, places, keywords, file) "
-                   "VALUES(?, ?, ?, ?, ?, ?, ?)",
+    connection.run("INSERT INTO words(rowid, names, descriptions, transcripts, places, keywords, file, seen) "
+                   "VALUES(?, ?, ?, ?, ?, ?, ?, '')",
                    id, names.text(), descriptions.text(), transcripts.text(), record.place_name,
                    keywords.text(),
                    readable(facts.listed.name) + "\n" + readable(facts.folder.filename().string()));
@@ -151,7 +151,7 @@ void put_photo(SqlConnection& connection, const PhotoFacts& facts) {
                    "latitude = excluded.latitude, longitude = excluded.longitude, "
                    "place_name = excluded.place_name, orientation = excluded.orientation, "
                    "width = excluded.width, height = excluded.height, said_hash = excluded.said_hash, "
-                   "missing = 0",
+                   "missing = 0, worded = ''",
                    folder, SqlBytes{listed.name}, name_key,
                    facts.sha256.empty() ? std::nullopt : std::optional(SqlBytes{facts.sha256}),
                    SqlBytes{listed.stamp}, SqlBytes{listed.beside}, listed.size, listed.inode, moment,

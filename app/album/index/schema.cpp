@@ -111,8 +111,85 @@ constexpr std::array second_version{
     "UPDATE photos SET beside = x''",
 };
 
+/// What was looked at: by the bytes of a photograph, so that it is known again wherever the file goes. `worded` says in
+/// what words a photograph can be found by it; empty: none yet.
+constexpr std::array third_version{
+    R"(CREATE TABLE seen(
+        hash BLOB PRIMARY KEY,      -- SHA-256 of the photograph
+        look INTEGER NOT NULL,      -- the version of what looked
+        width INTEGER NOT NULL, height INTEGER NOT NULL, -- px; 0: a look was begun and came to nothing
+        turned INTEGER NOT NULL, light INTEGER NOT NULL, colours INTEGER NOT NULL, blurred INTEGER NOT NULL)
+        WITHOUT ROWID)",
+    R"(CREATE TABLE seen_faces(
+        hash BLOB NOT NULL REFERENCES seen ON DELETE CASCADE, nr INTEGER NOT NULL,
+        left REAL NOT NULL, top REAL NOT NULL, right REAL NOT NULL, bottom REAL NOT NULL,
+        cut_off INTEGER NOT NULL, mien INTEGER NOT NULL, eyes INTEGER NOT NULL, facing INTEGER NOT NULL,
+        PRIMARY KEY(hash, nr)) WITHOUT ROWID)",
+    R"(CREATE TRIGGER content_forgotten AFTER DELETE ON photos
+        WHEN NOT EXISTS (SELECT 1 FROM photos WHERE hash = old.hash) BEGIN
+        DELETE FROM seen WHERE hash = old.hash;
+    END)",
+    R"(CREATE TRIGGER content_changed AFTER UPDATE OF hash ON photos
+        WHEN NOT EXISTS (SELECT 1 FROM photos WHERE hash = old.hash) BEGIN
+        DELETE FROM seen WHERE hash = old.hash;
+    END)",
+    "ALTER TABLE photos ADD COLUMN worded TEXT NOT NULL DEFAULT ''",
+    "DROP TABLE words",
+    R"(CREATE VIRTUAL TABLE words USING fts5(
+        names, descriptions, transcripts, places, keywords, file, seen,
+        prefix = '1 2 3 4 5 6', tokenize = 'unicode61 remove_diacritics 2'))",
+    "INSERT INTO words(words, rank) VALUES('rank', 'bm25(10.0, 4.0, 3.0, 5.0, 5.0, 1.0, 2.0)')",
+    "UPDATE photos SET beside = x''",
+};
+
+/// What is new; faces that are known again, and groups of those that seem to be one person's. `to_group` and `gone_faces` are what the
+/// groups do not know yet of: kept, so that a program that ended goes on with them.
+constexpr std::array fourth_version{
+    "ALTER TABLE seen ADD COLUMN marked INTEGER NOT NULL DEFAULT 0",         // 1: faces may be known again
+    "ALTER TABLE seen_faces ADD COLUMN no_guess INTEGER NOT NULL DEFAULT 0", // why not; 0: it may be guessed
+    R"(CREATE TABLE known_faces(
+        id INTEGER PRIMARY KEY AUTOINCREMENT, -- none is given twice
+        hash BLOB NOT NULL, nr INTEGER NOT NULL,
+        numbers BLOB NOT NULL,                -- by what it is known again
+        said TEXT NOT NULL DEFAULT '',        -- who it is, as the groups know it; empty: nobody has said
+        face_group INTEGER NOT NULL DEFAULT 0, -- 0: none yet
+        UNIQUE(hash, nr), FOREIGN KEY(hash, nr) REFERENCES seen_faces ON DELETE CASCADE))",
+    "CREATE TABLE face_groups(id INTEGER PRIMARY KEY, name TEXT NOT NULL)",
+    "CREATE TABLE last_face_group(id INTEGER NOT NULL)",
+    "INSERT INTO last_face_group VALUES(0)",
+    R"(CREATE TABLE faces_apart(
+        face INTEGER NOT NULL REFERENCES known_faces ON DELETE CASCADE, face_group INTEGER NOT NULL,
+        PRIMARY KEY(face, face_group)) WITHOUT ROWID)",
+    "CREATE TABLE to_group(hash BLOB PRIMARY KEY) WITHOUT ROWID",
+    "CREATE TABLE gone_faces(id INTEGER PRIMARY KEY)",
+    "CREATE TABLE told(last INTEGER NOT NULL)", // the photograph that came last when news were told; 0: never
+    "INSERT INTO told VALUES(0)",
+    R"(CREATE TRIGGER known_face_came AFTER INSERT ON known_faces BEGIN
+        INSERT OR IGNORE INTO to_group VALUES(new.hash);
+    END)",
+    R"(CREATE TRIGGER known_face_went AFTER DELETE ON known_faces BEGIN
+        INSERT OR IGNORE INTO gone_faces VALUES(old.id);
+    END)",
+    R"(CREATE TRIGGER face_said AFTER INSERT ON faces BEGIN
+        INSERT OR IGNORE INTO to_group SELECT DISTINCT k.hash FROM photos p JOIN known_faces k ON k.hash = p.hash
+            WHERE p.id = new.photo;
+    END)",
+    R"(CREATE TRIGGER face_not_said AFTER DELETE ON faces BEGIN
+        INSERT OR IGNORE INTO to_group SELECT DISTINCT k.hash FROM photos p JOIN known_faces k ON k.hash = p.hash
+            WHERE p.id = old.photo;
+    END)",
+};
+
+/// A photograph that is looked at when the program is ended by somebody is looked at again; one that has ended it twice is not.
+/// While a look is under way `width` is 0 and `height` says how often one was begun.
+constexpr std::array fifth_version{
+    "DELETE FROM seen WHERE width = 0",
+    "CREATE VIEW looked AS SELECT hash, look, marked FROM seen WHERE width > 0 OR height = 0 OR height >= 2",
+};
+
 /// The step at i leads from version i to i + 1.
-constexpr std::array<std::span<const char* const>, 2> steps{first_version, second_version};
+constexpr std::array<std::span<const char* const>, 5> steps{first_version, second_version, third_version,
+                                                            fourth_version, fifth_version};
 
 } // namespace
 
@@ -136,7 +213,9 @@ void migrate(SqlConnection& connection, int version) {
 
 void touch_tables(SqlConnection& connection) {
     for (const char* table :
-         {"folders", "photos", "totals", "faces", "tags", "texts", "topics", "appearances", "topic_starts"})
+         {"folders", "photos", "totals", "faces", "tags", "texts", "topics", "appearances", "topic_starts",
+          "seen", "seen_faces", "known_faces", "face_groups", "last_face_group", "faces_apart", "to_group",
+          "gone_faces", "told", "looked"})
         connection.run_once("SELECT * FROM " + std::string(table) + " LIMIT 1");
     connection.run_once("SELECT rowid FROM words WHERE words MATCH '\"a\"*' LIMIT 1");
 }

@@ -57,31 +57,6 @@ std::string AlbumKeeper::change_sidecar(const fs::path& photo, const Change& cha
     return problem.empty() ? unreadable : problem;
 }
 
-std::string AlbumKeeper::delete_photo(const fs::path& photo) {
-    if (std::string problem = outside(photo); !problem.empty())
-        return problem;
-    const FolderLock lock(photo.parent_path());
-    if (!lock.held())
-        return "Another program is at work on " + quoted(photo) + "; try again.";
-    std::vector<fs::path> files;
-    for (const Companion& companion : companions_of(photo))
-        files.push_back(companion.file);
-    files.push_back(photo);
-    const std::string what = readable(photo.filename().string());
-    const auto id = trash_.put(files, what);
-    if (!id)
-        return id.error();
-    auto current = std::make_shared<std::string>(*id);
-    history_.done({what + " was deleted", [this, current] { return restore(*current); },
-                   [this, current, files, what] {
-                       const auto again = trash_.put(files, what);
-                       if (again)
-                           *current = *again;
-                       return again.error();
-                   }});
-    return {};
-}
-
 std::string AlbumKeeper::describe(const fs::path& photo, const std::string& language,
                                   const std::string& alt_text, const std::string& description) {
     struct Texts {
@@ -120,11 +95,11 @@ std::string AlbumKeeper::move_companions(const fs::path& from, const fs::path& t
         return problem;
     const FolderLock lock(to.parent_path());
     if (!lock.held())
-        return "Another program is at work on " + quoted(to) + "; try again.";
+        return "Another program is using " + quoted(to) + "; try again.";
     const std::vector<Companion> companions = companions_of(from);
     for (const Companion& companion : companions)
         if (name_taken(beside(to, companion)))
-            return quoted(beside(to, companion)) + " is there already, so nothing was moved.";
+            return quoted(beside(to, companion)) + " already exists, so nothing was moved.";
     std::vector<Companion> moved;
     for (const Companion& companion : companions) {
         const std::string reason = move_file(companion.file, beside(to, companion));

@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tp {
@@ -61,6 +62,17 @@ public:
 
     // Photographs.
 
+    struct AddedPhoto {
+        std::filesystem::path photo; ///< where it lies
+        std::string warning; ///< a sentence where its sidecar could not be written; the photograph is kept
+    };
+    /// Keeps a new photograph, of which these are all bytes: under the wanted name in the album, or the next number where
+    /// that or something that would be its own is there. `faces` are those of whom it is known who they are. Taken back
+    /// it goes to the trash.
+    Result<AddedPhoto> add_photo(const std::filesystem::path& wanted, std::string_view bytes,
+                                 const std::vector<FaceRegion>& faces);
+    /// How `history()` calls that step.
+    static std::string words_for_added(const std::filesystem::path& photo);
     /// To the trash, with everything that is its own.
     std::string delete_photo(const std::filesystem::path& photo);
     /// The short and the long description in one language; empty takes it away.
@@ -76,6 +88,12 @@ public:
     /// Says who a face is, empty: nobody knows. A face of nearly the same place is renamed, else a region is
     /// added.
     std::string name_face(const std::filesystem::path& photo, const FaceRegion& face);
+    struct FaceToName {
+        std::filesystem::path photo;
+        FaceRegion face; ///< with the name
+    };
+    /// The same of several faces of one name, in one step: all of them or none.
+    std::string name_faces(const std::vector<FaceToName>& faces);
     /// Another name for a person on these photographs, recordings included; where there is a person of that
     /// name already the two become one. How many photographs were changed.
     Result<std::size_t> rename_person(const std::vector<std::filesystem::path>& photos,
@@ -104,6 +122,13 @@ private:
     using Change = std::function<SidecarChanges(const PhotoRecord&)>;
     /// Reads, changes and writes the sidecar; nobody of ours comes between.
     std::string change_sidecar(const std::filesystem::path& photo, const Change& change);
+    struct FaceBefore {
+        bool was_there = false;
+        FaceRegion face;
+    };
+    std::string put_face(const FaceToName& face, FaceBefore* before = nullptr);
+    /// As it was before put_face.
+    std::string put_face_back(const FaceToName& face, const FaceBefore& before);
     std::string list(const std::filesystem::path& photo, const Tag& tag);
     std::string unlist(const std::filesystem::path& photo, const std::string& file);
     std::string relabel(const std::filesystem::path& photo, const std::string& file,
@@ -112,6 +137,8 @@ private:
     Result<std::string> put_recording(const std::filesystem::path& photo, const Tag& tag);
     Result<Tag> tag_of(const std::filesystem::path& photo, const std::string& file) const;
     std::string outside(const std::filesystem::path& photo) const;
+    /// To the trash, with everything that is its own; the entry's id.
+    Result<std::string> put_photo(const std::filesystem::path& photo);
     std::string rename_on(const std::filesystem::path& photo, const std::string& from, const std::string& to);
     /// Takes apart again what `rename_on` did to a photograph that was as `before`.
     std::string rename_back(const std::filesystem::path& photo, const PhotoRecord& before,

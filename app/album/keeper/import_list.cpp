@@ -48,7 +48,7 @@ Result<std::string> ImportList::save(const fs::path& album) const {
     const QByteArray text =
         QJsonDocument(QJsonObject{{"into", path_text(into)}, {"sources", names}}).toJson();
     if (static_cast<std::size_t>(text.size()) > most_bytes)
-        return Error{"That is more at once than an import takes: import the folder that the files are in."};
+        return Error{"That is more than can be imported at once: import the folder that the files are in."};
     if (std::string reason = make_folder(folder_of(album), Readers::owner_only); !reason.empty())
         return Error{reason};
     const std::string start =

@@ -198,7 +198,7 @@ Result<ImportReport> import_photos(const fs::path& album, const fs::path& into,
     if (!list.makes_sense())
         return Error{quoted(into) + " is not a folder in the album."};
     if (const std::string reason = make_folder(album / list.into); !reason.empty())
-        return Error{"The folder " + quoted(album / list.into) + " cannot be made: " + reason};
+        return Error{"The folder " + quoted(album / list.into) + " cannot be created: " + reason};
     const auto id = list.save(album);
     if (!id)
         return Error{"The import cannot begin: " + id.error()};

@@ -99,41 +99,78 @@ fs::path name_file(const fs::path& album, const std::string& person) {
 
 } // namespace
 
-std::string AlbumKeeper::name_face(const fs::path& photo, const FaceRegion& face) {
-    if (!makes_sense(face))
-        return "The place of the face must lie in the picture, 0 to 1 from its left and upper edge.";
-    struct Before {
-        bool was_there = false;
-        FaceRegion face;
+std::string AlbumKeeper::put_face(const FaceToName& to, FaceBefore* before) {
+    return change_sidecar(to.photo, [&](const PhotoRecord& record) {
+        SidecarChanges changes;
+        changes.faces = record.faces;
+        const auto there = find_face(*changes.faces, to.face);
+        const bool known = there != changes.faces->end();
+        const std::string gone = known ? there->name : std::string{};
+        if (before && known)
+            *before = {true, *there};
+        if (known)
+            there->name = to.face.name;
+        else
+            changes.faces->push_back(to.face);
+        changes.persons = persons_after(record.persons, gone, to.face.name, *changes.faces);
+        return changes;
+    });
+}
+
+std::string AlbumKeeper::put_face_back(const FaceToName& put, const FaceBefore& before) {
+    if (before.was_there)
+        return put_face({put.photo, before.face});
+    return change_sidecar(put.photo, [&](const PhotoRecord& record) {
+        SidecarChanges changes;
+        changes.faces = record.faces;
+        if (const auto there = find_face(*changes.faces, put.face); there != changes.faces->end()) {
+            const std::string gone = there->name;
+            changes.faces->erase(there);
+            changes.persons = persons_after(record.persons, gone, {}, *changes.faces);
+        }
+        return changes;
+    });
+}
+
+std::string AlbumKeeper::name_faces(const std::vector<FaceToName>& faces) {
+    for (const FaceToName& face : faces)
+        if (!makes_sense(face.face))
+            return "The place of the face must lie in the picture, 0 to 1 from its left and upper edge.";
+    if (faces.empty())
+        return {};
+    const auto before = std::make_shared<std::vector<FaceBefore>>(); // of those that were put, in their order
+    const auto back = [this, faces, before] {
+        for (; !before->empty(); before->pop_back())
+            if (std::string problem = put_face_back(faces[before->size() - 1], before->back());
+                !problem.empty())
+                return problem;
+        return std::string{};
     };
-    const auto put = [this, photo](const FaceRegion& to, bool remove, Before* before) {
-        return change_sidecar(photo, [&](const PhotoRecord& record) {
-            SidecarChanges changes;
-            changes.faces = record.faces;
-            const auto there = find_face(*changes.faces, to);
-            const std::string gone = there == changes.faces->end() ? std::string{} : there->name;
-            if (before && there != changes.faces->end())
-                *before = {true, *there};
-            if (there == changes.faces->end())
-                changes.faces->push_back(to);
-            else if (remove)
-                changes.faces->erase(there);
-            else
-                there->name = to.name;
-            changes.persons =
-                persons_after(record.persons, gone, remove ? std::string{} : to.name, *changes.faces);
-            return changes;
-        });
+    const auto put = [this, faces, before, back] {
+        std::string problem;
+        for (const FaceToName& face : faces) {
+            FaceBefore was;
+            problem = put_face(face, &was);
+            if (!problem.empty())
+                break;
+            before->push_back(was);
+        }
+        const std::string stuck = problem.empty() ? std::string{} : back();
+        return problem + (stuck.empty() ? std::string{} : " Some photographs kept the new name: " + stuck);
     };
-    Before before;
-    if (std::string problem = put(face, false, &before); !problem.empty())
+    if (std::string problem = put(); !problem.empty())
         return problem;
-    history_.done({face.name.empty() ? "a face lost its name" : "a face was named " + readable(face.name),
-                   [put, before, face] {
-                       return before.was_there ? put(before.face, false, nullptr) : put(face, true, nullptr);
-                   },
-                   [put, face] { return put(face, false, nullptr); }});
+    const std::string& name = faces.front().face.name;
+    history_.done({faces.size() > 1 && !name.empty()
+                       ? std::to_string(faces.size()) + " faces were named " + readable(name)
+                   : name.empty() ? "a face lost its name"
+                                  : "a face was named " + readable(name),
+                   back, put});
     return {};
+}
+
+std::string AlbumKeeper::name_face(const fs::path& photo, const FaceRegion& face) {
+    return name_faces({{photo, face}});
 }
 
 std::string AlbumKeeper::rename_on(const fs::path& photo, const std::string& from, const std::string& to) {
@@ -190,7 +227,7 @@ std::string AlbumKeeper::rename_back(const fs::path& photo, const PhotoRecord& b
 Result<std::size_t> AlbumKeeper::rename_person(const std::vector<fs::path>& photos, const std::string& from,
                                                const std::string& to) {
     if (from.empty() || to.empty() || from == to)
-        return Error{"A person needs a name, and another one than before."};
+        return Error{"A person needs a name, and a different one than before."};
     /// What the photographs that changed said before.
     const auto changed = std::make_shared<std::vector<std::pair<fs::path, PhotoRecord>>>();
     const auto back = [this, changed, from, to] {
@@ -236,11 +273,11 @@ std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs
         return "A person needs a name before it can be recorded.";
     const fs::path file = place_of_name(person);
     if (const std::string reason = make_folder(file.parent_path(), Readers::owner_only); !reason.empty())
-        return "The name cannot be kept: " + reason;
+        return "The name cannot be saved: " + reason;
     const auto taken_in =
         import_sound(sound, file.parent_path(), {{RecordingKind::person, person, {}, {}, {}, {}}, {}});
     if (!taken_in)
-        return quoted(sound) + " cannot be taken in: " + taken_in.error();
+        return quoted(sound) + " cannot be added: " + taken_in.error();
     const auto earlier = std::make_shared<std::string>(); // in the trash
     const auto put_away = [this, file, person](std::string& id) {
         const auto put = trash_.put({file}, "how somebody says " + readable(person));
@@ -252,7 +289,7 @@ std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs
     if (problem.empty())
         problem = move_file(taken_in->file, file);
     if (!problem.empty())
-        return "The name cannot be kept: " + problem;
+        return "The name cannot be saved: " + problem;
     const auto later = std::make_shared<std::string>();
     const auto exchange = [this, put_away](std::string& away, const std::string& back) {
         std::string stuck = put_away(away);

@@ -40,13 +40,14 @@ std::string words_for(const Tag& tag) {
     case RecordingKind::memo:
         return person.empty() ? "the memo" : "the memo about " + person;
     case RecordingKind::person:
-        return person.empty() ? "the person" : "the person about " + person;
+        return person.empty() ? "the recording of who it is" : "the recording of who " + person + " is";
     case RecordingKind::place:
-        return person.empty() ? "the place" : "the place about " + person;
+        return person.empty() ? "the recording of the place" : "the recording of the place (" + person + ")";
     case RecordingKind::story:
         return person.empty() ? "the story" : "the story about " + person;
     case RecordingKind::ambient:
-        return person.empty() ? "the ambient" : "the ambient about " + person;
+        return person.empty() ? "the recording of background sounds"
+                              : "the recording of background sounds (" + person + ")";
     }
     return {};
 }
@@ -106,7 +107,7 @@ Result<AlbumKeeper::Added> AlbumKeeper::add_recording(const fs::path& photo, con
         notes.label.recorded = time_of(sound);
     const auto kept = import_sound(sound, tags_folder(photo), notes);
     if (!kept)
-        return Error{quoted(sound) + " cannot be taken in: " + kept.error()};
+        return Error{quoted(sound) + " cannot be added: " + kept.error()};
     return listed(photo, *kept);
 }
 
@@ -127,7 +128,7 @@ Result<AlbumKeeper::Added> AlbumKeeper::add_video_sound(const fs::path& photo, c
     const auto kept = import_sound(open, tags_folder(photo), notes);
     if (!kept)
         return Error{"The sound of the video " + std::string(video.begin > 0 ? "in " : "") + quoted(file) +
-                     " does not come along: " + kept.error()};
+                     " is not imported: " + kept.error()};
     return listed(photo, *kept);
 }
 
@@ -302,7 +303,7 @@ bool AlbumKeeper::is_in_trash(const fs::path& photo, const std::string& file) co
 
 std::string AlbumKeeper::forget_recording(const fs::path& photo, const std::string& file) {
     if (name_taken(tags_folder(photo) / file))
-        return quoted(tags_folder(photo) / file) + " is there, so it stays on the list.";
+        return quoted(tags_folder(photo) / file) + " exists, so it stays on the list.";
     return unlist(photo, file);
 }
 

@@ -27,7 +27,7 @@ Result<NameLanguage> read_in_place(const fs::path& file, const NameLanguages& na
     auto name = NameLanguages::read(file);
     if (name && names.place_of(name->person) != file)
         return Error{quoted(file) + " says how the name of " + readable(name->person) +
-                     " is read, and does not have its place."};
+                     " is read, but is not in its place."};
     return name;
 }
 
@@ -43,7 +43,7 @@ std::string put_language(const fs::path& file, const NameLanguage& name) {
         fs::remove(file, error);
         reason = error ? reason_of(error.value()) : sync_folder(file.parent_path());
     }
-    return reason.empty() ? reason : "The language of the name cannot be kept: " + reason;
+    return reason.empty() ? reason : "The language of the name cannot be saved: " + reason;
 }
 
 } // namespace
@@ -71,7 +71,7 @@ Result<NameLanguage> parse_name_language(std::string_view text) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     NameLanguage name{{}, std::string(text.substr(0, end))};
     if (!is_language_tag(name.language))
-        return Error{"its first line is no tag of a language, such as de or pt-BR."};
+        return Error{"its first line is not a language tag, such as de or pt-BR."};
     std::string_view person = text.substr(std::min(end + 1, text.size()));
     if (person.ends_with('\n'))
         person.remove_suffix(1);
@@ -126,7 +126,7 @@ std::string NameLanguages::choose(const std::string& person, const std::string& 
     if (person.empty())
         return "A person needs a name before its language can be chosen.";
     if (!language.empty() && !is_language_tag(language))
-        return quoted_readable(language) + " is no tag of a language, such as de or pt-BR.";
+        return quoted_readable(language) + " is not a language tag, such as de or pt-BR.";
     const auto before = of(person);
     if (!before)
         return before.error();

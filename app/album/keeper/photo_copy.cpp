@@ -26,16 +26,6 @@ bool same_bytes(const fs::path& a, const fs::path& b) {
     return first && second && *first == *second;
 }
 
-/// "IMG_1 (2).jpg" for the second photograph of that name.
-fs::path numbered(const fs::path& place, int number) {
-    if (number == 1)
-        return place;
-    fs::path name = place.stem();
-    name += " (" + std::to_string(number) + ")";
-    name += place.extension();
-    return place.parent_path() / name;
-}
-
 /// Whether something else than these bytes has the place of a file, or of a file in a folder.
 bool is_taken(const fs::path& from, const fs::path& to) {
     std::error_code error;

@@ -96,6 +96,15 @@ std::vector<Companion> FolderCompanions::of(const fs::path& photo) {
     return found;
 }
 
+fs::path numbered(const fs::path& place, int number) {
+    if (number == 1)
+        return place;
+    fs::path name = place.stem();
+    name += " (" + std::to_string(number) + ")";
+    name += place.extension();
+    return place.parent_path() / name;
+}
+
 fs::path beside(const fs::path& photo, const Companion& companion) {
     fs::path base = companion.by_stem ? photo.parent_path() / photo.stem() : photo;
     return base += companion.suffix;

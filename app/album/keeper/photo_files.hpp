@@ -47,6 +47,9 @@ private:
     std::vector<std::string> names_;              ///< of what is in it, in order
 };
 
+/// "IMG_1 (2).jpg" for the second photograph of that name.
+std::filesystem::path numbered(const std::filesystem::path& place, int number);
+
 /// The name that a companion has beside a photograph of another name or folder.
 std::filesystem::path beside(const std::filesystem::path& photo, const Companion& companion);
 

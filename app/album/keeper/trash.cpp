@@ -40,7 +40,7 @@ QByteArray list_of(const TrashEntry& entry) {
 /// A folder of its own in the trash: the time it was deleted, and a number where that is taken.
 Result<std::string> new_folder(const fs::path& trash, const QDateTime& now) {
     if (const std::string reason = make_folder(trash, Readers::owner_only); !reason.empty())
-        return Error{"Nothing was deleted, because the trash cannot be made: " + reason};
+        return Error{"Nothing was deleted, because the trash cannot be created: " + reason};
     const std::string start = now.toString(QStringLiteral("yyyy-MM-ddThhmmss.zzz")).toStdString();
     for (int number = 1;; ++number) {
         const std::string id = number == 1 ? start : start + "-" + std::to_string(number);

@@ -12,6 +12,24 @@ void UndoHistory::done(Step step) {
         steps_.pop_front();
 }
 
+void UndoHistory::join(std::string what) {
+    Step second = std::move(steps_.back());
+    steps_.pop_back();
+    Step first = std::move(steps_.back());
+    const auto both = [](const Action& one, const Action& one_back, const Action& other) -> Action {
+        return [one, one_back, other] {
+            if (std::string problem = one(); !problem.empty())
+                return problem;
+            std::string problem = other();
+            if (!problem.empty())
+                one_back();
+            return problem;
+        };
+    };
+    steps_.back() = {std::move(what), both(second.undo, second.redo, first.undo),
+                     both(first.redo, first.undo, second.redo)};
+}
+
 std::string UndoHistory::undo() {
     if (steps_.empty())
         return "There is nothing to undo.";

@@ -22,6 +22,8 @@ public:
 
     /// Remembers a step that was just done; what had been undone can no longer be done again.
     void done(Step step);
+    /// From now on the newest two steps are one, called `what`. To be called where there are two.
+    void join(std::string what);
     /// Takes the newest step back, or does the last undone one again. Empty when done; else the sentence that
     /// says why not, and the step stays where it was.
     std::string undo();

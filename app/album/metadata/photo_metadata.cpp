@@ -77,7 +77,7 @@ std::optional<Place> exif_place(const Exiv2::ExifData& exif, std::vector<std::st
         *longitude = -*longitude;
     if (std::abs(*latitude) <= 90.0 && std::abs(*longitude) <= 180.0)
         return Place{*latitude, *longitude};
-    problems.push_back("The position is no place on Earth and is left out.");
+    problems.push_back("The position is not a place on Earth and is left out.");
     return std::nullopt;
 }
 
@@ -153,7 +153,7 @@ std::optional<int> own_orientation(const fs::path& photo) {
 /// `turned`: how the file itself says that it is turned, whatever EXIF says.
 void read_image(Exiv2::Image& image, std::optional<int> turned, PhotoMetadata& metadata) {
     std::vector<std::string> problems;
-    try_to(problems, "The photograph's own metadata is damaged; what could be read of it counts.",
+    try_to(problems, "The photograph's own metadata is damaged; what could be read of it is used.",
            [&] { image.readMetadata(); });
     metadata.shape.width = std::llabs(image.pixelWidth());
     metadata.shape.height = std::llabs(image.pixelHeight());
@@ -196,7 +196,7 @@ Result<PhotoMetadata> photo_metadata(const fs::path& photo) {
     PhotoMetadata metadata;
     if (has_oversized_metadata(photo)) {
         metadata.parts.problems.push_back("The photograph " + quoted(photo) +
-                                          " says more of itself than any program writes; it was not read.");
+                                          " holds more metadata than any program writes; it was not read.");
         return metadata;
     }
     prepare_exiv2();
@@ -205,8 +205,8 @@ Result<PhotoMetadata> photo_metadata(const fs::path& photo) {
         const auto image = Exiv2::ImageFactory::open(fs::absolute(photo).string(), false);
         read_image(*image, own_orientation(photo), metadata);
     } catch (...) {
-        metadata.parts.problems.push_back("What the photograph " + quoted(photo) +
-                                          " says of itself cannot be read.");
+        metadata.parts.problems.push_back("The metadata of the photograph " + quoted(photo) +
+                                          " cannot be read.");
     }
     return metadata;
 }

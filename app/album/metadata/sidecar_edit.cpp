@@ -166,7 +166,7 @@ std::string refusal(const SidecarChanges& changes) {
         for (const Tag& tag : *changes.tags) {
             if (!is_file_name(tag.file) || holdable(tag.file) != tag.file)
                 return "The recording " + quoted_readable(tag.file) +
-                       " cannot be listed: that is no name of a file that XML can hold.";
+                       " cannot be listed: XML cannot hold such a file name.";
             if (!files.insert(tag.file).second)
                 return "The recording " + quoted_readable(tag.file) + " cannot be listed twice.";
         }

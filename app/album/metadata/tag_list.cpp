@@ -80,9 +80,9 @@ std::vector<Tag> tags_from(const XmpValue& list, std::vector<std::string>& probl
         const std::string name = '"' + readable(tag.file) + '"';
         if (!is_file_name(tag.file))
             problems.push_back("A recording is listed as " + name +
-                               ", which is no file name; it is left out.");
+                               ", which is not a file name; it is left out.");
         else if (std::any_of(tags.begin(), tags.end(), [&](const Tag& t) { return t.file == tag.file; }))
-            problems.push_back("The recording " + name + " is listed twice; the first counts.");
+            problems.push_back("The recording " + name + " is listed twice; the first is used.");
         else
             tags.push_back(std::move(tag));
     }

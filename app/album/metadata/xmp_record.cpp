@@ -51,7 +51,7 @@ std::optional<Place> place_of(const XmpPacket& packet, std::vector<std::string>&
     const auto east = degrees(longitude, 'E', 'W');
     if (north && east && std::abs(*north) <= 90.0 && std::abs(*east) <= 180.0)
         return Place{*north, *east};
-    problems.push_back("The position is no place on Earth and is left out.");
+    problems.push_back("The position is not a place on Earth and is left out.");
     return std::nullopt;
 }
 

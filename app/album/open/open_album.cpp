@@ -172,7 +172,7 @@ void OpenAlbum::say_new(const std::vector<std::string>& problems) {
             emit said(in_persons_language(problem));
     if (fresh > most_said)
         emit said(
-            tr("%n more thing(s) in the album need a look.", nullptr, static_cast<int>(fresh - most_said)));
+            tr("%n more thing(s) in the album need checking.", nullptr, static_cast<int>(fresh - most_said)));
 }
 
 void OpenAlbum::set_scanning(bool scanning) {

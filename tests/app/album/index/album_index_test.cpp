@@ -70,9 +70,16 @@ private slots:
             auto index = AlbumIndex::open(album.cache());
             scanned(album, *index);
         }
-        { // as the first version had it: no full-text search
+        { // as the first version had it: no full-text search, and nothing seen
             SqlConnection connection = SqlConnection::to_file(database(album));
-            connection.run_once("DROP TABLE words");
+            for (const char* sql :
+                 {"DROP VIEW looked", "DROP TRIGGER face_said", "DROP TRIGGER face_not_said",
+                  "DROP TABLE faces_apart", "DROP TABLE known_faces", "DROP TABLE face_groups",
+                  "DROP TABLE last_face_group", "DROP TABLE to_group", "DROP TABLE gone_faces",
+                  "DROP TABLE told", "DROP TABLE words", "DROP TRIGGER content_forgotten",
+                  "DROP TRIGGER content_changed", "DROP TABLE seen_faces", "DROP TABLE seen",
+                  "ALTER TABLE photos DROP COLUMN worded"})
+                connection.run_once(sql);
             connection.run_once("PRAGMA user_version = 1");
         }
         auto index = AlbumIndex::open(album.cache());
@@ -99,6 +106,23 @@ private slots:
             album.add("a.jpg", "a", {"Anna"});
             scanned(album, *index);
         }
+    }
+
+    /// Up to version 4 a look that somebody had ended was never begun again.
+    void looks_that_were_never_ended_are_begun_again() {
+        TestAlbum album;
+        fs::create_directory(album.cache());
+        {
+            SqlConnection connection = SqlConnection::to_file(database(album));
+            migrate(connection, 4);
+            connection.run_once(
+                "INSERT INTO seen VALUES(x'01', 1, 0, 0, 0, 0, 0, 0, 1), (x'02', 1, 9, 9, 0, 0, 0, 0, 1)");
+        }
+        auto index = AlbumIndex::open(album.cache());
+        SqlRun run = index->connection().run("SELECT hash FROM seen");
+        QVERIFY(run.next());
+        QCOMPARE(run.bytes(0), std::string("\x02"));
+        QVERIFY(!run.next());
     }
 
     void what_cannot_be_used_is_set_aside_data() {

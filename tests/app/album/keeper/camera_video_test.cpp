@@ -225,7 +225,7 @@ private slots:
         const auto before = card.files();
         const ImportReport report = imported(album, card);
         QCOMPARE(report.count(Fate::imported), std::size_t{5});
-        const std::vector<std::string> words{"it has no sound.", "no video", "longer than a minute",
+        const std::vector<std::string> words{"it has no sound.", "not a video", "longer than a minute",
                                              "(flac)"};
         for (std::size_t i = 0; i < words.size(); ++i) {
             const std::string& problem = report.photos[i].problem;

@@ -59,6 +59,43 @@ private slots:
         QCOMPARE(faces[1].x, 0.42); // its place stays
     }
 
+    void faces_on_many_photographs_are_named_in_one_step() {
+        const AlbumFolder album;
+        const fs::path a = a_photo(album, "a.jpg", 1), b = a_photo(album, "b.jpg", 2);
+        AlbumKeeper keeper(album.path());
+        QCOMPARE(keeper.name_face(b, {0.3, 0.3, 0.2, 0.2, "Ana"}), std::string());
+        QCOMPARE(keeper.name_faces({{a, {0.5, 0.5, 0.2, 0.2, "Eva"}}, {b, {0.3, 0.3, 0.2, 0.2, "Eva"}}}),
+                 std::string());
+        QCOMPARE(keeper.history().next_undo(), std::string("2 faces were named Eva"));
+        QCOMPARE(record_of(a).persons, std::vector<std::string>{"Eva"});
+        QCOMPARE(record_of(b).persons, std::vector<std::string>{"Eva"});
+        for (int i = 0; i < 2; ++i) {
+            QCOMPARE(keeper.history().undo(), std::string());
+            QVERIFY(record_of(a).faces.empty() && record_of(a).persons.empty());
+            QCOMPARE(record_of(b).faces.at(0).name, std::string("Ana"));
+            QCOMPARE(record_of(b).persons, std::vector<std::string>{"Ana"});
+            QCOMPARE(keeper.history().redo(), std::string());
+            QCOMPARE(record_of(a).faces.at(0).name, std::string("Eva"));
+            QCOMPARE(record_of(b).faces.at(0).name, std::string("Eva"));
+        }
+        QCOMPARE(keeper.name_faces({}), std::string());
+        QCOMPARE(keeper.history().next_undo(), std::string("2 faces were named Eva"));
+    }
+
+    void where_one_of_many_cannot_be_named_none_is() {
+        const AlbumFolder album;
+        const fs::path a = a_photo(album, "a.jpg", 1), b = a_photo(album, "b.jpg", 2);
+        fs::create_directory(b.string() + ".xmp"); // no sidecar can be there
+        AlbumKeeper keeper(album.path());
+        QVERIFY(
+            !keeper.name_faces({{a, {0.5, 0.5, 0.2, 0.2, "Eva"}}, {b, {0.3, 0.3, 0.2, 0.2, "Eva"}}}).empty());
+        QVERIFY(record_of(a).faces.empty() && record_of(a).persons.empty());
+        QCOMPARE(keeper.history().next_undo(), std::string());
+        QVERIFY(
+            !keeper.name_faces({{a, {0.5, 0.5, 0.2, 0.2, "Eva"}}, {b, {0.5, 0.5, 2.0, 0.2, "Eva"}}}).empty());
+        QVERIFY(record_of(a).faces.empty());
+    }
+
     /// A hundredth over the edge is how other programs round.
     void a_face_must_lie_in_the_picture() {
         const AlbumFolder album;

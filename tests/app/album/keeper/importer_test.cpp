@@ -38,7 +38,7 @@ private slots:
         QVERIFY2(id.ok(), id.error().c_str());
         QCOMPARE(ImportList::read(album.path(), *id)->sources.size(), std::size_t{30'000});
         list.sources.assign(50'000, list.sources[0]);
-        QVERIFY(list.save(album.path()).error().starts_with("That is more at once than an import takes"));
+        QVERIFY(list.save(album.path()).error().starts_with("That is more than can be imported at once"));
         QCOMPARE(ImportList::all(album.path()).size(), std::size_t{1});
         album.write(".touchphoto/import/2.json", std::string((4 << 20) + 1, ' '));
         QVERIFY(!ImportList::read(album.path(), "2").ok());

@@ -12,9 +12,9 @@
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "audio/recordings/recording_file.hpp"
+#include "faulty_run.hpp"
 #include "made_video.hpp"
 
-#include <QProcess>
 #include <QTest>
 
 #include <algorithm>
@@ -83,23 +83,14 @@ struct Scene {
 
     Told run(const QByteArray& fault, long* calls = nullptr) {
         fs::create_directory(album / "export");
-        QProcess worker;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert("LD_PRELOAD", TP_FAILING_FILES);
-        environment.insert("TP_FAULT_BELOW", QString::fromStdString(album.path().string()));
-        environment.insert("TP_FAULT", QString::fromLatin1(fault));
         const fs::path count = place / "calls";
-        environment.insert("TP_FAULT_COUNT", QString::fromStdString(count.string()));
-        worker.setProcessEnvironment(environment);
-        worker.start(QStringLiteral(TP_ALBUM_WORKER),
-                     {QString::fromStdString(album.path().string()),
-                      QString::fromStdString(card.path().string()), QString::fromStdString(sound.string()),
-                      QString::fromStdString(bundle().string())});
-        if (!worker.waitForFinished(240'000))
-            qFatal("the worker hangs");
+        Told told = told_in(test::faulty_run(
+            TP_FAILING_FILES, QStringLiteral(TP_ALBUM_WORKER),
+            {QString::fromStdString(album.path().string()), QString::fromStdString(card.path().string()),
+             QString::fromStdString(sound.string()), QString::fromStdString(bundle().string())},
+            album.path(), fault, count));
         if (calls)
-            *calls = std::stol(place.read("calls"));
-        Told told = told_in(worker.readAllStandardOutput());
+            *calls = test::calls_in(count);
         told.disk_worked = !fault.startsWith('E');
         return told;
     }

@@ -56,6 +56,33 @@ private slots:
         QCOMPARE(pile, (std::vector<int>{1, 3}));
     }
 
+    void two_steps_that_were_joined_are_one() {
+        UndoHistory history;
+        std::vector<int> pile;
+        history.done(push(pile, 1));
+        history.done(push(pile, 2));
+        history.done(push(pile, 3));
+        history.join("both");
+        QCOMPARE(history.steps(), std::size_t{2});
+        QCOMPARE(history.next_undo(), std::string("both"));
+        QCOMPARE(history.undo(), std::string());
+        QCOMPARE(pile, std::vector<int>{1});
+        QCOMPARE(history.redo(), std::string());
+        QCOMPARE(pile, (std::vector<int>{1, 2, 3}));
+    }
+
+    void of_joined_steps_both_are_undone_or_none() {
+        UndoHistory history;
+        std::vector<int> pile;
+        history.done(
+            {"stuck", [] { return std::string("The disk is full."); }, [] { return std::string(); }});
+        history.done(push(pile, 2));
+        history.join("both");
+        QCOMPARE(history.undo(), std::string("The disk is full."));
+        QCOMPARE(pile, std::vector<int>{2});
+        QCOMPARE(history.next_undo(), std::string("both"));
+    }
+
     void a_step_that_cannot_be_undone_stays() {
         UndoHistory history;
         bool possible = false;

@@ -219,7 +219,7 @@ private slots:
         program.start();
         QVERIFY(program.knows({photo}));
         QTRY_COMPARE(program.said.size(), 1);
-        QVERIFY2(program.said[0].contains("stick") && program.said[0].endsWith("is not there."),
+        QVERIFY2(program.said[0].contains("stick") && program.said[0].endsWith("is missing."),
                  qPrintable(program.said[0]));
         program.album->rescan();
         QVERIFY(program.rests());
@@ -255,7 +255,7 @@ private slots:
         QVERIFY(program.rests());
         fs::permissions(program.root() / "album", fs::perms::owner_all);
         QCOMPARE(program.said.size(), 1);
-        QVERIFY(program.said[0].contains("may not be opened by you"));
+        QVERIFY(program.said[0].contains("you are not allowed to"));
     }
 
     void many_problems_are_not_read_out_one_by_one() {

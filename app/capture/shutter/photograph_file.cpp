@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/capture/shutter/photograph_file.hpp"
+
+#include "faces/exiv2/prepare_exiv2.hpp"
+
+#include <QString>
+
+#include <exiv2/exiv2.hpp>
+#include <opencv2/core.hpp>
+#include <turbojpeg.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <string_view>
+
+namespace tp {
+
+namespace {
+
+struct EndCoder {
+    void operator()(void* handle) const { tjDestroy(handle); }
+};
+struct FreeBytes {
+    void operator()(unsigned char* bytes) const { tjFree(bytes); }
+};
+
+/// "+01:00"
+std::string offset_text(const QDateTime& time) {
+    const int minutes = time.offsetFromUtc() / 60;
+    return QString::asprintf("%c%02d:%02d", minutes < 0 ? '-' : '+', std::abs(minutes) / 60,
+                             std::abs(minutes) % 60)
+        .toStdString();
+}
+
+/// Degrees, minutes and seconds to the thousandth.
+std::string degrees_text(double degrees) {
+    const long long milliseconds = std::llround(std::abs(degrees) * 3'600'000.0);
+    return std::to_string(milliseconds / 3'600'000) + "/1 " + std::to_string(milliseconds / 60'000 % 60) +
+           "/1 " + std::to_string(milliseconds % 60'000) + "/1000";
+}
+
+void say_time(Exiv2::ExifData& exif, const QDateTime& taken) {
+    const std::string time = (taken.toString(QStringLiteral("yyyy:MM:dd")) + QLatin1Char(' ') +
+                              taken.toString(QStringLiteral("HH:mm:ss")))
+                                 .toStdString();
+    const std::string part = QString::asprintf("%03d", taken.time().msec()).toStdString();
+    exif["Exif.Image.DateTime"] = time;
+    for (const char* when : {"Original", "Digitized"}) {
+        exif[std::string("Exif.Photo.DateTime") + when] = time;
+        exif[std::string("Exif.Photo.SubSecTime") + when] = part;
+        exif[std::string("Exif.Photo.OffsetTime") + when] = offset_text(taken);
+    }
+    exif["Exif.Photo.SubSecTime"] = part;
+    exif["Exif.Photo.OffsetTime"] = offset_text(taken);
+}
+
+void say_place(Exiv2::ExifData& exif, const Place& place) {
+    exif["Exif.GPSInfo.GPSVersionID"] = "2 3 0 0";
+    exif["Exif.GPSInfo.GPSLatitudeRef"] = place.latitude < 0.0 ? "S" : "N";
+    exif["Exif.GPSInfo.GPSLatitude"] = degrees_text(place.latitude);
+    exif["Exif.GPSInfo.GPSLongitudeRef"] = place.longitude < 0.0 ? "W" : "E";
+    exif["Exif.GPSInfo.GPSLongitude"] = degrees_text(place.longitude);
+}
+
+Exiv2::ExifData exif_of(const cv::Mat& picture, const PhotographFacts& facts) {
+    Exiv2::ExifData exif;
+    exif["Exif.Image.Orientation"] = std::uint16_t{1};
+    exif["Exif.Image.Software"] = facts.software;
+    if (!facts.make.empty())
+        exif["Exif.Image.Make"] = facts.make;
+    if (!facts.model.empty())
+        exif["Exif.Image.Model"] = facts.model;
+    exif["Exif.Photo.ExifVersion"] = "48 50 51 49"; // "0231", where offsets of time came
+    exif["Exif.Photo.ColorSpace"] = std::uint16_t{1};
+    exif["Exif.Photo.PixelXDimension"] = static_cast<std::uint32_t>(picture.cols);
+    exif["Exif.Photo.PixelYDimension"] = static_cast<std::uint32_t>(picture.rows);
+    if (facts.taken.isValid())
+        say_time(exif, facts.taken);
+    if (facts.place)
+        say_place(exif, *facts.place);
+    return exif;
+}
+
+} // namespace
+
+Result<std::string> photograph_jpeg(const cv::Mat& picture, const PhotographFacts& facts) {
+    if (picture.empty() || picture.type() != CV_8UC3)
+        return Error{"it cannot be written."};
+    const std::unique_ptr<void, EndCoder> coder(tjInitCompress());
+    unsigned char* made = nullptr;
+    unsigned long size = 0;
+    const int failed = tjCompress2(coder.get(), picture.data, picture.cols, static_cast<int>(picture.step),
+                                   picture.rows, TJPF_BGR, &made, &size, TJSAMP_420, photograph_quality, 0);
+    const std::unique_ptr<unsigned char, FreeBytes> bytes(made);
+    if (failed)
+        return Error{"it cannot be written."};
+    try {
+        prepare_exiv2();
+        const auto image = Exiv2::ImageFactory::open(bytes.get(), static_cast<long>(size));
+        image->setExifData(exif_of(picture, facts));
+        image->writeMetadata();
+        Exiv2::BasicIo& file = image->io();
+        file.seek(0, Exiv2::BasicIo::beg);
+        const Exiv2::DataBuf whole = file.read(static_cast<long>(file.size()));
+        return std::string(reinterpret_cast<const char*>(whole.pData_),
+                           static_cast<std::size_t>(whole.size_));
+    } catch (const std::exception&) { // Exiv2's, or no memory
+        return Error{"it cannot be written."};
+    }
+}
+
+} // namespace tp

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// A photograph that was just taken is looked at and told.
+#include "app/capture/frames/photo_view.hpp"
+#include "app/capture/shutter/taken_look.hpp"
+#include "app/photo/words/description.hpp"
+#include "faces/evaluation/closed_eyes.hpp"
+#include "portraits.hpp"
+
+#include <QTest>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <cstddef>
+#include <vector>
+
+using namespace tp;
+
+namespace {
+
+cv::Mat anna() { return *read_picture(test::in_source("resources/samples/anna_smiling.jpg")); }
+
+cv::Mat view(const cv::Mat& photo, const HeldPose& pose = {}, double exposure = 1.0) {
+    FrameTaking taking;
+    taking.exposure = exposure;
+    return view_of(photo, {0.6, 1.0, {0.5, 0.45}}, pose, {}, {}, taking);
+}
+
+QString told(const SeenPhoto& seen, const std::vector<NamedFace>& known = {}) {
+    return taken_words(taken_view(seen, known, QLocale::English), QLocale::English);
+}
+
+} // namespace
+
+class TakenLookTest : public QObject {
+    Q_OBJECT
+private slots:
+    void who_is_known_is_named_where_they_are() {
+        TakenLook look;
+        const SeenPhoto seen = look.see(view(anna(), {.pan_deg = -14.0}));
+        QCOMPARE(seen.width, 1280);
+        QCOMPARE(seen.faces.size(), std::size_t{1});
+        const NamedFace known{seen.faces[0].part, "Anna"};
+        QVERIFY2(told(seen, {known}).startsWith("Taken: Anna at the right, smiling"),
+                 qPrintable(told(seen, {known})));
+        QVERIFY(told(seen).startsWith("Taken: one person at the right"));
+        QVERIFY(told(seen, {{seen.faces[0].part, ""}}).startsWith("Taken: one person at the right"));
+        QVERIFY(!told(seen, {{turned_back(seen.faces[0].part), "Tom"}}).contains("Tom at the right"));
+    }
+
+    void a_mirrored_face_is_on_the_other_side() {
+        const Rect back = turned_back({{0.1, 0.2}, {0.3, 0.6}});
+        QVERIFY(length(back.min - Vec2(0.7, 0.2)) < 1e-12 && length(back.max - Vec2(0.9, 0.6)) < 1e-12);
+    }
+
+    void a_dark_picture_is_told() {
+        TakenLook look;
+        QVERIFY(!told(look.see(view(anna()))).contains("dark"));
+        const QString dark = told(look.see(view(anna(), {}, 0.25)));
+        QVERIFY2(dark.endsWith("A little dark."), qPrintable(dark));
+    }
+
+    void eyes_are_told() {
+        NEEDS_PORTRAITS();
+        TakenLook look;
+        const auto people = portraits::held_out();
+        const cv::Mat open = *read_picture(people[0].photo);
+        const QString seen = told(look.see(view(open)));
+        QVERIFY2(seen.contains("in the middle") && seen.contains("eyes open"), qPrintable(seen));
+        const QString shut = told(look.see(view(with_closed_eyes(open, people[0].truth, 1.0, 1).picture)));
+        QVERIFY2(shut.contains("shut") && !shut.contains("eyes open"), qPrintable(shut));
+    }
+
+    void what_is_no_picture_has_no_size() {
+        TakenLook look;
+        QCOMPARE(look.see({}).width, 0);
+        QCOMPARE(look.see(cv::Mat(20, 20, CV_8UC1)).width, 0);
+        const SeenPhoto plain = look.see(cv::Mat(90, 160, CV_8UC3, cv::Scalar(120, 120, 120)));
+        QVERIFY(told(plain).startsWith("Taken: no faces."));
+    }
+};
+
+QTEST_APPLESS_MAIN(TakenLookTest)
+#include "taken_look_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/cli/bench_identity.hpp"
 #include "app/cli/bench_wild.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/names_file.hpp"
@@ -113,33 +114,43 @@ int bench_faces_verb(const QStringList& words) {
         "sizes of the pictures. Writes faces.csv, faces.png and faces.svg. With --wild, photographs without\n"
         "such contours instead: found or not, how far our contours are from the face mesh's, what is said\n"
         "about them, milliseconds. Writes wild.csv, wild_summary.csv, wild.png, wild.svg and worst.png, the\n"
-        "worst twenty enlarged.");
-    line.option("photos", "Where the photographs lie.", "DIR")
+        "worst twenty enlarged. With --identity, how well portraits of one person are told from others', as "
+        "they\n"
+        "are and made harder, and how they are grouped. Writes identity.csv, identity.png and identity.svg.");
+    line.option("photos", "Where the photographs are.", "DIR")
         .option("truth", "Their contours placed by hand, JSON (faces/evaluation/placed_truth.hpp).", "FILE")
         .option(
             "harder",
             "Instead, portraits made harder: blurred, small, lit from the side, covered, turned, with open\n"
             "mouths; the embedded nets beside the face mesh where it is installed. Writes harder.csv.")
         .option("wild", "Photographs without truth: a folder and the folders in it, or a single one.", "DIR")
+        .option("identity", "Portraits whose names begin with the person's and _: 002_03.jpg, 002_08.jpg.",
+                "DIR")
         .option("only", "With --wild: only photographs whose file names are lines of this file.", "FILE")
         .option("labels", "With --wild: what a person saw in them, as tests/faces/wild_labels.txt.", "FILE")
         .option("people", "Only photographs whose name begins with a line of this file and _.", "FILE")
-        .option("out", "Folder for the results; made where it is missing.", "DIR");
+        .option("out", "Folder for the results; created if it is missing.", "DIR");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
     const bool wild = line.has("wild");
     for (const char* other : {"photos", "truth", "people", "harder"})
         if (wild && line.has(other))
             return wrong_usage("bench faces", std::string("--") + other + " does not go with --wild.");
+    const bool identity = line.has("identity");
+    for (const char* other : {"photos", "truth", "people", "harder", "wild"})
+        if (identity && line.has(other))
+            return wrong_usage("bench faces", std::string("--") + other + " does not go with --identity.");
     for (const char* other : {"only", "labels"})
         if (!wild && line.has(other))
             return wrong_usage("bench faces", std::string("--") + other + " goes with --wild DIR.");
     using Names = std::vector<const char*>;
-    for (const char* needed : wild ? Names{"out"} : Names{"photos", "truth", "out"})
+    for (const char* needed : wild || identity ? Names{"out"} : Names{"photos", "truth", "out"})
         if (!line.has(needed))
             return wrong_usage("bench faces", std::string("--") + needed + " is missing.");
     if (wild)
         return bench_wild(line);
+    if (identity)
+        return bench_identity(line);
     const std::string problem = run(line);
     if (problem.empty())
         return exit_done;

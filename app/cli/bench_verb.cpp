@@ -105,7 +105,7 @@ int bench_accuracy(const QStringList& words) {
         "Weighs speed against accuracy: time per force and force error against the curves flattened\n"
         "to 1e-6 mm, over flattening tolerance, law and index, on a face, a tactile map and a scene\n"
         "made to be hard. Writes accuracy.csv, accuracy.png and accuracy.svg.");
-    line.option("out", "Folder for the results; made where it is missing.", "DIR")
+    line.option("out", "Folder for the results; created if it is missing.", "DIR")
         .option("quick", "Fewer tolerances and places, without the map.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
@@ -152,10 +152,11 @@ int bench_verb(const QStringList& words) {
         std::puts("touchphoto-lab bench guidance [--json FILE] [--quick]\n"
                   "touchphoto-lab bench accuracy --out DIR [--quick]\n"
                   "touchphoto-lab bench faces --photos DIR --truth FILE --out DIR [--people FILE]\n"
-                  "touchphoto-lab bench faces --wild DIR --out DIR [--only FILE] [--labels FILE]");
+                  "touchphoto-lab bench faces --wild DIR --out DIR [--only FILE] [--labels FILE]\n"
+                  "touchphoto-lab bench faces --identity DIR --out DIR");
         return exit_done;
     }
-    return wrong_usage("bench", "What is to be measured? There are: guidance, accuracy, faces.");
+    return wrong_usage("bench", "Say what to measure: guidance, accuracy or faces.");
 }
 
 } // namespace tp

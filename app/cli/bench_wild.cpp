@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/bench_wild.hpp"
 
-#include "app/album/metadata/photo_name.hpp"
 #include "app/cli/batch_progress.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/names_file.hpp"
+#include "app/cli/photographs_in.hpp"
 #include "app/figures/bench/wild_bench.hpp"
 #include "core/files/whole_file.hpp"
 
@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
-#include <system_error>
 
 namespace tp {
 
@@ -26,35 +25,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_label_bytes = 64 << 20;
 constexpr std::size_t names_shown = 20; ///< of a list on the screen; all are in wild.csv
 constexpr std::size_t tiles = 20;
-
-/// Where the photographs lie, and which there are.
-struct Photographs {
-    fs::path folder;
-    std::vector<fs::path> files; ///< in the order of their names
-};
-
-/// Those in a folder and in the folders in it, hidden ones left out; of a photograph just itself.
-Result<Photographs> photographs_in(const fs::path& place) {
-    std::error_code error;
-    if (!fs::exists(place, error))
-        return Error{"There is no folder " + place.string() + "."};
-    if (!fs::is_directory(place, error))
-        return Photographs{place.parent_path(), {place}};
-    Photographs all{place, {}};
-    fs::recursive_directory_iterator at(place, fs::directory_options::skip_permission_denied, error);
-    for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
-        if (at->is_directory(error) && at->path().filename().string().starts_with('.'))
-            at.disable_recursion_pending();
-        else if (has_photo_name(at->path()) && at->is_regular_file(error))
-            all.files.push_back(at->path());
-    }
-    if (error)
-        return Error{"The folder " + place.string() + " cannot be looked through: " + error.message() + "."};
-    std::sort(all.files.begin(), all.files.end());
-    if (all.files.empty())
-        return Error{"There is no photograph in " + place.string() + "."};
-    return all;
-}
 
 /// Leaves only those whose file is named; the sentence that says why not, else empty.
 std::string keep_named(Photographs& photographs, const QString& list) {

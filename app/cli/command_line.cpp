@@ -75,7 +75,7 @@ std::optional<int> VerbLine::parse(const QStringList& words, int least, int most
 
 std::string VerbLine::make_folder(const QString& name) const {
     return QDir().mkpath(text(name)) ? std::string()
-                                     : "The folder " + text(name).toStdString() + " cannot be made.";
+                                     : "The folder " + text(name).toStdString() + " cannot be created.";
 }
 
 Result<double> VerbLine::positive(const QString& name) const {

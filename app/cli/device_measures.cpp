@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/device_measures.hpp"
 
+#include "app/cli/command_line.hpp"
 #include "app/cli/input_line.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
@@ -54,10 +55,10 @@ Result<Calibration> calibrated(ServoLoop& loop, const ForceDevice& device, Vec2 
     SteadyClock clock;
     while (steps.mark() != CalibrationSteps::all_touched) {
         const int mark = steps.mark();
-        say("Put the knob on the " + std::string(corners[mark]) + " mark, keep it still, and press Return.");
+        say("Put the knob on the " + std::string(corners[mark]) + " mark, keep it still, and press Enter.");
         std::string line;
         if (!next_line(std::cin, line))
-            return Error{"The calibration was ended. Nothing was changed."};
+            return Error{"The calibration was cancelled. Nothing was changed."};
         steps.lift();
         double well_at = clock.now();
         do {
@@ -78,11 +79,11 @@ Result<Calibration> calibrated(ServoLoop& loop, const ForceDevice& device, Vec2 
 /// Lets a stick be measured, the grams read from standard input.
 Result<StickScale> measured(ServoLoop& loop, ForceDevice& device) {
     const PersonsTurn turn;
-    const Error ended{"The measurement was ended. Nothing was changed."};
+    const Error ended{"The measurement was cancelled. Nothing was changed."};
     StickMeasuring measuring(device, loop);
     SteadyClock clock;
     std::string line;
-    say(measuring.words().toStdString() + " Press Return to begin.");
+    say(measuring.words().toStdString() + " Press Enter to begin.");
     if (!next_line(std::cin, line))
         return ended;
     double well_at = clock.now();
@@ -111,7 +112,7 @@ Result<StickScale> measured(ServoLoop& loop, ForceDevice& device) {
         typing = std::async(std::launch::async, [&line] { return next_line(std::cin, line); });
         while (typing.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
             if (const std::string why = pass(0.1); !why.empty()) {
-                say(why + " Press Return.");
+                say(why + " Press Enter.");
                 typing.wait();
                 return Error{"Nothing was changed."};
             }
@@ -131,13 +132,14 @@ Result<StickScale> measured(ServoLoop& loop, ForceDevice& device) {
 } // namespace
 
 int calibrate_device(const QStringList& words) {
-    VerbLine line("devices calibrate",
-                  "Finds out where a device lies on the screen: its knob is put on a mark at each corner, one\n"
-                  "after the other. What is found is kept for the pages; no force is on the device.");
+    VerbLine line(
+        "devices calibrate",
+        "Finds out where a device lies on the screen: its knob is put on a mark at each corner, one\n"
+        "after the other. What is found is saved for the pages; no force is on the device.");
     line.argument("name", "The device's name, as devices lists it.", "NAME");
     line.option("screen", "The screen's width and height in mm.", "WxH")
         .option("inset", "How far each mark is from both edges, in mm.", "mm", "10")
-        .option("file", "Where it is kept instead of with the settings of TouchPhoto.", "FILE");
+        .option("file", "Where to save it instead of with the settings of TouchPhoto.", "FILE");
     if (const auto ended = line.parse(words, 1, 1))
         return *ended;
     const auto screen = screen_size(line.text("screen"));
@@ -162,13 +164,17 @@ int calibrate_device(const QStringList& words) {
     if (!found)
         return refused(found.error());
     if (found->residual_mm > most_residual_mm)
-        return refused(QString("The calibration misses its marks by %1 mm, and at most %2 mm are allowed. See that the device "
-                               "does not slip, keep the knob still on each mark, and calibrate again. Nothing was changed.")
-                           .arg(found->residual_mm, 0, 'f', 1)
-                           .arg(most_residual_mm, 0, 'f', 1)
-                           .toStdString());
+        return refused(
+            QString(
+                "The calibration misses its marks by %1 mm, and at most %2 mm are allowed. Make sure that "
+                "the device "
+                "does not slip, keep the knob still on each mark, and calibrate again. Nothing was changed.")
+                .arg(found->residual_mm, 0, 'f', 1)
+                .arg(most_residual_mm, 0, 'f', 1)
+                .toStdString());
     if (!is_plausible(found->device_to_surface))
-        return refused("The device's millimetres are not the screen's. See that --screen is right, and calibrate again. Nothing "
+        return refused("The device's millimetres are not the screen's. Check that --screen is right, and "
+                       "calibrate again. Nothing "
                        "was changed.");
     const QString usual = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/touchphoto/calibrations.txt";
     const std::filesystem::path file = (line.has("file") ? line.text("file") : usual).toStdU16String();
@@ -182,9 +188,9 @@ int calibrate_device(const QStringList& words) {
 int measure_stick(const QStringList& words) {
     VerbLine line("devices measure",
                   "Finds out which way a force stick pulls and how strong it is, with a kitchen scale or a\n"
-                  "luggage scale. What is found is kept for the pages.");
+                  "luggage scale. What is found is saved for the pages.");
     line.argument("name", "The stick's name, as devices lists it.", "NAME");
-    line.option("file", "Where it is kept instead of with the settings of TouchPhoto.", "FILE");
+    line.option("file", "Where to save it instead of with the settings of TouchPhoto.", "FILE");
     if (const auto ended = line.parse(words, 1, 1))
         return *ended;
     const std::string name = line.arguments().first().toStdString();
@@ -194,7 +200,7 @@ int measure_stick(const QStringList& words) {
     const std::vector<ListedDevice> there = list_devices();
     const auto listed = std::ranges::find(there, name, &ListedDevice::name);
     if (listed == there.end() || listed->scale_key.empty())
-        return refused("This device knows its newtons itself; only force sticks are measured.");
+        return refused("This device knows its own force; only force sticks need measuring.");
     const std::unique_ptr<ForceDevice> device = std::move(made).value();
     const auto can = device->open();
     if (!can)

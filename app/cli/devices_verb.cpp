@@ -30,7 +30,7 @@ int list(const QStringList& words) {
     VerbLine line("devices",
                   "Lists the force devices that can be used now. See also devices test, home,\n"
                   "calibrate, measure, record and replay.");
-    line.option("json", "A JSON object a line: name, about, serial_number, interface.");
+    line.option("json", "One JSON object per line: name, about, serial_number, interface.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
     for (const ListedDevice& device : list_devices())
@@ -65,10 +65,10 @@ std::set<Fault> run_for(double seconds, ServoLoop& loop, Meanwhile meanwhile) {
 
 int test(const QStringList& words) {
     VerbLine line("devices test",
-                  "Reads a device for a while without any force on it: what it says of itself, how often\n"
+                  "Reads a device for a while without any force on it: what it reports of itself, how often\n"
                   "a new place comes, and what is wrong.");
     line.argument("name", "The device's name, as devices lists it.", "NAME");
-    line.option("seconds", "How long.", "s", "2");
+    line.option("seconds", "How long to read, in seconds.", "s", "2");
     if (const auto ended = line.parse(words, 1, 1))
         return *ended;
     const auto seconds = line.positive("seconds");
@@ -126,8 +126,8 @@ int record(const QStringList& words) {
                   "Writes down what passes between the servo and a device (device/recording/FORMAT.md).");
     line.argument("file", "The recording; it must not exist.", "FILE");
     line.option("device", "Its name, as devices lists it.", "NAME", "simulated");
-    line.option("seconds", "How long.", "s", "10")
-        .option("scene", "The scene to be felt; none: no force.", "SCENE.svg");
+    line.option("seconds", "How long to record, in seconds.", "s", "10")
+        .option("scene", "The scene to be felt; without it there is no force.", "SCENE.svg");
     add_guidance_options(line);
     if (const auto ended = line.parse(words, 1, 1))
         return *ended;

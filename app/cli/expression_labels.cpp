@@ -92,7 +92,7 @@ Result<ExpressionLabels> ExpressionLabels::from_csv(std::string_view text) {
         const auto shown = expression_named(row[expression]);
         if (!shown)
             return Error{line + " says " + tp::quoted(row[expression]) +
-                         ", which is none of smiling, surprised, sad, angry and neutral."};
+                         ", which is not smiling, surprised, sad, angry or neutral."};
         labels.table_[row[photo]] = {person < head.size() && !row[person].empty()
                                          ? row[person]
                                          : up_to_last_underscore(bare_name(row[photo])),

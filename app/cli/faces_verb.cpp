@@ -150,7 +150,7 @@ private:
 
     void say_stopped() const {
         say("Stopped after " + std::to_string(taken_) + " of " + std::to_string(photos_.size()) + "." +
-            (results_ ? " The same command goes on from there." : ""));
+            (results_ ? " The same command continues from there." : ""));
     }
 
     /// False where something has to be said about this photograph; the others of the batch go on.
@@ -222,13 +222,14 @@ int faces_verb(const QStringList& words) {
                   "Ctrl-C ends after the photographs in work; with --resume nothing that is done is lost.");
     line.option("json", "Writes a line of JSON for each photograph.")
         .option("resume", "Appends the lines of JSON to a file and skips what it holds already.", "file")
-        .option("jobs", "Photographs that are worked on at a time; 0: one for each core.", "N", "1")
+        .option("jobs", "Photographs worked on at a time; 0: one for each core.", "N", "1")
         .option("svg", "Writes the contours as PHOTO.contours.svg, in pixels of the upright picture.",
                 "folder")
         .option("overlay", "Writes the photograph with its contours as PHOTO.overlay.png.", "folder")
         .option("with", "Adds features to those of --svg and --overlay: brows, nose, irises.", "LIST")
         .option("uncorrected", "Leaves out what a person mended in PHOTO.contours.svg beside a photograph.")
-        .option("detector", "Finds the faces: embedded, yunet, haar, or a file (.onnx, .xml).", "name", "embedded")
+        .option("detector", "Finds the faces: embedded, yunet, haar, or a file (.onnx, .xml).", "name",
+                "embedded")
         .option("model", "Finds the contours: embedded, mesh, lbf, or a file (.onnx, .yaml).", "name",
                 "embedded")
         .option("no-edges",

@@ -121,14 +121,14 @@ Result<QString> fetch_file(const QUrl& address, const QString& target, const Kno
                            const FetchProgress& progress, const std::atomic<bool>& stop) {
     const QString scheme = address.scheme();
     if (scheme != "http" && scheme != "https" && scheme != "file")
-        return Error{"Only http, https and file addresses can be fetched from, not " +
+        return Error{"Only http, https and file addresses can be used, not " +
                      tp::quoted(address.toString().toStdString()) + "."};
     if (scheme == "https" && !QSslSocket::supportsSsl())
         return Error{"https needs Qt's TLS plugin and OpenSSL (Debian: libqt6network6, libssl3), which are "
-                     "not here: fetch the file by other means and use --from FILE."};
+                     "not installed: fetch the file by other means and use --from FILE."};
     const QString folder = QFileInfo(target).path();
     if (!QDir().mkpath(folder))
-        return Error{"The folder " + tp::quoted(folder.toStdString()) + " cannot be made."};
+        return Error{"The folder " + tp::quoted(folder.toStdString()) + " cannot be created."};
     QSaveFile file(target); // removes its temporary file unless it is committed
     if (!file.open(QIODevice::WriteOnly))
         return Error{tp::quoted(target.toStdString()) + " cannot be written: " + said(file.errorString())};

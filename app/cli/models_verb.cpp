@@ -121,7 +121,7 @@ Result<const PluggableModel*> named(const std::string& name) {
     }
     for (const EmbeddedModelFacts& model : embedded_models())
         if (name == model.name)
-            return Error{"The model \"" + name + "\" is inside the program; nothing need be fetched."};
+            return Error{"The model \"" + name + "\" is inside the program; there is nothing to fetch."};
     return Error{"There is no model \"" + name + "\" to fetch. There are: " + names + "."};
 }
 
@@ -177,9 +177,9 @@ int fetch_model(const QStringList& words) {
                   "Shows where a model comes from, its licence and size, asks, and installs it where its\n"
                   "checksum is right (where none is known: a file that works). The only command of "
                   "TouchPhoto that goes online.");
-    line.option("yes", "Does not ask.")
-        .option("from", "Takes it from elsewhere: a file, or an http or https address.", "address")
-        .argument("NAME", "As models list says.", "NAME");
+    line.option("yes", "Does not ask for confirmation.")
+        .option("from", "Takes it from another place: a file, or an http or https address.", "address")
+        .argument("NAME", "Its name in models list.", "NAME");
     if (const auto ended = line.parse(words, 1, 1))
         return *ended;
     const auto model = named(line.arguments().first().toStdString());
@@ -221,7 +221,7 @@ int models_verb(const QStringList& words) {
                   "touchphoto-lab models fetch NAME [--yes] [--from ADDRESS]");
         return exit_done;
     }
-    return wrong_usage("models", "What about the models? There are: list, check, fetch.");
+    return wrong_usage("models", "Say what to do with the models: list, check or fetch.");
 }
 
 } // namespace tp

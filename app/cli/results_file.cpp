@@ -47,7 +47,7 @@ Result<ResultsFile> ResultsFile::open(const std::filesystem::path& file) {
     // Two batches that append to one file would each do the other's photographs again.
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         return Error{"Another batch is writing to \"" + file.string() +
-                     "\": wait for its end, or give each its own file."};
+                     "\": wait until it ends, or give each its own file."};
     if (const std::string problem = results.read(); !problem.empty())
         return Error{problem};
     return results;
@@ -66,7 +66,7 @@ std::string ResultsFile::read() {
             if (in.atEnd() && !line.endsWith('\n') && is_cut_line(line))
                 break;
             return "Line " + std::to_string(number) + " of \"" + file_.string() +
-                   "\" is no result of faces --json: nothing is written to this file; name another.";
+                   "\" is not a result of faces --json: nothing is written to this file; name another.";
         }
         photos_.insert(photo.toString().toStdString());
         whole += line.size();
@@ -76,7 +76,7 @@ std::string ResultsFile::read() {
 
 std::string ResultsFile::unwritable() const {
     return "The results cannot be written to \"" + file_.string() + "\": " + reason() +
-           ". What it holds is good; the same command goes on from there.";
+           ". What it holds is good; the same command continues from there.";
 }
 
 std::string ResultsFile::append(const std::string& photo, const QByteArray& line) {

@@ -56,7 +56,8 @@ int servo_verb(const QStringList& words) {
     VerbLine line(
         "servo", "Runs the servo loop on the simulated device and the reference face, and says how late its\n"
                  "ticks begin and how long they take: p50, p99, p99.9 and the largest, in microseconds.");
-    line.option("seconds", "How long.", "s", "10").option("rate", "Ticks a second.", "Hz", "1000");
+    line.option("seconds", "How long to measure, in seconds.", "s", "10")
+        .option("rate", "Ticks per second.", "Hz", "1000");
     line.option("load", "Keeps every core busy meanwhile.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;

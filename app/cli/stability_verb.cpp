@@ -116,7 +116,7 @@ int stability_verb(const QStringList& words) {
         "period, delay and damping, what softening the switches between contours costs, and the hard\n"
         "cases by name. Writes loop_work.csv, released_handle.csv, continuity.csv, hard_cases.csv and\n"
         "plots of the first two.");
-    line.option("out", "Folder for the results; made where it is missing.", "DIR")
+    line.option("out", "Folder for the results; created if it is missing.", "DIR")
         .option("quick", "A smaller grid, for a first look.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;

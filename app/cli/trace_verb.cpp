@@ -91,7 +91,7 @@ int trace_verb(const QStringList& words) {
         "lane and follows what it feels. Writes trace.csv (t, x, y, fx, fy, distance, contour; s, mm\n"
         "in the surface frame, N) and trace.png, the force field with the finger's way.");
     line.option("scene", "The scene.", "SCENE.svg")
-        .option("out", "Folder for the results; made where it is missing.", "DIR")
+        .option("out", "Folder for the results; created if it is missing.", "DIR")
         .option("seconds", "Longest simulated time.", "s", "600")
         .option("hold", "Stays with a contour until another is nearer by this much.", "mm");
     add_guidance_options(line);

@@ -17,7 +17,7 @@ struct Verb {
     int (*run)(const QStringList& words);
 };
 
-constexpr std::array<Verb, 14> verbs{{
+constexpr std::array<Verb, 16> verbs{{
     {"album", "photographs, people and recordings: scan, search, import, export, check", album_verb},
     {"faces", "find the faces of photographs and their contours", faces_verb},
     {"models", "list, check and fetch the models that faces can use", models_verb},
@@ -32,6 +32,8 @@ constexpr std::array<Verb, 14> verbs{{
     {"stability", "measure how stable the guidance is", stability_verb},
     {"bench", "measure how fast the nearest contour is found, beside other methods", bench_verb},
     {"trace", "let a simulated finger explore a scene in simulated time", trace_verb},
+    {"aim", "let simulated hands aim a camera by what they hear, in simulated time", aim_verb},
+    {"study", "plan experiments with people, and say what they have shown", study_verb},
 }};
 
 void list_verbs(FILE* where) {

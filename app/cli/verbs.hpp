@@ -6,6 +6,8 @@
 namespace tp {
 
 /// The verbs of touchphoto-lab; each takes the words after its name and returns an ExitCode.
+int aim_verb(const QStringList& words);
+int study_verb(const QStringList& words);
 int album_verb(const QStringList& words);
 int bench_verb(const QStringList& words);
 int devices_verb(const QStringList& words);

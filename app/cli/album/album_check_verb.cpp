@@ -37,7 +37,7 @@ void print_for_a_person(const CheckReport& report, bool mend) {
     for (const std::string& sentence : report.told)
         std::printf("%s\n", sentence.c_str());
     if (report.findings.empty() && !report.stopped)
-        std::printf("Everything is as it is promised to be.\n");
+        std::printf("Everything is as it should be.\n");
 }
 
 } // namespace
@@ -45,11 +45,11 @@ void print_for_a_person(const CheckReport& report, bool mend) {
 int album_check(const QStringList& words) {
     VerbLine line(
         "album check",
-        "Compares an album's folder, and all below it, with what is promised: each recording is whole\n"
-        "and listed, each sidecar readable, nothing half-written, nothing left behind. Ends in 1 where\n"
-        "something is not so and was not mended.");
-    line.option("mend", "Mends what can be mended; what has to make way goes to the album's trash.")
-        .option("no-hashes", "Does not read the photographs themselves: quicker, sees no changed bytes.")
+        "Checks an album's folder and all folders below it: each recording is whole and listed, each\n"
+        "sidecar readable, nothing half-written, nothing left behind. Ends with 1 if something is wrong\n"
+        "and was not mended.");
+    line.option("mend", "Mends what can be mended; what is in the way goes to the album's trash.")
+        .option("no-hashes", "Does not read the photographs themselves: quicker, but sees no changed bytes.")
         .option("json", "One JSON object on stdout.")
         .argument("ALBUM", "The album's folder.");
     if (const auto ended = line.parse(words, 1, 1))

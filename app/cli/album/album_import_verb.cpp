@@ -26,7 +26,7 @@ void print_photo(const ImportedPhoto& photo, bool json) {
     if (photo.fate == Fate::imported)
         std::printf("%s is now %s.\n", name.c_str(), quoted(photo.place).c_str());
     else if (photo.fate == Fate::duplicate)
-        std::printf("%s is in the album already, as %s.\n", name.c_str(), quoted(photo.place).c_str());
+        std::printf("%s is already in the album, as %s.\n", name.c_str(), quoted(photo.place).c_str());
     if (photo.sound)
         std::printf("The sound around it is now its recording %s.\n",
                     quoted(fs::path(photo.sound->recording)).c_str());
@@ -39,7 +39,7 @@ void tell(const ImportProgress& progress) {
     LongWork::item(readable(progress.current.filename().string()), progress.done + 1, progress.total);
 }
 
-constexpr const char* stopped = "The import was stopped. It goes on with --continue.";
+constexpr const char* stopped = "The import was stopped. Continue it with --continue.";
 
 int ended(const ImportReport& report) {
     if (report.stopped) {
@@ -60,15 +60,15 @@ int album_import(const QStringList& words) {
         "Copies photographs into an album: files, folders, a camera's card, .touchphoto bundles, ZIP files.\n"
         "Sidecars, contours and recordings come along; so do a sound of the same name (IMG_1.WAV) and the\n"
         "sound of a motion photo or a Live Photo (IMG_1.MOV), as recordings of what was to be heard. What\n"
-        "the album holds already is not copied again. The sources are only read. An import that was stopped\n"
-        "or killed goes on with --continue.");
+        "is already in the album is not copied again. The sources are only read. An import that was stopped\n"
+        "or killed can be continued with --continue.");
     add_index_options(line)
-        .option("into", "A folder of the album, made where it is missing.", "FOLDER")
-        .option("continue", "Goes on with imports that were not finished.")
-        .option("give-up", "Forgets imports that were not finished; what they brought stays.")
-        .option("json", "A JSON object a photograph, each at once.")
+        .option("into", "A folder of the album; created if it is missing.", "FOLDER")
+        .option("continue", "Continues unfinished imports.")
+        .option("give-up", "Discards unfinished imports; what they imported stays.")
+        .option("json", "One JSON object per photograph, written at once.")
         .argument("ALBUM", "The album's folder.")
-        .argument("SOURCE", "What is imported.", "[SOURCE...]");
+        .argument("SOURCE", "What to import.", "[SOURCE...]");
     if (const auto over = line.parse(words, 1, 10'000))
         return *over;
     const fs::path album = path_given(line.arguments().first());
@@ -117,12 +117,11 @@ int album_import(const QStringList& words) {
 }
 
 int album_export(const QStringList& words) {
-    VerbLine line(
-        "album export",
-        "Writes photographs with everything that is theirs as one .touchphoto file, which is a zip file.");
-    line.option("to", "The file.", "FILE.touchphoto")
+    VerbLine line("album export", "Writes photographs with everything that belongs to them as one "
+                                  ".touchphoto file, which is a ZIP file.");
+    line.option("to", "The file to write.", "FILE.touchphoto")
         .argument("ALBUM", "The album's folder.")
-        .argument("PHOTO", "Photographs or folders of it; none: all.", "[PHOTO...]");
+        .argument("PHOTO", "Photographs or folders of the album; all if none is given.", "[PHOTO...]");
     if (const auto over = line.parse(words, 1, 10'000))
         return *over;
     if (!line.has("to"))

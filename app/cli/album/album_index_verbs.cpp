@@ -57,7 +57,7 @@ void print_for_a_person(const ScanReport& report, const FollowedMoves& moves) {
     for (const Move& move : report.moves) {
         const bool followed = std::find(moves.followed.begin(), moves.followed.end(), move) != moves.followed.end();
         std::printf("%s is now %s%s.\n", quoted(move.from).c_str(), quoted(move.to).c_str(),
-                    followed ? "; what belongs to it went along" : "");
+                    followed ? "; what belongs to it was moved too" : "");
     }
     for (const auto& group : report.duplicates)
         std::printf("%s is there %zu times.\n", quoted(group.front()).c_str(), group.size());
@@ -108,11 +108,12 @@ int scan(const VerbLine& line, bool following) {
 } // namespace
 
 int album_scan(const QStringList& words) {
-    VerbLine line("album scan",
-                  "Brings the index of an album up to date: reads what is new or changed. Photographs that "
-                  "were moved or\n"
-                  "renamed are recognised by their content, and their recordings and words go along. One that was "
-                  "stopped goes on where it was.");
+    VerbLine line(
+        "album scan",
+        "Brings the index of an album up to date: reads what is new or changed. Photographs that "
+        "were moved or\n"
+        "renamed are recognised by their content, and what belongs to them is moved too. A scan that was "
+        "stopped continues where it was.");
     add_index_options(line)
         .option("look-only", "Moves nothing in the album; only says what moved.")
         .option("json", "One JSON object on stdout.")
@@ -123,14 +124,14 @@ int album_scan(const QStringList& words) {
 }
 
 int album_rebuild(const QStringList& words) {
-    VerbLine line("album rebuild", "Throws the index of an album away and makes it again from the files.");
+    VerbLine line("album rebuild", "Rebuilds the index of an album from its files.");
     add_index_options(line)
         .option("json", "One JSON object on stdout.")
         .argument("FOLDER", "The album's folders.", "FOLDER...");
     if (const auto over = line.parse(words, 1, 1000))
         return *over;
     if (const std::string reason = AlbumIndex::discard(cache_of(line, folders_given(line))); !reason.empty())
-        return refused("The index cannot be thrown away: " + reason);
+        return refused("The index cannot be deleted: " + reason);
     return scan(line, false);
 }
 

@@ -16,7 +16,7 @@ namespace tp {
 namespace fs = std::filesystem;
 
 VerbLine& add_index_options(VerbLine& line) {
-    return line.option("cache", "Where the index lies; may be thrown away at any time.", "DIR");
+    return line.option("cache", "Where the index is kept; it can be deleted at any time.", "DIR");
 }
 
 fs::path cache_of(const VerbLine& line, const std::vector<fs::path>& folders) {
@@ -65,7 +65,7 @@ Result<AlbumIndex> index_after(Result<AlbumIndex> index, const std::vector<fs::p
     if (!report)
         return Error{report.error()};
     if (report->stopped)
-        return Error{"The scan was stopped on its way; \"album scan\" goes on with it."};
+        return Error{"The scan was stopped before its end; \"album scan\" continues it."};
     return index;
 }
 

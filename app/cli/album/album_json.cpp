@@ -2,6 +2,7 @@
 #include "app/cli/album/album_json.hpp"
 
 #include "app/album/keeper/path_text.hpp"
+#include "app/photo/seen/seen_names.hpp"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -76,6 +77,27 @@ QJsonObject to_json(const std::filesystem::path& photo, const PhotoRecord& recor
             {"tags", tags},
             {"content_hash", json_text(record.content_hash)},
             {"problems", json_texts(record.problems)}};
+}
+
+QJsonObject to_json(const SeenPhoto& seen) {
+    QJsonArray faces;
+    for (const SeenFace& face : seen.faces)
+        faces.append(QJsonObject{{"left", face.part.min.x},
+                                 {"top", face.part.min.y},
+                                 {"right", face.part.max.x},
+                                 {"bottom", face.part.max.y},
+                                 {"cut_off", face.cut_off},
+                                 {"expression", text_of(name_of(face.mien))},
+                                 {"eyes", text_of(name_of(face.eyes))},
+                                 {"facing", text_of(name_of(face.facing))}});
+    return {{"width", seen.width},
+            {"height", seen.height},
+            {"turned_degrees", seen.turned_degrees},
+            {"faces", faces},
+            {"nearness", text_of(name_of(nearness_of(seen)))},
+            {"light", text_of(name_of(seen.light))},
+            {"colours", text_of(name_of(seen.colours))},
+            {"blurred", seen.blurred}};
 }
 
 QJsonObject to_json(const ImportedPhoto& photo) {

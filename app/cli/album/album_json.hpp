@@ -5,6 +5,7 @@
 #include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/trash.hpp"
 #include "app/album/metadata/photo_record.hpp"
+#include "app/photo/seen/seen_photo.hpp"
 
 #include <QByteArray>
 #include <QJsonArray>
@@ -22,6 +23,7 @@ QJsonArray json_texts(const std::vector<std::string>& texts);
 
 QJsonObject to_json(const Tag& tag);
 QJsonObject to_json(const std::filesystem::path& photo, const PhotoRecord& record);
+QJsonObject to_json(const SeenPhoto& seen);
 QJsonObject to_json(const ImportedPhoto& photo);
 QJsonObject to_json(const Finding& finding);
 QJsonObject to_json(const TrashEntry& entry);

@@ -28,8 +28,8 @@ void print_entries(const std::vector<PhotoEntry>& entries, bool json) {
 
 VerbLine& add_list_options(VerbLine& line) {
     return add_index_options(line)
-        .option("limit", "At most so many.", "N", QString::number(most_lines))
-        .option("json", "A JSON object a line.")
+        .option("limit", "At most this many.", "N", QString::number(most_lines))
+        .option("json", "One JSON object per line.")
         .argument("ALBUM", "The album's folder.");
 }
 
@@ -40,9 +40,9 @@ int album_list(const QStringList& words) {
                                 "brings it up to date; an\n"
                                 "index that is empty is filled first).");
     add_list_options(line)
-        .option("by-name", "By name instead of time.")
-        .option("person", "Those that show somebody.", "NAME")
-        .option("year", "Those of a year.", "YEAR");
+        .option("by-name", "Sorted by name instead of by time.")
+        .option("person", "Only those that show this person.", "NAME")
+        .option("year", "Only those of this year.", "YEAR");
     if (const auto over = line.parse(words, 1, 1))
         return *over;
     const auto limit = line.whole("limit", 1, most_lines);
@@ -72,7 +72,7 @@ int album_search(const QStringList& words) {
         "Photographs that have all the words in names, descriptions, transcripts, places, keywords or the\n"
         "file's name, the best first. Letter case and accents do not count; the last word may be half "
         "typed.");
-    add_list_options(line).argument("WORD", "What is searched.", "WORD...");
+    add_list_options(line).argument("WORD", "What to search for.", "WORD...");
     if (const auto over = line.parse(words, 2, 1000))
         return *over;
     const auto limit = line.whole("limit", 1, most_lines);

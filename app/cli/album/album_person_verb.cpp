@@ -27,7 +27,9 @@ fs::path first_path(const VerbLine& line) { return path_given(line.arguments().f
 
 int person_list(const QStringList& words) {
     VerbLine line("album person list", "The people of an album, with how many photographs show each.");
-    add_index_options(line).option("json", "A JSON object a line.").argument("ALBUM", "The album's folder.");
+    add_index_options(line)
+        .option("json", "One JSON object per line.")
+        .argument("ALBUM", "The album's folder.");
     if (const auto over = line.parse(words, 1, 1))
         return *over;
     auto index = filled_index(line, {first_path(line)});
@@ -64,9 +66,9 @@ int person_rename(const QStringList& words) {
                                          "people apart, name the photographs.");
     add_index_options(line)
         .argument("ALBUM", "The album's folder.")
-        .argument("FROM", "The name so far.")
+        .argument("FROM", "The present name.")
         .argument("TO", "The new one.")
-        .argument("PHOTO", "Only on these.", "[PHOTO...]");
+        .argument("PHOTO", "Only these photographs.", "[PHOTO...]");
     if (const auto over = line.parse(words, 3, 100'000))
         return *over;
     const std::string from = line.arguments()[1].toStdString(), to = line.arguments()[2].toStdString();
@@ -97,12 +99,11 @@ int person_rename(const QStringList& words) {
             return refused(problem);
     }
     std::printf("%zu photographs changed.\n", *changed);
-    return *changed > 0 ? exit_done
-                        : refused("Nobody of the name " + quoted(fs::path(from)) + " is on them.");
+    return *changed > 0 ? exit_done : refused("Nobody named " + quoted(fs::path(from)) + " is on them.");
 }
 
 int person_name(const QStringList& words) {
-    VerbLine line("album person name", "Says who a face on a photograph is; without a name nobody knows.");
+    VerbLine line("album person name", "Names a face on a photograph; without NAME its name is removed.");
     line.option("face", "Centre and size, 0 to 1 of the stored picture from its upper left.",
                 "X,Y,WIDTH,HEIGHT")
         .argument("PHOTO", "The photograph.")
@@ -124,7 +125,7 @@ int person_name(const QStringList& words) {
 }
 
 int person_record(const QStringList& words) {
-    VerbLine line("album person record", "Keeps how somebody says a person's name.");
+    VerbLine line("album person record", "Saves a recording of how somebody says a person's name.");
     line.option("from", "The sound file.", "FILE")
         .argument("ALBUM", "The album's folder.")
         .argument("NAME", "The person.");
@@ -140,9 +141,8 @@ int person_record(const QStringList& words) {
 }
 
 int person_language(const QStringList& words) {
-    VerbLine line(
-        "album person language",
-        "The language that a person's name is read in, or another one from now on; \"\" forgets it.");
+    VerbLine line("album person language",
+                  "Shows the language that a person's name is read in, or sets it; \"\" removes it.");
     line.argument("ALBUM", "The album's folder.")
         .argument("NAME", "The person.")
         .argument("TAG", "BCP 47, such as fr or pt-BR.", "[TAG]");
@@ -170,9 +170,9 @@ int person_language(const QStringList& words) {
 int album_person(const QStringList& words) {
     static constexpr std::array<SubVerb, 5> verbs{{
         {"list", "the people of an album", person_list},
-        {"rename", "another name for a person, or two people made one", person_rename},
-        {"name", "say who a face is", person_name},
-        {"record", "keep how somebody says a name", person_record},
+        {"rename", "rename a person, or merge two people", person_rename},
+        {"name", "name a face", person_name},
+        {"record", "save how somebody says a name", person_record},
         {"language", "the language that a name is read in", person_language},
     }};
     return run_sub_verb("album person", verbs, words);

@@ -3,6 +3,8 @@
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
+#include "app/photo/sight/photo_look.hpp"
+#include "app/photo/words/description.hpp"
 #include "core/files/file_words.hpp"
 
 #include <cstdio>
@@ -45,11 +47,22 @@ void print_for_a_person(const PhotoRecord& record) {
     }
 }
 
+/// What is on it, in each language.
+QJsonObject in_words(const SeenPhoto& seen, const PhotoRecord& record) {
+    QJsonObject words;
+    for (const QLocale::Language language : {QLocale::English, QLocale::German, QLocale::Korean}) {
+        const PhotoView view = view_of(seen, record, language);
+        words[QLocale::languageToCode(language)] = QJsonObject{{"short", short_description(view, language)},
+                                                               {"full", full_description(view, language)}};
+    }
+    return words;
+}
+
 } // namespace
 
 int album_show(const QStringList& words) {
-    VerbLine line("album show",
-                  "Everything that is known of a photograph, from its metadata and its sidecars.");
+    VerbLine line("album show", "Everything that is known of a photograph, from its metadata and its "
+                                "sidecars, and what is seen on it, in words.");
     line.option("json", "One JSON object on stdout.").argument("PHOTO", "The photograph.");
     if (const auto over = line.parse(words, 1, 1))
         return *over;
@@ -57,10 +70,18 @@ int album_show(const QStringList& words) {
     const auto record = read_record(photo);
     if (!record)
         return refused(record.error());
-    if (line.has("json"))
-        print_line(to_json(photo, *record));
-    else
+    const SeenPhoto seen = photo_look()(photo, Marks::no, {}).seen;
+    if (line.has("json")) {
+        QJsonObject known = to_json(photo, *record);
+        known["seen"] = seen.width > 0 ? QJsonValue(to_json(seen)) : QJsonValue(QJsonValue::Null);
+        known["words"] = in_words(seen, *record);
+        print_line(known);
+    } else {
         print_for_a_person(*record);
+        print_line_of(
+            "in words",
+            full_description(view_of(seen, *record, QLocale::English), QLocale::English).toStdString());
+    }
     for (const std::string& problem : record->problems)
         say_problem(problem);
     return record->problems.empty() ? exit_done : exit_bad_input;

@@ -19,11 +19,11 @@ namespace {
 
 void add_label_options(VerbLine& line) {
     line.option("kind", "memo, person, place, story or ambient.", "KIND")
-        .option("person", "Whom it is about.", "NAME")
-        .option("speaker", "Who speaks; several are separated by \"; \".", "NAME")
+        .option("person", "Who it is about.", "NAME")
+        .option("speaker", "Who speaks; separate several by \"; \".", "NAME")
         .option("language", "BCP 47, such as de-AT.", "TAG")
-        .option("recorded", "When, such as 2026-05-01T10:15:00+02:00.", "TIME")
-        .option("transcript", "What is said, typed.", "TEXT");
+        .option("recorded", "When it was recorded, such as 2026-05-01T10:15:00+02:00.", "TIME")
+        .option("transcript", "What is said, in writing.", "TEXT");
 }
 
 /// The label with what the options say in place of its own; an error where one makes no sense.
@@ -61,7 +61,7 @@ int ended(const std::string& problem) { return problem.empty() ? int{exit_done} 
 
 int tag_list(const QStringList& words) {
     VerbLine line("album tag list", "The recordings of a photograph.");
-    line.option("json", "A JSON object a line.").argument("PHOTO", "The photograph.");
+    line.option("json", "One JSON object per line.").argument("PHOTO", "The photograph.");
     if (const auto over = line.parse(words, 1, 1))
         return *over;
     const auto record = read_record(photo_given(line));
@@ -77,8 +77,8 @@ int tag_list(const QStringList& words) {
 int tag_add(const QStringList& words) {
     VerbLine line(
         "album tag add",
-        "Adds a sound file to a photograph: it is kept as FLAC beside it and listed in its sidecar. When\n"
-        "this ends in 0, a power cut does not undo it.");
+        "Adds a sound file to a photograph: it is kept as FLAC beside it and listed in its sidecar. Once\n"
+        "this ends with 0, not even a power cut undoes it.");
     line.option("from", "The sound file: WAV, FLAC, Ogg, MP3, AIFF.", "FILE")
         .option("json", "The recording as JSON.");
     add_label_options(line);
@@ -103,7 +103,7 @@ int tag_add(const QStringList& words) {
 }
 
 int tag_label(const QStringList& words) {
-    VerbLine line("album tag label", "Changes what a recording says of itself; what is not named stays.");
+    VerbLine line("album tag label", "Changes a recording's label; what is not given stays as it is.");
     add_label_options(line);
     line.argument("PHOTO", "The photograph.").argument("RECORDING", "Its file, as \"tag list\" names it.");
     if (const auto over = line.parse(words, 2, 2))
@@ -136,9 +136,9 @@ int tag_order(const QStringList& words) {
 }
 
 int tag_trim(const QStringList& words) {
-    VerbLine line("album tag trim", "Keeps a part of a recording; the whole one goes to the trash.");
-    line.option("begin", "Seconds from its beginning.", "S", "0")
-        .option("end", "Seconds from its beginning.", "S")
+    VerbLine line("album tag trim", "Keeps part of a recording; the original goes to the trash.");
+    line.option("begin", "Start of the part, in seconds.", "S", "0")
+        .option("end", "End of the part, in seconds.", "S")
         .option("json", "The new recording as JSON.")
         .argument("PHOTO", "The photograph.")
         .argument("RECORDING", "Its file, as \"tag list\" names it.");
@@ -155,7 +155,7 @@ int tag_trim(const QStringList& words) {
     if (!tag)
         return refused(tag.error());
     print_tag(*tag, line.has("json"));
-    say("The whole one is in the trash of " + quoted(keeper.album()) + ".");
+    say("The original is in the trash of " + quoted(keeper.album()) + ".");
     return exit_done;
 }
 
@@ -181,10 +181,10 @@ int album_tag(const QStringList& words) {
     static constexpr std::array<SubVerb, 6> verbs{{
         {"add", "add a sound file to a photograph", tag_add},
         {"list", "the recordings of a photograph", tag_list},
-        {"label", "change what a recording says of itself", tag_label},
-        {"order", "the order in which they are played", tag_order},
-        {"trim", "keep a part of one", tag_trim},
-        {"delete", "move one to the trash", tag_delete},
+        {"label", "change a recording's label", tag_label},
+        {"order", "set the order in which recordings are played", tag_order},
+        {"trim", "keep part of a recording", tag_trim},
+        {"delete", "move a recording to the trash", tag_delete},
     }};
     return run_sub_verb("album tag", verbs, words);
 }

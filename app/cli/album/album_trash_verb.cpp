@@ -15,7 +15,7 @@ namespace {
 
 int trash_list(const QStringList& words) {
     VerbLine line("album trash list", "What was deleted from an album, newest first.");
-    line.option("json", "A JSON object a line.").argument("ALBUM", "The album's folder.");
+    line.option("json", "One JSON object per line.").argument("ALBUM", "The album's folder.");
     if (const auto over = line.parse(words, 1, 1))
         return *over;
     std::vector<std::string> problems;
@@ -32,7 +32,7 @@ int trash_list(const QStringList& words) {
 
 int trash_restore(const QStringList& words) {
     VerbLine line("album trash restore", "Puts something back to where it was.");
-    line.argument("ALBUM", "The album's folder.").argument("ID", "As \"trash list\" names it.");
+    line.argument("ALBUM", "The album's folder.").argument("ID", "Its name in \"trash list\".");
     if (const auto over = line.parse(words, 2, 2))
         return *over;
     AlbumKeeper keeper(path_given(line.arguments().first()));
@@ -41,8 +41,10 @@ int trash_restore(const QStringList& words) {
 }
 
 int trash_empty(const QStringList& words) {
-    VerbLine line("album trash empty", "Deletes for good what is in an album's trash. It cannot be undone.");
-    line.option("yes", "Without it nothing is deleted.").argument("ALBUM", "The album's folder.");
+    VerbLine line("album trash empty",
+                  "Deletes for good what is in an album's trash. This cannot be undone.");
+    line.option("yes", "Really deletes; without it nothing is deleted.")
+        .argument("ALBUM", "The album's folder.");
     if (const auto over = line.parse(words, 1, 1))
         return *over;
     Trash trash(path_given(line.arguments().first()));

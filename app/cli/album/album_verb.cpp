@@ -13,13 +13,13 @@ int album_verb(const QStringList& words) {
         {"list", "the photographs of an album, by time, person or year", album_list},
         {"search", "photographs by what is known of them", album_search},
         {"show", "everything known of one photograph", album_show},
-        {"import", "copy photographs into an album, with all that is theirs", album_import},
-        {"export", "photographs with all that is theirs as one .touchphoto file", album_export},
+        {"import", "copy photographs into an album, with all that belongs to them", album_import},
+        {"export", "write photographs with all that belongs to them as one .touchphoto file", album_export},
         {"tag", "recordings: add, list, label, order, trim, delete", album_tag},
         {"person", "people: list, rename, merge, name faces, record names", album_person},
         {"trash", "what was deleted: list, restore, empty", album_trash},
-        {"check", "compare an album with what is promised, and mend it", album_check},
-        {"rebuild", "throw the index away and make it again", album_rebuild},
+        {"check", "check that an album is whole, and mend it", album_check},
+        {"rebuild", "rebuild the index", album_rebuild},
     }};
     return run_sub_verb("album", verbs, words);
 }

@@ -3,10 +3,8 @@
 
 #include "app/figures/bench/bench_clock.hpp"
 #include "faces/decode/picture.hpp"
-#include "faces/evaluation/closed_eyes.hpp"
 #include "faces/evaluation/contour_error.hpp"
-#include "faces/evaluation/degraded.hpp"
-#include "faces/evaluation/opened_mouth.hpp"
+#include "faces/evaluation/harder_ways.hpp"
 #include "faces/extract/batch.hpp"
 #include "faces/models/model_catalog.hpp"
 
@@ -56,16 +54,6 @@ std::optional<std::array<double, 4>> errors_of(const std::vector<Contour>& truth
     if (!right || !left || !outer || !inner || !outline)
         return std::nullopt;
     return std::array{0.5 * (*right + *left), *outer, *inner, *outline};
-}
-
-/// The portrait as it is, harder to see, turned, with its mouth open, and with its eyes shut.
-std::vector<Degraded> made_harder(const Sample& sample, unsigned seed) {
-    std::vector<Degraded> ways = degraded(sample.picture, sample.truth, seed);
-    for (const double openness : {0.1, 0.25, 0.5, 0.8})
-        ways.push_back(with_opened_mouth(sample.picture, sample.truth, openness, seed));
-    for (const double shut : {0.5, 1.0})
-        ways.push_back(with_closed_eyes(sample.picture, sample.truth, shut, seed));
-    return ways;
 }
 
 /// Whether the person is told that something about this face may be wrong.
@@ -182,7 +170,8 @@ Result<std::vector<HarderRow>> run_harder_bench(const std::vector<PlacedPortrait
         const Result<Sample> sample = read_sample(portraits[i], 0);
         if (!sample)
             return Error{sample.error()};
-        const std::vector<Degraded> ways = made_harder(*sample, static_cast<unsigned>(i));
+        const std::vector<Degraded> ways =
+            harder_ways(sample->picture, sample->truth, static_cast<unsigned>(i));
         for (std::size_t w = 0; w < ways.size(); ++w) {
             if (compared.size() <= w) {
                 compared.push_back(0);

@@ -2,6 +2,7 @@
 #include "album_folder.hpp"
 #include "album_parts.hpp"
 #include "lab_process.hpp"
+#include "places.hpp"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -195,6 +196,19 @@ private slots:
         does({"scan", folder});
         does({"import", text(other.path()), bundle});
         QVERIFY(photographs_in(other) == originals);
+    }
+
+    void a_photograph_is_said_in_words() {
+        const QString photo = tp::test::in_source("resources/samples/anna_smiling.jpg");
+        const QJsonObject shown = lines_of(album({"show", photo, "--json"})).at(0);
+        const QJsonObject face = shown["seen"].toObject()["faces"].toArray().at(0).toObject();
+        QVERIFY(face["expression"].toString().contains("smiling"));
+        QCOMPARE(face["facing"].toString(), "camera");
+        const QJsonObject words = shown["words"].toObject();
+        QCOMPARE(words["en"].toObject()["short"].toString().left(12), QString("one person, "));
+        QCOMPARE(words["de"].toObject()["full"].toString().left(13), QString("Eine Person, "));
+        QVERIFY(words["ko"].toObject()["full"].toString().startsWith(QString::fromUtf8("한 사람")));
+        QVERIFY(album({"show", photo}).out.contains("in words     One person, "));
     }
 
     void a_check_says_and_mends() {

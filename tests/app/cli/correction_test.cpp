@@ -85,7 +85,7 @@ private slots:
         QCOMPARE(lab({"correction", photo_}).code, 1);
         const Run faces = lab({"faces", photo_});
         QCOMPARE(faces.code, 1);
-        QVERIFY(faces.err.contains("cannot be used, and the program's own are taken"));
+        QVERIFY(faces.err.contains("cannot be used, so the program's own are used"));
         QVERIFY(faces.out.contains("1 face"));
     }
 };

@@ -53,7 +53,7 @@ private slots:
             QVERIFY(is_one_sentence(run.err) || run.err.contains("lists what is there"));
         }
         QCOMPARE(lab({"devices", "home", "simulated"}).code, 1);
-        QVERIFY(lab({"devices", "measure", "simulated"}).err.contains("only force sticks are measured"));
+        QVERIFY(lab({"devices", "measure", "simulated"}).err.contains("only force sticks need measuring"));
         QCOMPARE(lab({"devices", "calibrate", "pad:none", "--screen", "250x150"}).code, 1);
         for (const char* screen : {"", "250", "250x", "1x1", "axb", "250x150x3"})
             QCOMPARE(lab({"devices", "calibrate", "simulated", "--screen", screen}).code, 2);
@@ -80,7 +80,7 @@ private slots:
     void what_is_no_recording_is_refused() {
         const Run run = lab({"devices", "replay", scene()});
         QCOMPARE(run.code, 1);
-        QVERIFY(run.err.contains("no recording of a force device"));
+        QVERIFY(run.err.contains("not a recording of a force device"));
         QCOMPARE(lab({"devices", "replay", folder_.filePath("missing")}).code, 1);
     }
 };

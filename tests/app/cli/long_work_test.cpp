@@ -85,7 +85,11 @@ private slots:
         write_long_sound(path("long.wav"));
         const QString portrait = tp::test::in_source("resources/samples/anna_smiling.jpg");
         QVERIFY(QFile::copy(portrait, path("one.jpg")));
-        QVERIFY(QDir().mkpath(path("album")) && QDir().mkpath(path("empty")));
+        QVERIFY(QDir().mkpath(path("album")) && QDir().mkpath(path("empty")) && QDir().mkpath(path("heavy")));
+        for (int i = 0; i < 200; ++i) // gigabytes that take no place on the disk
+            QCOMPARE(::link(qPrintable(path("large.jpg")),
+                            qPrintable(path(QStringLiteral("heavy/%1.jpg").arg(i)))),
+                     0);
         for (int i = 0; i < 8'000; ++i)
             QCOMPARE(
                 ::link(qPrintable(path("one.jpg")), qPrintable(path(QStringLiteral("album/%1.jpg").arg(i)))),
@@ -112,6 +116,7 @@ private slots:
         row("devices replay", "devices replay @short.rec --scene @tangle.svg");
         row("devices test", "devices test simulated --seconds 1000");
         row("servo", "servo --seconds 1000");
+        row("aim", "aim simulate --people 100000 --out @aim");
         row("stability", "stability --out @stability");
         row("bench guidance", "bench guidance --json @bench.json");
         row("bench accuracy", "bench accuracy --out @accuracy");
@@ -131,7 +136,7 @@ private slots:
         row("album person record", "album person record @empty Anna --from @long.wav");
         row("album tag add", "album tag add @one.jpg --from @long.wav");
         row("album check", "album check @album");
-        row("album export", "album export @album --to @all.touchphoto");
+        row("album export", "album export @heavy --to @all.touchphoto");
         row("album import", "album import @empty @album --cache @cache/import",
             "cache/.*|empty/[0-9]+[.]jpg|empty/[.]touchphoto/import/[^/]+");
     }

@@ -250,7 +250,7 @@ private slots:
         qputenv("TOUCHPHOTO_MODELS", folder_->filePath("file").toUtf8());
         const Run run = lab({"models", "fetch", "yunet", "--yes", "--from", another_net});
         QCOMPARE(run.code, 1);
-        QVERIFY2(run.err.contains("cannot be made."), run.err.constData());
+        QVERIFY2(run.err.contains("cannot be created."), run.err.constData());
         qunsetenv("TOUCHPHOTO_MODELS");
         qunsetenv("XDG_DATA_HOME");
         const QByteArray home = qgetenv("HOME");

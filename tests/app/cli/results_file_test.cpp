@@ -73,7 +73,7 @@ private slots:
         QFETCH(QByteArray, content);
         put("other", content);
         const std::string error = ResultsFile::open(path("other")).error();
-        QVERIFY2(error.find("is no result of faces --json") != std::string::npos, error.c_str());
+        QVERIFY2(error.find("is not a result of faces --json") != std::string::npos, error.c_str());
         QCOMPARE(get("other"), content);
     }
 

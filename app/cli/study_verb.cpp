@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/command_line.hpp"
+#include "app/cli/verbs.hpp"
+#include "app/figures/study/study_report.hpp"
+#include "core/experiment/experiment_file.hpp"
+#include "core/experiment/trial_order.hpp"
+#include "core/files/durable_file.hpp"
+#include "core/files/whole_file.hpp"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace tp {
+namespace {
+
+QString text_of(const std::string& text) { return QString::fromStdString(text); }
+
+QJsonValue maybe(const std::optional<double>& value) { return value ? QJsonValue(*value) : QJsonValue(); }
+
+QJsonObject json_of(const StudyReport& report) {
+    QJsonArray effects, levels, remarks;
+    for (const StudyMeasure& measure : report.measures) {
+        for (const WithinEffect& effect : measure.anova.effects)
+            effects.append(QJsonObject{{"measure", text_of(measure.name)},
+                                       {"effect", text_of(words_for(effect, measure.means.factors))},
+                                       {"f", maybe(effect.f)},
+                                       {"df", effect.df},
+                                       {"error_df", effect.error_df},
+                                       {"p", maybe(effect.p)},
+                                       {"epsilon", maybe(effect.epsilon)},
+                                       {"p_greenhouse_geisser", maybe(effect.p_spherical)},
+                                       {"eta_squared_generalised", maybe(effect.eta_squared)}});
+        for (std::size_t factor = 0; factor < measure.levels.size(); ++factor)
+            for (const LevelMean& level : measure.levels[factor].levels)
+                levels.append(QJsonObject{{"measure", text_of(measure.name)},
+                                          {"factor", text_of(measure.means.factors[factor].name)},
+                                          {"level", text_of(level.level)},
+                                          {"mean", level.mean},
+                                          {"standard_error", maybe(level.standard_error)},
+                                          {"letters", text_of(level.letters)}});
+    }
+    for (const std::string& remark : report.remarks)
+        remarks.append(text_of(remark));
+    return {{"experiment", text_of(report.experiment.name)},
+            {"participants", static_cast<int>(report.participants)},
+            {"trials", static_cast<int>(report.trials)},
+            {"repeated", static_cast<int>(report.repeated)},
+            {"effects", effects},
+            {"levels", levels},
+            {"remarks", remarks}};
+}
+
+void print(const StudyReport& report) {
+    std::printf("%zu participants, %zu trials, %zu done again\n", report.participants, report.trials,
+                report.repeated);
+    for (const StudyMeasure& measure : report.measures) {
+        std::printf("\n%s\n", measure.axis.c_str());
+        for (const WithinEffect& effect : measure.anova.effects) {
+            const std::string words = // × is two bytes
+                text_of(words_for(effect, measure.means.factors)).leftJustified(32).toStdString();
+            if (effect.f)
+                std::printf("  %s F(%.0f, %.0f) = %7.2f, p = %.3g, after Greenhouse and Geisser %.3g\n",
+                            words.c_str(), effect.df, effect.error_df, *effect.f, *effect.p,
+                            *effect.p_spherical);
+            else
+                std::printf("  %s no F\n", words.c_str());
+        }
+    }
+    for (const Confusion& confusion : report.confusions)
+        std::printf("%s%s: %.1f %% named rightly\n", &confusion == &report.confusions.front() ? "\n" : "",
+                    confusion.where.empty() ? "all" : confusion.where.c_str(), 100.0 * confusion.right());
+}
+
+int report_verb(const VerbLine& line, const std::filesystem::path& folder) {
+    if (!line.has("out"))
+        return wrong_usage("study", "--out DIR is missing.");
+    const auto study = read_study(folder);
+    if (!study)
+        return refused(study.error());
+    const auto report = report_on(*study);
+    if (!report)
+        return refused(report.error());
+    if (const std::string problem = line.make_folder("out"); !problem.empty())
+        return refused(problem);
+    const std::filesystem::path out = line.text("out").toStdString();
+    for (const auto& written :
+         {effects_table(*report).write(out / "effects.csv"), levels_table(*report).write(out / "levels.csv"),
+          pairs_table(*report).write(out / "pairs.csv")})
+        if (!written)
+            return refused(written.error());
+    if (!report->confusions.empty())
+        if (const auto written = confusion_table(*report).write(out / "confusion.csv"); !written)
+            return refused(written.error());
+    const auto plots = plot_study(out, *report);
+    if (!plots)
+        return refused(plots.error());
+    if (const std::string problem = replace_file(out / "report.html", study_page(*report, *plots));
+        !problem.empty())
+        return refused("The page cannot be written: " + problem);
+    for (const std::string& remark : report->remarks)
+        say(remark);
+    if (line.has("json"))
+        std::printf("%s\n", QJsonDocument(json_of(*report)).toJson(QJsonDocument::Compact).constData());
+    else
+        print(*report);
+    return exit_done;
+}
+
+int check_verb(const std::filesystem::path& folder) {
+    const auto study = read_study(folder);
+    if (!study)
+        return refused(study.error());
+    for (const std::string& remark : study->remarks)
+        say(remark);
+    for (const std::string& sentence : study_progress(*study))
+        std::printf("%s\n", sentence.c_str());
+    if (study->records.empty())
+        std::printf("There are no trials yet.\n");
+    return exit_done;
+}
+
+int plan_verb(const VerbLine& line, const std::filesystem::path& file) {
+    const auto participant = line.whole("participant", 1, 1'000'000);
+    const auto seed = line.whole("seed", 0, 1'000'000'000);
+    if (!participant || !seed)
+        return wrong_usage("study", participant ? seed.error() : participant.error());
+    const auto text = read_whole(file, most_experiment_bytes);
+    if (!text)
+        return refused(text.error());
+    const auto experiment = read_experiment(*text);
+    if (!experiment)
+        return refused(experiment.error());
+    std::string columns = "trial,repetition,training";
+    for (const StudyFactor& factor : experiment->factors)
+        columns += "," + std::string(kind_of(factor.parameter).name);
+    std::printf("%s,seed\n", columns.c_str());
+    int number = 0;
+    for (const PlannedTrial& trial :
+         trials_of(*experiment, *participant, static_cast<std::uint64_t>(*seed))) {
+        std::string row = std::to_string(++number) + "," + std::to_string(trial.repetition + 1) +
+                          (trial.training ? ",yes" : ",no");
+        const auto levels = experiment->levels_of(trial.condition);
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            row += "," + experiment->factors[i].levels[levels[i]];
+        std::printf("%s,%llu\n", row.c_str(), static_cast<unsigned long long>(trial.seed));
+    }
+    return exit_done;
+}
+
+} // namespace
+
+int study_verb(const QStringList& words) {
+    VerbLine line(
+        "study",
+        "Experiments with people. plan FILE: the trials of one participant, in their order. check FOLDER:\n"
+        "how far each participant of a study has come. report FOLDER: what the study shows, as tables,\n"
+        "plots and one page: repeated-measures analysis of variance, Tukey's groups, what was called what.\n"
+        "Experiments are files: resources/studies has the published ones.");
+    line.argument("what", "plan, check or report.", "plan|check|report")
+        .argument("from", "An experiment's file, or the folder of a study.", "FILE|FOLDER")
+        .option("participant", "With plan: the number of the person.", "N", "1")
+        .option("seed", "With plan: the study's number; another one is another order.", "S", "1")
+        .option("out", "With report: folder for the results; made where it is missing.", "DIR")
+        .option("json", "With report: JSON instead of words.");
+    if (const auto ended = line.parse(words, 2, 2))
+        return *ended;
+    const QString what = line.arguments()[0];
+    const std::filesystem::path from = line.arguments()[1].toStdString();
+    if (what == "plan")
+        return plan_verb(line, from);
+    if (what == "check")
+        return check_verb(from);
+    if (what == "report")
+        return report_verb(line, from);
+    return wrong_usage("study", "There is nothing called \"" + what.toStdString() +
+                                    "\"; plan, check and report are what can be done.");
+}
+
+} // namespace tp

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/figures/study/study_folder.hpp"
+
+#include "core/experiment/experiment_file.hpp"
+#include "core/files/file_words.hpp"
+#include "core/files/whole_file.hpp"
+
+#include <algorithm>
+#include <map>
+#include <system_error>
+#include <utility>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string about(const fs::path& file, const std::string& problem) { return quoted(file) + ": " + problem; }
+
+/// The names of the participants' tables, in order.
+Result<std::vector<fs::path>> tables_in(const fs::path& folder) {
+    std::vector<fs::path> tables;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        if (name.starts_with("participant-") && name.ends_with(".csv"))
+            tables.push_back(at->path());
+        if (tables.size() > most_study_participants)
+            return Error{"The study has more than " + std::to_string(most_study_participants) +
+                         " participants."};
+    }
+    if (error)
+        return Error{"The folder " + quoted(folder) + " cannot be read."};
+    std::ranges::sort(tables);
+    return tables;
+}
+
+} // namespace
+
+std::string participant_file(int participant) {
+    std::string number = std::to_string(participant);
+    number.insert(0, number.size() < 3 ? 3 - number.size() : 0, '0');
+    return "participant-" + number + ".csv";
+}
+
+Result<StudyFolder> read_study(const fs::path& folder) {
+    const fs::path protocol = folder / study_protocol_file;
+    const auto text = read_whole(protocol, most_experiment_bytes);
+    if (!text)
+        return Error{text.error()};
+    auto experiment = read_experiment(*text);
+    if (!experiment)
+        return Error{about(protocol, experiment.error())};
+    const auto tables = tables_in(folder);
+    if (!tables)
+        return Error{tables.error()};
+    StudyFolder study;
+    study.experiment = std::move(*experiment);
+    std::map<int, fs::path> seen;
+    for (const fs::path& file : *tables) {
+        const auto csv = read_whole(file, most_trial_table_bytes);
+        if (!csv)
+            return Error{csv.error()};
+        const auto table = read_trials(study.experiment, *csv);
+        if (!table)
+            return Error{about(file, table.error())};
+        if (table->torn)
+            study.remarks.push_back(
+                about(file, "the last trial was being written when the program ended; it is left out."));
+        if (table->records.empty())
+            continue;
+        const int participant = table->records.front().participant;
+        if (std::ranges::any_of(table->records,
+                                [&](const TrialRecord& record) { return record.participant != participant; }))
+            return Error{about(file, "the trials of more than one participant are in it.")};
+        if (const auto [other, is_new] = seen.emplace(participant, file); !is_new)
+            return Error{about(file, "participant " + std::to_string(participant) + " is in " +
+                                         quoted(other->second) + " already.")};
+        study.records.insert(study.records.end(), table->records.begin(), table->records.end());
+    }
+    return study;
+}
+
+std::vector<std::string> study_progress(const StudyFolder& study) {
+    struct Done {
+        std::map<std::size_t, int> times; ///< of a condition
+        int again = 0;
+    };
+    std::map<int, Done> participants;
+    for (const TrialRecord& record : study.records) {
+        Done& done = participants[record.participant];
+        if (record.repeated)
+            ++done.again;
+        else if (!record.training)
+            ++done.times[record.condition];
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [participant, done] : participants) {
+        std::size_t trials = 0, missing = 0;
+        for (std::size_t condition = 0; condition < study.experiment.conditions(); ++condition) {
+            const auto times = done.times.find(condition);
+            const int count = times == done.times.end() ? 0 : times->second;
+            trials += static_cast<std::size_t>(count);
+            missing += static_cast<std::size_t>(std::max(0, study.experiment.repetitions - count));
+        }
+        std::string sentence = "Participant " + std::to_string(participant) + ": " + std::to_string(trials) +
+                               " trials of " + std::to_string(study.experiment.trials());
+        if (done.again > 0)
+            sentence += ", " + std::to_string(done.again) + " of them done again";
+        sentences.push_back(sentence +
+                            (missing > 0 ? "; " + std::to_string(missing) + " are missing." : "."));
+    }
+    return sentences;
+}
+
+} // namespace tp

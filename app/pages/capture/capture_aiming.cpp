@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pages/capture/capture_aiming.hpp"
+
+#include "app/pages/capture/aim_cue.hpp"
+#include "app/pages/capture/aim_words.hpp"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <utility>
+
+namespace tp {
+
+CaptureAiming::CaptureAiming(CaptureChoices& choices, CaptureTeller& teller, SonifiedGuide& guide)
+    : choices_(choices), teller_(teller), guide_(guide), aiming_(choices.aim()), aim_(choices.aim()) {
+    connect(&choices_, &CaptureChoices::changed, this, [this] {
+        if (aim_ != choices_.aim())
+            aiming_.aim_at(aim_ = choices_.aim());
+    });
+}
+
+QString CaptureAiming::advice() const { return now_ ? AimWords::instruction(*now_, false) : QString(); }
+
+void CaptureAiming::begin(HeldCamera held) {
+    aiming_ = Aiming(aim_, held);
+    now_.reset();
+    good_since_.reset();
+    good_ = hushed_ = unsaid_ = false;
+    whole_ = true;
+    people_.clear();
+    emit changed();
+}
+
+void CaptureAiming::end() {
+    guide_.silence();
+    now_.reset();
+    emit changed();
+}
+
+bool CaptureAiming::hush() {
+    guide_.silence();
+    return !std::exchange(hushed_, true);
+}
+
+void CaptureAiming::listen() {
+    if (std::exchange(hushed_, false))
+        unsaid_ = true;
+}
+
+void CaptureAiming::see(const AimFrame& frame) {
+    now_s_ = frame.time_s;
+    if (unsaid_ && !hushed_ && !teller_.speaking()) {
+        unsaid_ = false;
+        aiming_.aim_at(aim_); // what was not said is said now
+    }
+    aiming_.with_tone(choices_.tone());
+    const AimAnswer answer = aiming_.see(frame);
+    now_ = answer.now;
+    good_ = answer.good;
+    if (!good_)
+        good_since_.reset();
+    else if (!good_since_)
+        good_since_ = now_s_;
+    if (answer.say)
+        say(*answer.say);
+    hear(answer.tone);
+    emit changed();
+    if (answer.take && choices_.by_itself())
+        emit take_asked();
+}
+
+void CaptureAiming::say(const AimInstruction& instruction) {
+    if (hushed_ || teller_.speaking()) {
+        unsaid_ = true;
+        aiming_.sentence_ended(now_s_);
+        return;
+    }
+    QStringList words;
+    if (const QString people = AimWords::people(instruction); people != people_) {
+        people_ = people;
+        words << people;
+    }
+    words << AimWords::instruction(instruction, whole_);
+    words.removeAll(QString());
+    whole_ = whole_ && !AimWords::is_way(instruction.advice);
+    teller_.tell(words.join(' '), [this] { aiming_.sentence_ended(now_s_); });
+}
+
+void CaptureAiming::hear(const AimTone& tone) {
+    if (hushed_ || !tone.sounds || !choices_.tone())
+        return guide_.silence();
+    AimTone heard = tone;
+    if (teller_.speaking())
+        heard.gain = std::min(heard.gain, gain_under_words);
+    guide_.sound(aim_cue(heard, good_since_ ? (now_s_ - *good_since_) / good_for_s : 0.0));
+}
+
+void CaptureAiming::tell_all() {
+    if (!now_)
+        return;
+    QStringList words{AimWords::people(*now_), AimWords::cut(now_->cut), AimWords::instruction(*now_, true)};
+    words.removeAll(QString());
+    teller_.answer(words.join(' '));
+}
+
+} // namespace tp

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/pages/capture/capture_choices.hpp"
+#include "app/pages/capture/capture_teller.hpp"
+#include "audio/guide/sonified_guide.hpp"
+#include "core/aiming/aiming.hpp"
+
+#include <QObject>
+#include <QString>
+#include <QtQml/qqmlregistration.h>
+
+#include <optional>
+
+namespace tp {
+
+/// Leads the hand: of each frame one instruction, said where nothing else is being said, and a tone.
+class CaptureAiming final : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("Made by the session.")
+
+    /// What is to be done now, said or not; empty before the first frame.
+    Q_PROPERTY(QString advice READ advice NOTIFY changed)
+    Q_PROPERTY(bool good READ good NOTIFY changed)
+public:
+    /// All must outlive it.
+    CaptureAiming(CaptureChoices& choices, CaptureTeller& teller, SonifiedGuide& guide);
+    /// Nothing sounds behind it.
+    ~CaptureAiming() override { guide_.silence(); }
+
+    QString advice() const;
+    bool good() const { return now_ && good_; }
+
+    /// A camera begins that lies so in the hand.
+    void begin(HeldCamera held);
+    void end();
+    void see(const AimFrame& frame);
+    /// Neither words nor tone until `listen`. False where it was so already.
+    bool hush();
+    void listen();
+    /// Says who is seen, what is cut off, and what to do.
+    void tell_all();
+
+signals:
+    void changed();
+    /// The frame was good for a while.
+    void take_asked();
+
+private:
+    void say(const AimInstruction& instruction);
+    void hear(const AimTone& tone);
+
+    CaptureChoices& choices_;
+    CaptureTeller& teller_;
+    SonifiedGuide& guide_;
+    Aiming aiming_;
+    Aim aim_;
+    std::optional<AimInstruction> now_;
+    bool good_ = false;
+    double now_s_ = 0.0;               ///< the last frame's
+    std::optional<double> good_since_; ///< s
+    bool hushed_ = false;
+    bool unsaid_ = false; ///< something was to be said while something else was being said
+    bool whole_ = true;   ///< the next way is said in a whole sentence
+    QString people_;      ///< who was told of last
+};
+
+} // namespace tp

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pages/capture/capture_session.hpp"
+
+#include "app/pages/capture/aim_words.hpp"
+
+#include <QLocale>
+#include <QString>
+
+#include <utility>
+
+namespace tp {
+
+namespace {
+
+constexpr double step_deg = 2.0; ///< of a key, at a desk
+constexpr double turn_deg = 3.0;
+constexpr double step_m = 0.1;
+
+} // namespace
+
+CaptureSession::CaptureSession(Narrator& narrator, EarconPlayer& earcons, SonifiedGuide& guide,
+                               Recorder& recorder, MomentRecorder& moment, Preferences& preferences,
+                               Parts parts)
+    : preferences_(preferences), teller_(narrator, earcons), choices_(preferences, teller_),
+      camera_(std::move(parts.camera), std::move(parts.make_look)), aiming_(choices_, teller_, guide),
+      album_(std::move(parts.folder)), shutter_(album_, teller_), memo_(album_, recorder, teller_),
+      moment_(album_, choices_, moment, teller_) {
+    connect(&camera_, &CaptureCamera::began, this, [this] {
+        aiming_.begin(camera_.held());
+        moment_.begin();
+        teller_.sound(Earcon::ready);
+    });
+    connect(&camera_, &CaptureCamera::seen, &aiming_, &CaptureAiming::see);
+    connect(&camera_, &CaptureCamera::seen, this, [this] { fresh_ = fresh_ || !aiming_.good(); });
+    connect(&aiming_, &CaptureAiming::take_asked, this, [this] {
+        if (fresh_ && !memo_.running() && shutter_.shown() < 0)
+            take();
+    });
+    connect(&shutter_, &CaptureShutter::touched, this, &CaptureSession::touched);
+    connect(&shutter_, &CaptureShutter::kept, &moment_, &CaptureMoment::keep);
+    connect(&shutter_, &CaptureShutter::not_kept, &moment_, &CaptureMoment::drop);
+    connect(&moment_, &CaptureMoment::touched, this, &CaptureSession::touched);
+    connect(&memo_, &CaptureMemo::touched, this, &CaptureSession::touched);
+    connect(&memo_, &CaptureMemo::changed, this, &CaptureSession::be_silent_for_memo);
+    connect(&camera_, &CaptureCamera::failed, this, [this] {
+        aiming_.end();
+        moment_.end();
+        teller_.problem(camera_.problem() + ' ' + tr("Press I to import photographs of another camera."));
+    });
+}
+
+CaptureSession::~CaptureSession() { camera_.switch_off(); }
+
+void CaptureSession::enter() {
+    here_ = true;
+    greet();
+    if (in_sight_)
+        camera_.switch_on();
+}
+
+void CaptureSession::greet() {
+    if (preferences_.choices().capture_told)
+        return teller_.tell(tr("Take a photograph. %1.").arg(choices_.aims()[choices_.aim_index()]) +
+                            (choices_.moment() ? ' ' + tr("The microphone is on.") : QString()));
+    preferences_.change([](Choices& choices) { choices.capture_told = true; });
+    teller_.tell(
+        tr("Take a photograph. Point the camera at somebody, and listen where to move it. When all is "
+           "well, the photograph is taken by itself; press S if you do not want that. Space takes it "
+           "at once."));
+}
+
+void CaptureSession::leave() {
+    here_ = false;
+    memo_.finish();
+    shutter_.forget();
+    camera_.switch_off();
+    moment_.end();
+    aiming_.end();
+    teller_.silence();
+}
+
+void CaptureSession::setInSight(bool in_sight) {
+    if (std::exchange(in_sight_, in_sight) == in_sight || !here_)
+        return;
+    if (in_sight)
+        return camera_.switch_on();
+    memo_.finish();
+    shutter_.forget();
+    camera_.switch_off();
+    moment_.end();
+    aiming_.end();
+    teller_.silence();
+}
+
+void CaptureSession::take() {
+    if (memo_.finish())
+        return;
+    if (camera_.state() != CaptureCamera::On)
+        return tellAll();
+    if (shutter_.taking())
+        return;
+    fresh_ = false;
+    moment_.shutter();
+    teller_.sound(Earcon::contour_crossed);
+    shutter_.take({camera_.last_frames(), camera_.held(), camera_.name()});
+}
+
+void CaptureSession::recordMemo() {
+    if (memo_.finish())
+        return;
+    if (shutter_.photo().empty())
+        return teller_.answer(tr("Take a photograph first; then a memo can be spoken for it."));
+    const QString& chosen = preferences_.choices().language;
+    memo_.start(shutter_.photo(), chosen.isEmpty() ? QLocale().bcp47Name() : chosen);
+}
+
+/// The microphone listens.
+void CaptureSession::be_silent_for_memo() {
+    if (memo_.running()) {
+        aiming_.hush();
+        moment_.end();
+    } else {
+        aiming_.listen();
+        if (camera_.state() == CaptureCamera::On)
+            moment_.begin();
+    }
+}
+
+bool CaptureSession::stop() {
+    if (memo_.finish() || shutter_.look_away())
+        return true;
+    const bool spoke = teller_.speaking();
+    teller_.silence();
+    return (camera_.state() == CaptureCamera::On && aiming_.hush()) || spoke;
+}
+
+void CaptureSession::tellAll() {
+    if (camera_.state() == CaptureCamera::On)
+        return aiming_.tell_all();
+    teller_.answer(camera_.state() == CaptureCamera::Failed ? camera_.problem()
+                                                            : tr("The camera is starting."));
+}
+
+void CaptureSession::turnRound() {
+    if (!camera_.both())
+        return teller_.answer(tr("There is only one camera."));
+    camera_.turn_round();
+    teller_.answer(camera_.front() ? tr("Front camera.") : tr("Back camera."));
+}
+
+void CaptureSession::setLight(bool on) {
+    if (!camera_.torch())
+        return teller_.answer(tr("This camera has no light."));
+    camera_.light(on);
+    teller_.answer(on ? tr("Light on.") : tr("Light off."));
+}
+
+void CaptureSession::tryAgain() {
+    if (camera_.state() == CaptureCamera::Failed && here_ && in_sight_)
+        camera_.switch_on();
+}
+
+void CaptureSession::moveCamera(double right, double up, double clockwise, double closer) {
+    HeldPose way;
+    way.pan_deg = step_deg * right;
+    way.tilt_deg = step_deg * up;
+    way.roll_deg = turn_deg * clockwise;
+    way.forward_m = step_m * closer;
+    camera_.move_by(way);
+}
+
+} // namespace tp

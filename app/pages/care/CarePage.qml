@@ -11,38 +11,57 @@ FocusScope {
 
     required property CareSession session
     readonly property bool wide: width > 1.15 * height && width > 900 * Theme.textScale
-    readonly property string help: qsTr("Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z undoes the last step, Control Shift Z redoes it. Escape stops what plays, and ends a recording and keeps it.")
+    readonly property string help: peopleShown
+        ? qsTr("Each row is a person. Tab moves from control to control, the arrow keys from row to row, Enter opens one. Type who it is, or press Y where a name is offered. On a face, Delete says that it is somebody else's. Control+Z undoes the last step. Escape leads back.")
+        : qsTr("Tab moves from control to control, the arrow keys from photograph to photograph, Enter opens one. Control+Z undoes the last step, Control+Shift+Z redoes it. Escape stops playback; it also ends a recording and keeps it.")
     readonly property bool photoShown: session.photoOpen
+    readonly property bool peopleShown: session.groups.shown
+    readonly property bool personShown: peopleShown && session.groups.row >= 0
+    // What is seen of it: in a narrow window one pane.
+    readonly property Item list: peopleShown ? groupListPane : listPane
+    readonly property Item one: peopleShown ? groupPane : photoPane
+    readonly property bool oneShown: peopleShown ? personShown : photoShown
 
     focus: true
 
     Keys.onPressed: (event) => {
         event.accepted = true
         if (event.key === Qt.Key_Z && event.modifiers === Qt.ControlModifier)
-            session.undo()
+            session.history.undo()
         else if ((event.key === Qt.Key_Z && event.modifiers === (Qt.ControlModifier | Qt.ShiftModifier))
                  || (event.key === Qt.Key_Y && event.modifiers === Qt.ControlModifier))
-            session.redo()
+            session.history.redo()
         else if (event.key === Qt.Key_Escape)
             event.accepted = session.stop()
         else
             event.accepted = false
     }
-    // Back in the list, or in the photograph that has come back: the keyboard is never left on what is hidden.
-    onPhotoShownChanged: {
+    // Back in the list, or in the photograph that has come back: the keyboard is never left on what is hidden. Later,
+    // because until then some of the bindings tell of the panes before.
+    onOneShownChanged: Qt.callLater(page.moveFocus)
+    onPeopleShownChanged: {
+        page.peopleBegin = peopleShown
+        Qt.callLater(page.moveFocus)
+    }
+    property bool peopleBegin: false // they were opened just now
+    function moveFocus() {
+        const first = peopleBegin
+        peopleBegin = false
         giveFocus()
         if (!page.activeFocus)
             return
-        if (photoShown)
-            photoPane.focusFirst()
+        if (oneShown)
+            one.focusFirst()
+        else if (first)
+            list.focusFirst()
         else
-            listPane.focusRow()
+            list.focusRow()
     }
 
     // To the part that is seen, for when the keyboard comes to the page.
     function giveFocus() {
-        if (!wide)
-            (photoShown ? photoPane : listPane).focus = true
+        if (peopleShown || !wide || groupListPane.focus || groupPane.focus)
+            (oneShown ? one : list).focus = true
     }
     onWideChanged: giveFocus()
     Component.onCompleted: giveFocus()
@@ -55,39 +74,52 @@ FocusScope {
         id: listPane
         anchors { left: parent.left; top: parent.top; bottom: parent.bottom; margins: 2 * Theme.gap - inset }
         width: Math.round(page.wide ? 0.38 * page.width : page.width - 4 * Theme.gap) + 2 * inset
-        visible: page.wide || !page.session.photoOpen
-        enabled: !page.session.choosing
+        visible: !page.peopleShown && (page.wide || !page.session.photoOpen)
+        enabled: !page.session.folders.choosing
         focus: true
         session: page.session
         onPhotosAsked: photosDialog.open()
-        onFolderAsked: page.session.importFolder()
+        onFolderAsked: page.session.folders.importFolder()
         onOpened: photoPane.focusFirst()
     }
     PhotoPane {
         id: photoPane
         anchors { right: parent.right; top: parent.top; bottom: parent.bottom; margins: 2 * Theme.gap }
         width: page.wide ? page.width - listPane.width - 7 * Theme.gap : page.width - 4 * Theme.gap
-        visible: page.wide || page.session.photoOpen
-        enabled: !page.session.choosing
+        visible: !page.peopleShown && (page.wide || page.session.photoOpen)
+        enabled: !page.session.folders.choosing
         session: page.session
         onSoundsAsked: soundsDialog.open()
+    }
+    GroupListPane {
+        id: groupListPane
+        anchors.fill: listPane
+        visible: page.peopleShown && (page.wide || !page.personShown)
+        session: page.session
+        onOpened: groupPane.focusFirst()
+    }
+    GroupPane {
+        id: groupPane
+        anchors.fill: photoPane
+        visible: page.peopleShown && (page.wide || page.personShown)
+        session: page.session
     }
 
     // Choosing a folder takes the place of everything else for as long as it lasts.
     Rectangle {
         anchors.fill: parent
-        visible: page.session.choosing
+        visible: page.session.folders.choosing
         color: Theme.ground
         MouseArea { anchors.fill: parent }
         Loader {
             anchors.fill: parent
-            active: page.session.choosing
+            active: page.session.folders.choosing
             sourceComponent: TpScroll {
                 margin: 2 * Theme.gap
                 FolderChooserView {
                     width: parent.width
                     focus: true
-                    chooser: page.session.chooser
+                    chooser: page.session.folders.chooser
                 }
             }
             onLoaded: item.forceActiveFocus()

@@ -22,7 +22,7 @@ Loader {
         }
         item.open()
     }
-    onLoaded: item.currentFolder = session.picturesFolder()
+    onLoaded: item.currentFolder = session.folders.picturesFolder()
 
     Connections {
         target: loader.item

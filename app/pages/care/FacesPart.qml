@@ -63,15 +63,33 @@ FocusScope {
                 }
                 TpListRow {
                     id: row
-                    anchors { left: crop.right; leftMargin: Theme.gap; right: parent.right }
+                    anchors { left: crop.right; leftMargin: Theme.gap; right: yes.visible ? yes.left : parent.right; rightMargin: yes.visible ? Theme.gap : 0 }
                     height: Math.max(implicitHeight, crop.height)
                     focus: true
                     text: face.entry.text || ""
-                    detail: face.entry.problem ? face.entry.problem : face.entry.named ? "" : qsTr("Press to name it")
+                    detail: face.entry.problem ? face.entry.problem : face.entry.named ? "" : qsTr("Press to name this face")
                     position: face.index + 1
                     count: part.faces.count
                     selected: face.entry.chosen === true
                     onClicked: part.faces.choose(face.index)
+                }
+                TpButton {
+                    id: yes
+                    objectName: "yes" + face.index
+                    anchors { right: parent.right; verticalCenter: row.verticalCenter }
+                    visible: (face.entry.offer || "") !== ""
+                    width: Math.min(implicitWidth, 0.4 * face.width)
+                    text: qsTr("Yes, %1").arg(face.entry.offer || "")
+                    hint: qsTr("Key: Y")
+                    onClicked: {
+                        row.forceActiveFocus() // this button goes
+                        part.faces.accept(face.index)
+                    }
+                }
+                Keys.onPressed: (event) => {
+                    event.accepted = event.key === Qt.Key_Y && yes.visible
+                    if (event.accepted)
+                        part.faces.accept(face.index)
                 }
             }
         }
@@ -98,8 +116,8 @@ FocusScope {
                 TpChoice {
                     width: parent.width
                     visible: part.faces.chosenName !== ""
-                    label: qsTr("Its name is read as")
-                    options: [qsTr("As the page")].concat(part.faces.languages)
+                    label: qsTr("Language of the name")
+                    options: [qsTr("Same as the page")].concat(part.faces.languages)
                     current: part.faces.language + 1
                     onPicked: (index) => part.faces.readNameIn(index - 1)
                 }

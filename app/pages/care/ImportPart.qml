@@ -33,7 +33,7 @@ Column {
     TpChoice {
         width: parent.width
         visible: part.importing.folders.length > 1 && !part.importing.running
-        label: qsTr("Into")
+        label: qsTr("Import into")
         options: part.importing.folders
         current: part.importing.folder
         onPicked: (index) => part.importing.folder = index
@@ -72,8 +72,8 @@ Column {
     TpButton {
         width: parent.width
         visible: part.importing.unfinished
-        text: qsTr("Give up the unfinished import")
-        hint: qsTr("What it brought stays.")
+        text: qsTr("Discard the unfinished import")
+        hint: qsTr("What was imported stays.")
         onClicked: {
             first.forceActiveFocus()
             part.importing.giveUp()

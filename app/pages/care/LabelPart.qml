@@ -20,7 +20,7 @@ Column {
     }
     NameField {
         width: parent.width
-        label: qsTr("About whom")
+        label: qsTr("Who it is about")
         suggest: part.people
         initial: part.recordings.person
         none: qsTr("About nobody in particular")
@@ -31,7 +31,7 @@ Column {
         label: qsTr("Who speaks")
         suggest: part.people
         initial: part.recordings.speaker
-        none: qsTr("Speaker not said")
+        none: qsTr("Speaker not given")
         onChosen: (name) => part.recordings.setSpeaker(name)
     }
     TpChoice {

@@ -117,8 +117,17 @@ FocusScope {
                 }
                 UndoBar {
                     width: parent.width
-                    session: pane.session
-                    visible: !pane.session.photoOpen && (pane.session.undoText !== "" || pane.session.redoText !== "")
+                    history: pane.session.history
+                    visible: !pane.session.photoOpen && holdsSteps
+                }
+                TpButton {
+                    objectName: "people"
+                    anchors.left: parent.left
+                    visible: pane.session.photos.total > 0 && pane.session.groups.on
+                    width: Math.min(implicitWidth, parent.width)
+                    text: qsTr("People…")
+                    hint: qsTr("Says once who somebody is, for all photographs.")
+                    onClicked: pane.session.groups.show()
                 }
                 TpChoice {
                     width: parent.width
@@ -131,14 +140,14 @@ FocusScope {
                 TpStatus {
                     width: parent.width
                     visible: pane.session.photos.leftToJudge > 0
-                    text: qsTr("Looking at faces, %n photograph(s) left…", "", pane.session.photos.leftToJudge)
+                    text: qsTr("Checking faces, %n photograph(s) left…", "", pane.session.photos.leftToJudge)
                     color: Theme.quiet
                 }
                 TpText {
                     width: parent.width
                     visible: pane.session.photos.total === 0
-                    text: pane.session.hasFolders ? qsTr("No photograph is in the album yet.")
-                                                  : qsTr("The album has no folder yet. You are asked for one when you import.")
+                    text: pane.session.folders.hasFolders ? qsTr("There are no photographs in the album yet.")
+                                                  : qsTr("The album has no folder yet. You will be asked for one when you import.")
                 }
             }
         }

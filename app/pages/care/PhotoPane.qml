@@ -43,7 +43,7 @@ FocusScope {
         }
         UndoBar {
             width: parent.width
-            session: pane.session
+            history: pane.session.history
         }
         FacesPart {
             width: parent.width
@@ -59,6 +59,7 @@ FocusScope {
         DescriptionPart {
             width: parent.width
             descriptions: pane.session.descriptions
+            draft: pane.session.draft
         }
         TpHeading {
             width: parent.width
@@ -70,7 +71,7 @@ FocusScope {
             TpButton {
                 objectName: "mend"
                 width: Math.min(implicitWidth, parent.width)
-                text: qsTr("Mend the contours…")
+                text: qsTr("Mend contours…")
                 onClicked: pane.session.mend()
             }
             TpButton {
@@ -83,7 +84,7 @@ FocusScope {
                 objectName: "deletePhoto"
                 width: Math.min(implicitWidth, parent.width)
                 text: qsTr("Delete the photograph")
-                hint: qsTr("With everything that is its own. Undo brings it back.")
+                hint: qsTr("With everything that belongs to it. Undo brings it back.")
                 onClicked: pane.session.deletePhoto()
             }
         }
@@ -92,7 +93,7 @@ FocusScope {
         anchors.centerIn: parent
         width: parent.width - 8 * Theme.gap
         visible: !pane.session.photoOpen
-        text: qsTr("Choose a photograph to care for it.")
+        text: qsTr("Choose a photograph to look after it.")
         horizontalAlignment: Text.AlignHCenter
         color: Theme.quiet
         font.pixelSize: Theme.headingSize

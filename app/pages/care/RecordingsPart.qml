@@ -42,7 +42,7 @@ FocusScope {
         TpText {
             width: parent.width
             visible: part.recordings.count === 0
-            text: qsTr("No recording yet.")
+            text: qsTr("No recordings yet.")
             color: Theme.quiet
         }
         Repeater {
@@ -63,7 +63,7 @@ FocusScope {
         TpHeading {
             width: parent.width
             visible: part.recordings.chosen >= 0
-            text: qsTr("Chosen: %1").arg(part.recordings.chosenText)
+            text: qsTr("Selected: %1").arg(part.recordings.chosenText)
             font.pixelSize: Theme.textSize
         }
         Flow {
@@ -123,7 +123,7 @@ FocusScope {
             visible: active
             sourceComponent: LabelPart {
                 recordings: part.recordings
-                people: (typed) => part.session.people(typed)
+                people: (typed) => part.session.people.known(typed)
             }
         }
         TrimPart {

@@ -45,14 +45,14 @@ FocusScope {
                 objectName: "pause"
                 visible: part.take.running && !part.take.asking
                 width: Math.min(implicitWidth, parent.width)
-                text: part.take.paused ? qsTr("Go on") : qsTr("Pause")
+                text: part.take.paused ? qsTr("Continue") : qsTr("Pause")
                 onClicked: part.take.pauseOrGoOn()
             }
             TpButton {
                 objectName: "discard"
                 visible: part.take.running && !part.take.asking
                 width: Math.min(implicitWidth, parent.width)
-                text: qsTr("Throw away…")
+                text: qsTr("Discard…")
                 onClicked: {
                     part.take.askDiscard()
                     keepIt.forceActiveFocus()
@@ -73,7 +73,7 @@ FocusScope {
                 objectName: "throwAway"
                 visible: part.take.asking
                 width: Math.min(implicitWidth, parent.width)
-                text: qsTr("Yes, throw it away")
+                text: qsTr("Yes, discard it")
                 onClicked: {
                     part.take.discard()
                     part.focusRecord()

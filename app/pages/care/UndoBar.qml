@@ -7,11 +7,12 @@ import TouchPhoto.Care
 FocusScope {
     id: bar
 
-    required property CareSession session
+    required property CareHistory history
+    readonly property bool holdsSteps: history.undoText !== "" || history.redoText !== ""
 
     implicitHeight: flow.height
     height: implicitHeight
-    visible: session.undoText !== "" || session.redoText !== ""
+    visible: holdsSteps
 
     // The keyboard is never left on a button that is gone: what was undone can be done again.
     function keepFocus() {
@@ -20,8 +21,8 @@ FocusScope {
             (redo.visible ? redo : undo).forceActiveFocus()
     }
     Connections {
-        target: bar.session
-        function onStepsChanged() { Qt.callLater(bar.keepFocus) }
+        target: bar.history
+        function onChanged() { Qt.callLater(bar.keepFocus) }
     }
 
     Flow {
@@ -32,20 +33,20 @@ FocusScope {
         TpButton {
             id: undo
             objectName: "undo"
-            visible: bar.session.undoText !== ""
+            visible: bar.history.undoText !== ""
             width: Math.min(implicitWidth, flow.width)
-            text: qsTr("Undo: %1").arg(bar.session.undoText)
-            hint: qsTr("Key: Control Z")
-            onClicked: bar.session.undo()
+            text: qsTr("Undo: %1").arg(bar.history.undoText)
+            hint: qsTr("Key: Control+Z")
+            onClicked: bar.history.undo()
         }
         TpButton {
             id: redo
             objectName: "redo"
-            visible: bar.session.redoText !== ""
+            visible: bar.history.redoText !== ""
             width: Math.min(implicitWidth, flow.width)
-            text: qsTr("Redo: %1").arg(bar.session.redoText)
-            hint: qsTr("Key: Control Shift Z")
-            onClicked: bar.session.redo()
+            text: qsTr("Redo: %1").arg(bar.history.redoText)
+            hint: qsTr("Key: Control+Shift+Z")
+            onClicked: bar.history.redo()
         }
     }
 }

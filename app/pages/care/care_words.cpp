@@ -30,7 +30,7 @@ QString CareWords::kind(RecordingKind kind) {
     case RecordingKind::story:
         return tr("Story");
     case RecordingKind::ambient:
-        return tr("Sounds around");
+        return tr("Background sounds");
     }
     return {};
 }
@@ -87,6 +87,53 @@ QString CareWords::photo_details(const PhotoRecord& record, const QString& langu
     return sentences.join(' ');
 }
 
+QString CareWords::person(const Person& person) {
+    if (!person.name.empty())
+        return text(person.name);
+    return person.perhaps.empty() ? tr("Who is this?")
+                                  : tr("Who is this? Perhaps %1.").arg(text(person.perhaps));
+}
+
+QString CareWords::person_details(const Person& person) {
+    const QString photos = tr("%n photograph(s)", nullptr, static_cast<int>(person.photos));
+    if (person.name.empty() || person.to_confirm == 0)
+        return photos;
+    return tr("%1, %2").arg(photos, tr("%n to confirm", nullptr, static_cast<int>(person.to_confirm)));
+}
+
+QString CareWords::people(const People& people) {
+    const auto unnamed = static_cast<int>(
+        std::ranges::count_if(people.persons, [](const Person& person) { return person.name.empty(); }));
+    QStringList sentences;
+    if (people.persons.empty())
+        sentences << tr("Nobody was seen on two photographs yet.");
+    else
+        sentences << (unnamed > 0 ? tr("%n person(s) without a name.", nullptr, unnamed)
+                                  : tr("Everybody here has a name."));
+    std::size_t to_confirm = 0;
+    for (const Person& person : people.persons)
+        to_confirm += person.name.empty() ? 0 : person.to_confirm;
+    if (to_confirm > 0)
+        sentences << tr("%n face(s) to confirm.", nullptr, static_cast<int>(to_confirm));
+    if (people.to_look > 0) {
+        if (people.persons.empty())
+            sentences.clear();
+        sentences << tr("%n photograph(s) still to be looked at.", nullptr, static_cast<int>(people.to_look));
+    }
+    if (people.alone > 0)
+        sentences << tr("%n face(s) on one photograph only.", nullptr, static_cast<int>(people.alone));
+    if (people.not_guessed > 0)
+        sentences << tr("%n face(s) too small, blurred, turned or covered to be compared.", nullptr,
+                        static_cast<int>(people.not_guessed));
+    return sentences.join(' ');
+}
+
+QString CareWords::face_details(const PersonFace& face, bool to_confirm) {
+    const QString day = QLocale().toString(QDateTime::fromMSecsSinceEpoch(face.moment_ms, Qt::UTC).date(),
+                                           QLocale::LongFormat);
+    return to_confirm ? tr("%1, to confirm").arg(day) : day;
+}
+
 QString CareWords::import_progress(const ImportProgress& progress) {
     const auto megabytes = [](std::uintmax_t bytes) {
         return QLocale().toString(static_cast<double>(bytes) / 1e6, 'f', 1);
@@ -107,12 +154,12 @@ QString CareWords::import_report(const ImportReport& report) {
     const int failed = number(ImportedPhoto::Fate::failed);
     if (report.photos.empty())
         return report.stopped ? tr("The import was stopped before the first photograph.")
-                              : tr("There is no photograph among what was chosen.");
+                              : tr("There is no photograph in what you chose.");
     QStringList parts;
     if (imported > 0 || (there == 0 && failed == 0))
         parts << tr("%n photograph(s) imported", nullptr, imported);
     if (there > 0)
-        parts << tr("%n of them there already", nullptr, there);
+        parts << tr("%n of them already in the album", nullptr, there);
     if (failed > 0)
         parts << tr("%n failed", nullptr, failed);
     QString words = tr("%1.").arg(parts.join(", "));
@@ -123,7 +170,7 @@ QString CareWords::import_report(const ImportReport& report) {
         words = tr("%1: %2").arg(parts.join(", "), in_persons_language(first->problem));
     }
     if (report.stopped)
-        words = tr("%1 The import was stopped; it can go on later.").arg(words);
+        words = tr("%1 The import was stopped; you can continue it later.").arg(words);
     return words;
 }
 

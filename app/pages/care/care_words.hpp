@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/album/grouping/people.hpp"
 #include "app/album/keeper/importer.hpp"
 #include "app/album/metadata/photo_record.hpp"
 
@@ -33,6 +34,14 @@ public:
     static QString clock(double seconds);
     /// "Anna, Tom. 2 recordings. No description."
     static QString photo_details(const PhotoRecord& record, const QString& language);
+    /// "Anna", "Who is this?", "Who is this? Perhaps Anna."
+    static QString person(const Person& person);
+    /// "23 photographs, 4 of them to confirm"
+    static QString person_details(const Person& person);
+    /// How many people wait for a name, and who is not among them.
+    static QString people(const People& people);
+    /// "1 May 2026, to confirm": where nobody has said yet that the face is that of its group's person.
+    static QString face_details(const PersonFace& face, bool to_confirm);
     /// "3 of 12 photographs, about 40 seconds left"
     static QString import_progress(const ImportProgress& progress);
     /// "12 photographs imported, 3 were there already, 1 failed: …"

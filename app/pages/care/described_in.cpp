@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/care/described_in.hpp"
 
+#include <QLocale>
+
 #include <functional>
 
 namespace tp {
@@ -10,6 +12,12 @@ namespace {
 QString first_part(const QString& tag) { return tag.section('-', 0, 0).toLower(); }
 
 } // namespace
+
+QString own_language(const Preferences& preferences) {
+    const QString& chosen = preferences.choices().language;
+    const QString own = chosen.isEmpty() ? QLocale().bcp47Name() : chosen;
+    return own.isEmpty() || QLocale(own) == QLocale::c() ? QString("en") : own;
+}
 
 std::string described_in(const PhotoRecord& record, const QString& language) {
     const auto find = [&](const std::function<bool(const QString&)>& fits) {

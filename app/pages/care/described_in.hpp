@@ -2,12 +2,16 @@
 #pragma once
 
 #include "app/album/metadata/photo_record.hpp"
+#include "app/parts/preferences/preferences.hpp"
 
 #include <QString>
 
 #include <string>
 
 namespace tp {
+
+/// The language in which a person describes and speaks: what was chosen, else the system's; BCP 47.
+QString own_language(const Preferences& preferences);
 
 /// The language tag under which a photograph's descriptions are read and written for somebody of that language (BCP
 /// 47): the language itself, one of its variants ("en-GB" for "en"), what is for everybody ("x-default"), else the

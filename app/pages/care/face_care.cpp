@@ -42,14 +42,26 @@ double size_of_part(const Rect& part) { return part.width() * part.height(); }
 
 } // namespace
 
-FaceCare::FaceCare(CaredPhoto& photo, FaceFinder& finder, CareTeller& teller, Suggest suggest)
-    : photo_(photo), finder_(finder), teller_(teller), suggest_(std::move(suggest)), languages_(usual_languages) {
+FaceCare::FaceCare(CaredPhoto& photo, FaceFinder& finder, AlbumFaces& groups, CareTeller& teller,
+                   Suggest suggest)
+    : photo_(photo), finder_(finder), groups_(groups), teller_(teller), suggest_(std::move(suggest)),
+      languages_(usual_languages) {
     connect(&photo_, &CaredPhoto::opened, this, [this] {
         found_.reset();
+        offers_.clear();
         chosen_ = -1;
         list_faces();
         finder_.want(photo_.place().photo);
+        ask();
     });
+    connect(&groups_, &AlbumFaces::changed, this, &FaceCare::ask);
+    connect(&groups_, &AlbumFaces::offered, this,
+            [this](const std::filesystem::path& of, const std::vector<FaceOffer>& offers) {
+                if (of != photo_.place().photo)
+                    return;
+                offers_ = offers;
+                list_faces();
+            });
     connect(&photo_, &CaredPhoto::changed, this, &FaceCare::list_faces);
     connect(&finder_, &FaceFinder::found, this, [this](std::shared_ptr<const FoundFaces> found) {
         if (found->photo != photo_.place().photo)
@@ -57,6 +69,20 @@ FaceCare::FaceCare(CaredPhoto& photo, FaceFinder& finder, CareTeller& teller, Su
         found_ = std::move(found);
         list_faces();
     });
+}
+
+void FaceCare::ask() {
+    if (!groups_.on())
+        offers_.clear();
+    if (photo_.is_open())
+        groups_.ask(photo_.place().photo);
+}
+
+QString FaceCare::offer_for(const Rect& part) const {
+    const auto found = std::ranges::find_if(offers_, [&](const FaceOffer& offer) {
+        return offer.turned_degrees == turn().turned_degrees && same_face(offer.part, part);
+    });
+    return found == offers_.end() ? QString() : QString::fromStdString(found->name);
 }
 
 PictureTurn FaceCare::turn() const {
@@ -68,7 +94,7 @@ void FaceCare::list_faces() {
     const Rect chosen = chosen_ >= 0 ? faces_[static_cast<std::size_t>(chosen_)].part : Rect{};
     faces_.clear();
     for (const FaceRegion& region : photo_.record().faces)
-        faces_.push_back({shown_part(region, turn()), region, {}});
+        faces_.push_back({shown_part(region, turn()), region, {}, {}});
     if (found_ && found_->extraction.width > 0)
         for (const Face& face : found_->extraction.faces) {
             const Rect part = part_of(face.box, found_->extraction);
@@ -77,10 +103,12 @@ void FaceCare::list_faces() {
             });
             const QString problem = face.mended.empty() ? in_persons_language(face.problem) : QString();
             if (same == faces_.end())
-                faces_.push_back({part, stored_region(part, turn()), problem});
+                faces_.push_back({part, stored_region(part, turn()), problem, {}});
             else
                 same->problem = problem;
         }
+    for (KnownFace& face : faces_)
+        face.offer = face.region.name.empty() ? offer_for(face.part) : QString();
     std::stable_sort(faces_.begin(), faces_.end(), [](const KnownFace& a, const KnownFace& b) {
         return std::pair(!a.region.name.empty(), -size_of_part(a.part)) <
                std::pair(!b.region.name.empty(), -size_of_part(b.part));
@@ -127,8 +155,10 @@ int FaceCare::language() const {
 }
 
 QString FaceCare::face_words(int face) const {
-    const std::string& name = faces_[static_cast<std::size_t>(face)].region.name;
-    return name.empty() ? tr("Face without a name") : QString::fromStdString(name);
+    const KnownFace& known = faces_[static_cast<std::size_t>(face)];
+    if (!known.region.name.empty())
+        return QString::fromStdString(known.region.name);
+    return known.offer.isEmpty() ? tr("Face without a name") : tr("Perhaps %1").arg(known.offer);
 }
 
 QVariantList FaceCare::faces() const {
@@ -138,6 +168,7 @@ QVariantList FaceCare::faces() const {
         list << QVariantMap{{"text", face_words(i)},
                             {"problem", face.problem},
                             {"named", !face.region.name.empty()},
+                            {"offer", face.offer},
                             {"picture", found_ ? crop(found_->image, face.part) : QImage()},
                             {"chosen", i == chosen_}};
     }
@@ -181,27 +212,45 @@ void FaceCare::choose(int face) {
                            .arg(count()));
 }
 
-void FaceCare::name(const QString& name) {
+void FaceCare::keep_name(const KnownFace& face, const QString& name, std::function<void()> then) {
+    FaceRegion region = face.region;
+    region.name = name.toStdString();
+    photo_.change(
+        photo_.place(),
+        [region](AlbumKeeper& keeper, const std::filesystem::path& photo) {
+            return keeper.name_face(photo, region);
+        },
+        [this, then = std::move(then)](const QString& problem) {
+            if (problem.isEmpty())
+                then();
+            else
+                teller_.problem(problem);
+        });
+}
+
+void FaceCare::name(const QString& typed) {
     if (chosen_ < 0)
         return;
-    FaceRegion region = faces_[static_cast<std::size_t>(chosen_)].region;
-    region.name = name.simplified().toStdString();
-    photo_.change(
-        photo_.place(), [region](AlbumKeeper& keeper, const std::filesystem::path& photo) { return keeper.name_face(photo, region); },
-        [this, region](const QString& problem) {
-            if (!problem.isEmpty()) {
-                teller_.problem(problem);
-                return;
-            }
-            chosen_ = region.name.empty() ? -1 : next_without_a_name();
-            list_languages();
-            emit changed();
-            emit faceChosen();
-            const QString told = region.name.empty() ? tr("This face has no name now.")
-                                                     : tr("Saved: %1.").arg(QString::fromStdString(region.name));
-            teller_.did(Earcon::saved,
-                        chosen_ < 0 ? told : tr("%1 Who is the next face?").arg(told));
-        });
+    const QString name = typed.simplified();
+    keep_name(faces_[static_cast<std::size_t>(chosen_)], name, [this, name] {
+        chosen_ = name.isEmpty() ? -1 : next_without_a_name();
+        list_languages();
+        emit changed();
+        emit faceChosen();
+        const QString told = name.isEmpty() ? tr("This face has no name now.") : tr("Saved: %1.").arg(name);
+        teller_.did(Earcon::saved, chosen_ < 0 ? told : tr("%1 Who is the next face?").arg(told));
+    });
+}
+
+void FaceCare::accept(int face) {
+    if (face < 0 || face >= count() || faces_[static_cast<std::size_t>(face)].offer.isEmpty())
+        return;
+    const QString name = faces_[static_cast<std::size_t>(face)].offer;
+    keep_name(faces_[static_cast<std::size_t>(face)], name, [this, name] {
+        const int next = next_without_a_name();
+        const QString told = tr("Saved: %1.").arg(name);
+        teller_.did(Earcon::saved, next < 0 ? told : tr("%1 %2?").arg(told, face_words(next)));
+    });
 }
 
 void FaceCare::readNameIn(int language) {
@@ -218,19 +267,25 @@ void FaceCare::readNameIn(int language) {
             if (!problem.isEmpty())
                 teller_.problem(problem);
             else
-                teller_.did(Earcon::saved, tag.isEmpty() ? tr("Saved: %1 is read as the page is.").arg(name)
-                                                         : tr("Saved: %1. The name is read as %2.")
-                                                               .arg(name, CareWords::language(tag)));
+                teller_.did(
+                    Earcon::saved,
+                    tag.isEmpty()
+                        ? tr("Saved: %1 is read in the page's language.").arg(name)
+                        : tr("Saved: %1. Language of the name: %2.").arg(name, CareWords::language(tag)));
         });
 }
 
 QStringList FaceCare::suggestions(const QString& typed) const {
     QStringList here, elsewhere;
+    if (chosen_ >= 0 && typed.trimmed().isEmpty())
+        if (const QString& offer = faces_[static_cast<std::size_t>(chosen_)].offer; !offer.isEmpty())
+            elsewhere << offer;
     for (const QString& person : suggest_(typed)) {
         const bool on_it = std::any_of(faces_.begin(), faces_.end(), [&](const KnownFace& face) {
             return QString::fromStdString(face.region.name) == person;
         });
-        (on_it ? here : elsewhere) << person;
+        if (!elsewhere.contains(person))
+            (on_it ? here : elsewhere) << person;
     }
     return elsewhere + here;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/album/grouping/album_faces.hpp"
 #include "app/pages/care/care_teller.hpp"
 #include "app/pages/care/cared_photo.hpp"
 #include "app/pages/care/face_finder.hpp"
@@ -24,7 +25,7 @@ class FaceCare final : public QObject {
     QML_ELEMENT
     QML_UNCREATABLE("Made by the program.")
 
-    /// One entry a face: {text, problem, named, picture (a QImage), chosen}.
+    /// One entry a face: {text, problem, named, offer (who it may be), picture (a QImage), chosen}.
     Q_PROPERTY(QVariantList faces READ faces NOTIFY changed)
     Q_PROPERTY(int count READ count NOTIFY changed)
     /// Index of the face that is being named; -1: none.
@@ -43,7 +44,7 @@ public:
     using Suggest = std::function<QStringList(const QString& typed)>;
 
     /// All but `suggest` must outlive it.
-    FaceCare(CaredPhoto& photo, FaceFinder& finder, CareTeller& teller, Suggest suggest);
+    FaceCare(CaredPhoto& photo, FaceFinder& finder, AlbumFaces& groups, CareTeller& teller, Suggest suggest);
 
     QVariantList faces() const;
     int count() const { return static_cast<int>(faces_.size()); }
@@ -59,6 +60,8 @@ public:
     Q_INVOKABLE void choose(int face);
     /// Names the chosen face and goes on to the next one without a name; empty: nobody knows who it is.
     Q_INVOKABLE void name(const QString& name);
+    /// Yes: this face is who was offered.
+    Q_INVOKABLE void accept(int face);
     /// From now on the name of the chosen face is read in one of `languages`, on all of the album's photographs; -1: as
     /// the page is. Says the name so.
     Q_INVOKABLE void readNameIn(int language);
@@ -76,8 +79,12 @@ private:
         Rect part;         ///< of the picture in which faces were found, 0 … 1
         FaceRegion region; ///< stored picture; with the name
         QString problem;   ///< why its contours may be wrong, in a sentence
+        QString offer;     ///< who it may be; empty: nobody knows
     };
     void list_faces();
+    void ask();
+    QString offer_for(const Rect& part) const;
+    void keep_name(const KnownFace& face, const QString& name, std::function<void()> then);
     PictureTurn turn() const;
     int next_without_a_name() const;
     QString face_words(int face) const;
@@ -86,10 +93,12 @@ private:
 
     CaredPhoto& photo_;
     FaceFinder& finder_;
+    AlbumFaces& groups_;
     CareTeller& teller_;
     Suggest suggest_;
     std::shared_ptr<const FoundFaces> found_; ///< of the photograph that is open; null: still looked for
     std::vector<KnownFace> faces_;
+    std::vector<FaceOffer> offers_; ///< for the photograph that is open
     int chosen_ = -1;
     QStringList languages_; ///< BCP 47
 };

@@ -91,7 +91,7 @@ void ImportCare::look() {
 
 void ImportCare::import(const QList<QUrl>& sources) {
     if (running_) {
-        teller_.problem(tr("An import is under way. Wait for its end, or stop it first."));
+        teller_.problem(tr("An import is running. Wait until it ends, or stop it first."));
         return;
     }
     std::vector<fs::path> paths;
@@ -104,7 +104,7 @@ void ImportCare::import(const QList<QUrl>& sources) {
     }
     if (album_.folders().empty()) {
         wish_ = sources;
-        teller_.tell(tr("Choose the folder in which the album is to lie. The photographs are copied into it."));
+        teller_.tell(tr("Choose the folder to keep the album in. The photographs are copied into it."));
         emit folderWanted();
         return;
     }
@@ -125,7 +125,7 @@ void ImportCare::chooseFolder(const QUrl& folder) {
     if (!wish_.isEmpty())
         import(std::exchange(wish_, {}));
     else
-        teller_.tell(tr("The album has the folder %1 now.").arg(folder.toLocalFile()));
+        teller_.tell(tr("The folder %1 now belongs to the album.").arg(folder.toLocalFile()));
 }
 
 void ImportCare::stop() {
@@ -138,9 +138,10 @@ void ImportCare::stop() {
 void ImportCare::goOn() {
     if (!unfinished())
         return;
-    run(tr("The import goes on."), [folder = album_folder(), id = unfinished_.front()](const ImportTools& tools) {
-        return go_on_importing(folder, id, tools);
-    });
+    run(tr("The import continues."),
+        [folder = album_folder(), id = unfinished_.front()](const ImportTools& tools) {
+            return go_on_importing(folder, id, tools);
+        });
 }
 
 void ImportCare::giveUp() {
@@ -149,7 +150,7 @@ void ImportCare::giveUp() {
     if (const std::string problem = give_up_import(album_folder(), unfinished_.front()); !problem.empty())
         teller_.problem(in_persons_language(problem));
     else
-        teller_.tell(tr("The import is not gone on with. What it brought stays."));
+        teller_.tell(tr("The import is discarded. What was imported stays."));
     look();
 }
 

@@ -50,7 +50,7 @@ QVariant PhotoRows::data(const QModelIndex& index, int role) const {
     case DetailRole:
         return detail(entry);
     case PictureRole:
-        return thumbnails_.picture(entry.path);
+        return thumbnails_.picture({entry.path});
     default:
         return {};
     }
@@ -62,12 +62,13 @@ QString PhotoRows::detail(const PhotoEntry& entry) const {
     if (order_ != Order::LooksWrong)
         return words;
     const auto judgement = finder_.last_judgement(entry.path);
-    const QString looks = !judgement               ? tr("Not looked at yet.")
-                          : judgement->faces == 0  ? tr("No face found.")
-                          : judgement->doubtful    ? tr("Faces look wrong: %1 % off.")
-                                                      .arg(QLocale().toString(judgement->expected_error_percent, 'f', 1))
-                                                   : tr("Faces about %1 % off.")
-                                                      .arg(QLocale().toString(judgement->expected_error_percent, 'f', 1));
+    const QString looks =
+        !judgement              ? tr("Not checked yet.")
+        : judgement->faces == 0 ? tr("No face found.")
+        : judgement->doubtful
+            ? tr("Faces look wrong: %1 % off.")
+                  .arg(QLocale().toString(judgement->expected_error_percent, 'f', 1))
+            : tr("Faces about %1 % off.").arg(QLocale().toString(judgement->expected_error_percent, 'f', 1));
     return (looks + ' ' + words).trimmed();
 }
 

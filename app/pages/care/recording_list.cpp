@@ -114,7 +114,7 @@ QStringList RecordingList::languages() const {
 QStringList RecordingList::languageNames() const {
     QStringList names;
     for (const QString& one : languages())
-        names << (one.isEmpty() ? tr("Not said") : CareWords::language(one));
+        names << (one.isEmpty() ? tr("Not given") : CareWords::language(one));
     return names;
 }
 
@@ -136,7 +136,7 @@ void RecordingList::choose(int recording) {
 void RecordingList::move(int by) {
     const int to = chosen_ + by;
     if (chosen_ < 0 || to < 0 || to >= count()) {
-        teller_.problem(by < 0 ? tr("It is the first one.") : tr("It is the last one."));
+        teller_.problem(by < 0 ? tr("This is the first one.") : tr("This is the last one."));
         return;
     }
     std::vector<std::string> files;
@@ -147,7 +147,8 @@ void RecordingList::move(int by) {
         photo_.place(), [files](AlbumKeeper& keeper, const fs::path& photo) { return keeper.order_recordings(photo, files); },
         [this, to](const QString& problem) {
             if (problem.isEmpty())
-                teller_.did(Earcon::saved, tr("%1 is number %2 of %3 now.").arg(chosenText()).arg(to + 1).arg(count()));
+                teller_.did(Earcon::saved,
+                            tr("%1 is now number %2 of %3.").arg(chosenText()).arg(to + 1).arg(count()));
             else
                 teller_.problem(problem);
         });

@@ -96,7 +96,7 @@ QString Take::stateText() const {
     case RecorderState::paused:
         return tr("Paused");
     case RecorderState::finishing:
-        return tr("Being stored…");
+        return tr("Saving…");
     case RecorderState::idle:
     case RecorderState::waiting:
         break;
@@ -136,7 +136,7 @@ void Take::begin(const RecordingLabel& label, const std::string& instead_of) {
     if (!photo_.is_open() || running_)
         return;
     if (recorder_.state() != RecorderState::idle) {
-        teller_.problem(tr("The recorder is still at work. Try again in a moment."));
+        teller_.problem(tr("The recorder is still busy. Try again in a moment."));
         return;
     }
     if (photo_.may_move()) {
@@ -191,7 +191,7 @@ void Take::askDiscard() {
     recorder_.pause();
     asking_ = true;
     emit changed();
-    teller_.tell(tr("Throw away what was recorded? It cannot be brought back."));
+    teller_.tell(tr("Discard what was recorded? It cannot be brought back."));
 }
 
 void Take::discard() {
@@ -199,7 +199,7 @@ void Take::discard() {
         return;
     end();
     recorder_.discard();
-    teller_.did(Earcon::deleted, tr("Thrown away. Nothing was changed."));
+    teller_.did(Earcon::deleted, tr("Discarded. Nothing was changed."));
 }
 
 void Take::keepOn() {
@@ -233,7 +233,7 @@ void Take::keep(const FinishedRecording& recording) {
             }
             if (photo == photo_.place().photo)
                 list_.choose_file(file);
-            teller_.did(Earcon::saved, tr("%1 It is saved.").arg(sentence));
+            teller_.did(Earcon::saved, tr("%1 Saved.").arg(sentence));
         });
 }
 

@@ -105,7 +105,8 @@ void Trimming::cut() {
     if (tag == nullptr)
         return;
     if (!cuts()) {
-        teller_.problem(tr("All of it stays, so there is nothing to cut off. Move the begin or the end first."));
+        teller_.problem(
+            tr("All of it stays, so there is nothing to cut off. Move the start or the end first."));
         return;
     }
     listening_.stop();

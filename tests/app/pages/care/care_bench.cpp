@@ -33,7 +33,7 @@ fs::path a_picture(const AlbumFolder& folder, const fs::path& name, int number) 
     return file;
 }
 
-CareBench::CareBench(const std::vector<std::string>& names, bool with_folder, bool pictures)
+CareGround::CareGround(const std::vector<std::string>& names, bool with_folder, bool pictures)
     : recorder([this] {
           auto made = std::make_unique<tp::testing::FakeMicrophone>();
           microphone = made.get();
@@ -52,19 +52,37 @@ CareBench::CareBench(const std::vector<std::string>& names, bool with_folder, bo
         preferences.change(
             [this](Choices& choices) { choices.folders << QString::fromStdString((folder / "album").string()); });
     preferences.change([](Choices& choices) { choices.language = "en"; });
-    start();
+    open_album();
 }
 
-CareBench::~CareBench() {
-    session.reset();
+void CareGround::open_album() {
+    groups.reset();
     album.reset();
+    album = std::make_unique<OpenAlbum>(folder / "cache", preferences, AlbumWatcher::Times{0ms, 1h});
+    CARE_TRY_VERIFY(!album->scanning());
+    groups = std::make_unique<AlbumFaces>(*album);
+}
+
+void CareParts::open(const std::string& name) {
+    cared.open({photo(name), &album->keeper_for(photo(name))});
+    CARE_TRY_VERIFY(rests());
+}
+
+bool CareParts::rests() {
+    return QTest::qWaitFor([this] { return !steps.busy() && !album->scanning(); }, 60'000);
+}
+
+CareBench::CareBench(const std::vector<std::string>& names, bool with_folder, bool pictures)
+    : CareGround(names, with_folder, pictures) {
+    session =
+        std::make_unique<CareSession>(*album, *groups, narrator, earcons, recorder, player, preferences);
 }
 
 void CareBench::start() {
     session.reset();
-    album = std::make_unique<OpenAlbum>(folder / "cache", preferences, AlbumWatcher::Times{0ms, 1h});
-    session = std::make_unique<CareSession>(*album, narrator, earcons, recorder, player, preferences);
-    CARE_TRY_VERIFY(!album->scanning());
+    open_album();
+    session =
+        std::make_unique<CareSession>(*album, *groups, narrator, earcons, recorder, player, preferences);
 }
 
 void CareBench::open(const std::string& name) {
@@ -76,18 +94,18 @@ bool CareBench::rests() {
     return QTest::qWaitFor([this] { return !session->busy() && !album->scanning(); }, 60'000);
 }
 
-PhotoRecord CareBench::record(const std::string& name) const {
+PhotoRecord CareGround::record(const std::string& name) const {
     auto record = read_record(photo(name));
     return record ? *record : PhotoRecord{};
 }
 
-std::string CareBench::add_sound(const std::string& name, double seconds, double hertz, RecordingKind kind) {
+std::string CareGround::add_sound(const std::string& name, double seconds, double hertz, RecordingKind kind) {
     const fs::path sound = a_sound(folder, "sounds/" + std::to_string(hertz) + ".wav", seconds, hertz);
     const auto added = album->keeper_for(photo(name)).add_recording(photo(name), sound, {kind, {}, {}, {}, {}, {}});
     return added ? added->tag.file : added.error();
 }
 
-void CareBench::hear(double seconds) {
+void CareGround::hear(double seconds) {
     CARE_TRY_VERIFY(microphone.load() != nullptr);
     CARE_TRY_VERIFY(recorder.state() != RecorderState::idle);
     tp::testing::FakeMicrophone* const made = microphone;
@@ -96,7 +114,7 @@ void CareBench::hear(double seconds) {
     CARE_TRY_COMPARE(recorder.state(), RecorderState::recording);
 }
 
-bool CareBench::sounded(Earcon earcon) {
+bool CareGround::sounded(Earcon earcon) {
     earcon_loudspeaker.play(1.0);
     const std::vector<float> heard = std::exchange(earcon_loudspeaker.heard, {});
     const std::span<const float> sound = samples_of(earcon);

@@ -3,12 +3,14 @@
 #include "app/album/metadata/read_record.hpp"
 #include "app/pages/care/face_care.hpp"
 #include "care_bench.hpp"
+#include "known_faces.hpp"
 
 #include <QSignalSpy>
 
 #include <cmath>
 
 using namespace tp;
+using namespace tp::testing;
 namespace fs = std::filesystem;
 
 namespace {
@@ -38,7 +40,7 @@ struct Bench {
     CaredPhoto photo{steps};
     FoundFaces found = two_faces();
     FaceFinder finder{[this](const fs::path&, const std::stop_token&) { return found; }};
-    FaceCare faces{photo, finder, teller, [](const QString& typed) {
+    FaceCare faces{photo, finder, *album.groups, teller, [](const QString& typed) {
                        QStringList all{"Anna", "Bert", "Tom"};
                        return all.filter(typed, Qt::CaseInsensitive);
                    }};
@@ -111,6 +113,42 @@ private slots:
         QCOMPARE(bench.faces.summary(), QString("2 face(s), all with a name."));
     }
 
+    void who_a_face_may_be_is_offered_and_one_word_is_enough() {
+        Bench bench;
+        const fs::path a = bench.album.photo("a.jpg"), b = bench.album.photo("b.jpg");
+        bench.found.extraction.faces = {face_at(10, 20, 20), face_at(70, 20, 20)}; // as look_at places them
+        bench.found.extraction.width = bench.found.extraction.height = 100;
+        bench.found.extraction.faces[0].box = {Vec2(5, 20), Vec2(25, 40)};
+        bench.found.extraction.faces[1].box = {Vec2(35, 20), Vec2(55, 40)};
+        QCOMPARE(look_at(*bench.album.album, a, {1, 2}), std::string());
+        QCOMPARE(look_at(*bench.album.album, b, {1, 2}), std::string());
+        bench.album.groups->go_on();
+        bench.open();
+        for (const char* name : {"Anna", "Bert"}) {
+            bench.faces.choose(0);
+            bench.faces.name(name);
+            bench.rest();
+            CARE_TRY_VERIFY(bench.texts().contains(name));
+            bench.album.album->touched(a);
+        }
+        bench.open("b.jpg");
+        CARE_TRY_COMPARE(bench.texts(), QStringList({"Perhaps Anna", "Perhaps Bert"}));
+        QVERIFY(bench.album.record("b.jpg").faces.empty());
+        bench.faces.accept(0);
+        CARE_TRY_COMPARE(bench.album.last_said(), QString("Saved: Anna. Perhaps Bert?"));
+        CARE_TRY_COMPARE(bench.texts(), QStringList({"Perhaps Bert", "Anna"}));
+        QCOMPARE(bench.album.record("b.jpg").faces.at(0).name, std::string("Anna"));
+        bench.faces.choose(0); // somebody else, then
+        QCOMPARE(bench.faces.suggestions("").value(0), QString("Bert"));
+        bench.faces.accept(1); // has a name already
+        bench.faces.name("Carl");
+        bench.rest();
+        CARE_TRY_COMPARE(bench.texts(), QStringList({"Anna", "Carl"}));
+        bench.album.groups->set_on(false);
+        bench.open("b.jpg");
+        CARE_TRY_COMPARE(bench.texts(), QStringList({"Anna", "Carl"}));
+    }
+
     void of_one_face_alone_it_says_whether_it_has_a_name() {
         Bench bench;
         bench.found.extraction.faces.pop_back();
@@ -179,7 +217,7 @@ private slots:
                 });
         bench.faces.readNameIn(italian);
         bench.rest();
-        QCOMPARE(bench.album.last_said(), QString("Saved: Giulia. The name is read as italiano."));
+        QCOMPARE(bench.album.last_said(), QString("Saved: Giulia. Language of the name: italiano."));
         QCOMPARE(bench.album.voice.names_when_said().back(), (SpokenNames{{"Giulia", "it"}}));
         QVERIFY(bench.album.sounded(Earcon::saved));
         QCOMPARE(bench.language_of("Giulia"), std::string("it"));
@@ -187,7 +225,7 @@ private slots:
         QCOMPARE(bench.faces.chosen(), 1); // still open
         bench.faces.readNameIn(-1);
         bench.rest();
-        QCOMPARE(bench.album.last_said(), QString("Saved: Giulia is read as the page is."));
+        QCOMPARE(bench.album.last_said(), QString("Saved: Giulia is read in the page's language."));
         QCOMPARE(bench.language_of("Giulia"), std::string());
         QCOMPARE(bench.faces.language(), -1);
         bench.steps.undo([](const QString&) {});

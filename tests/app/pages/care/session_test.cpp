@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "care_bench.hpp"
-
+#include "app/album/index/seen_photos.hpp"
 #include "app/album/metadata/write_sidecar.hpp"
+#include "care_bench.hpp"
 
 #include <QAbstractItemModel>
 #include <QMimeData>
@@ -30,11 +30,12 @@ private slots:
     void entering_tells_where_one_is_and_what_can_be_done() {
         CareBench empty({}, false);
         empty.session->enter();
-        QCOMPARE(empty.last_said(),
-                 QString("Care for the album. It has no folder yet. Import photographs, and choose where they are kept."));
+        QCOMPARE(empty.last_said(), QString("Look after the album. It has no folder yet. Import photographs, "
+                                            "and choose where to keep them."));
         CareBench two({"a.jpg", "b.jpg"});
         two.session->enter();
-        QCOMPARE(two.last_said(), QString("Care for the album. 2 photograph(s). Choose one, or import more."));
+        QCOMPARE(two.last_said(),
+                 QString("Look after the album. 2 photograph(s). Choose one, or import more."));
         two.open("a.jpg");
         two.session->enter();
         QVERIFY(two.last_said().contains("a.jpg is open"));
@@ -153,39 +154,16 @@ private slots:
         QVERIFY(!bench.session->photoOpen());
         CARE_TRY_COMPARE(names(*bench.session->photos()), QStringList{"b.jpg"});
         CARE_TRY_COMPARE(bench.last_said(), QString("Deleted: a.jpg. Undo brings it back."));
-        QCOMPARE(bench.session->undoText(), QString("a.jpg was deleted"));
-        bench.session->undo();
+        QCOMPARE(bench.session->history()->undoText(), QString("a.jpg was deleted"));
+        bench.session->history()->undo();
         QVERIFY(bench.rests());
         QVERIFY(fs::exists(bench.photo("a.jpg")));
         QCOMPARE(bench.session->photoName(), QString("a.jpg"));
         CARE_TRY_COMPARE(bench.session->photos()->rowCount(), 2);
-        bench.session->redo();
+        bench.session->history()->redo();
         QVERIFY(bench.rests());
         QVERIFY(!bench.session->photoOpen());
         CARE_TRY_COMPARE(bench.session->photos()->rowCount(), 1);
-    }
-
-    void with_nothing_to_take_back_it_is_told() {
-        CareBench bench;
-        bench.session->undo();
-        QCOMPARE(bench.last_said(), QString("There is nothing to undo."));
-        bench.session->redo();
-        QCOMPARE(bench.last_said(), QString("There is nothing to redo."));
-        bench.open("a.jpg");
-        bench.session->undo();
-        QVERIFY(bench.rests());
-        QCOMPARE(bench.last_said(), QString("There is nothing to undo."));
-    }
-
-    void people_of_the_album_are_suggested() {
-        CareBench bench({"a.jpg", "b.jpg"});
-        SidecarChanges changes;
-        changes.persons = {"Anna", "Tom"};
-        QCOMPARE(write_sidecar(bench.photo("a.jpg"), changes), std::string());
-        bench.album->touched(bench.photo("a.jpg"));
-        CARE_TRY_COMPARE(bench.session->people(""), QStringList({"Anna", "Tom"}));
-        QCOMPARE(bench.session->people("to"), QStringList{"Tom"});
-        QCOMPARE(bench.session->people("x"), QStringList());
     }
 
     // --- descriptions ---
@@ -207,10 +185,38 @@ private slots:
         QCOMPARE(bench.record().description.at("en"), std::string("Two people in a garden, laughing."));
         descriptions.save();
         QVERIFY(!bench.session->busy());
-        bench.session->undo();
+        bench.session->history()->undo();
         QVERIFY(bench.rests());
         QCOMPARE(descriptions.altText(), QString());
         QVERIFY(!descriptions.unsaved());
+    }
+
+    void what_is_seen_is_suggested_and_kept_only_when_it_is_taken() {
+        CareBench bench;
+        SeenPhoto seen;
+        seen.width = seen.height = 100;
+        bench.open("a.jpg");
+        DescriptionDraft& draft = *bench.session->draft();
+        DescriptionCare& descriptions = *bench.session->descriptions();
+        QVERIFY(draft.text().isEmpty());
+        draft.take();
+        QVERIFY(!descriptions.unsaved());
+        const auto entry = bench.album->queries().find(bench.photo("a.jpg"));
+        const auto photo = bench.album->queries().summary(entry.value()->id);
+        QCOMPARE(SeenPhotos(bench.album->index(), 1).put(photo.value()->sha256, {seen, {}}), std::string());
+        draft.looked_at(bench.photo("a.jpg"));
+        QCOMPARE(draft.text(), QString("No faces. A square picture."));
+        QVERIFY(!descriptions.unsaved() && descriptions.altText().isEmpty());
+        draft.take();
+        QCOMPARE(bench.last_said(), QString("No faces. A square picture."));
+        QVERIFY(descriptions.unsaved() && draft.text().isEmpty());
+        descriptions.save();
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.record().alt_text.at("en"), std::string("No faces. A square picture."));
+        bench.session->history()->undo();
+        QVERIFY(bench.rests());
+        QVERIFY(bench.record().alt_text.empty());
+        QCOMPARE(draft.text(), QString("No faces. A square picture."));
     }
 
     void what_another_program_wrote_for_everybody_is_changed_where_it_stands() {
@@ -263,7 +269,8 @@ private slots:
         import.import({url(bench.folder / "card")});
         QVERIFY(import.running());
         CARE_TRY_VERIFY(!import.running());
-        QVERIFY2(import.report().startsWith("1 photograph(s) imported, 1 of them there already"), qPrintable(import.report()));
+        QVERIFY2(import.report().startsWith("1 photograph(s) imported, 1 of them already in the album"),
+                 qPrintable(import.report()));
         QCOMPARE(bench.last_said(), import.report());
         QVERIFY(fs::exists(bench.photo("new.jpg")));
         CARE_TRY_COMPARE(bench.session->photos()->rowCount(), 2);
@@ -281,17 +288,8 @@ private slots:
         bench.session->importing()->chooseFolder(url(bench.folder / "album"));
         CARE_TRY_COMPARE(bench.session->importing()->report(), QString("1 photograph(s) imported."));
         QVERIFY(fs::exists(bench.folder / "album/new.jpg"));
-        QVERIFY(bench.session->hasFolders());
+        QVERIFY(bench.session->folders()->hasFolders());
         CARE_TRY_COMPARE(bench.session->photos()->rowCount(), 1);
-    }
-
-    void a_wish_that_was_dropped_is_not_followed_later() {
-        CareBench bench({}, false);
-        bench.session->importing()->import({url(a_photo(bench.folder, "card/new.jpg", 7))});
-        bench.session->importing()->dropWish();
-        bench.session->importing()->chooseFolder(url(bench.folder / "album"));
-        QVERIFY(!bench.session->importing()->running());
-        QVERIFY(!fs::exists(bench.folder / "album/new.jpg"));
     }
 
     void an_import_goes_to_the_folder_that_was_chosen() {

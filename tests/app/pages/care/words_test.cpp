@@ -44,17 +44,21 @@ private slots:
 
     void what_became_of_an_import_is_one_sentence_with_the_first_fault() {
         ImportReport report;
-        QCOMPARE(CareWords::import_report(report), QString("There is no photograph among what was chosen."));
+        QCOMPARE(CareWords::import_report(report), QString("There is no photograph in what you chose."));
         for (int i = 0; i < 12; ++i)
             report.photos.push_back({});
         for (int i = 0; i < 3; ++i)
             report.photos.push_back({{}, {}, ImportedPhoto::Fate::duplicate, {}, {}});
-        QCOMPARE(CareWords::import_report(report), QString("12 photograph(s) imported, 3 of them there already."));
-        report.photos.push_back({{}, {}, ImportedPhoto::Fate::failed, "The card is damaged.", {}});
         QCOMPARE(CareWords::import_report(report),
-                 QString("12 photograph(s) imported, 3 of them there already, 1 failed: The card is damaged."));
+                 QString("12 photograph(s) imported, 3 of them already in the album."));
+        report.photos.push_back({{}, {}, ImportedPhoto::Fate::failed, "The card is damaged.", {}});
+        QCOMPARE(
+            CareWords::import_report(report),
+            QString(
+                "12 photograph(s) imported, 3 of them already in the album, 1 failed: The card is damaged."));
         report.stopped = true;
-        QVERIFY(CareWords::import_report(report).endsWith("The import was stopped; it can go on later."));
+        QVERIFY(
+            CareWords::import_report(report).endsWith("The import was stopped; you can continue it later."));
     }
 
     void progress_says_how_much_and_how_long() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/capture/camera/desk_camera.hpp"
 #include "app/pages/explore/demonstration.hpp"
 #include "app/shell/program_window.hpp"
 #include "audio/sentences/sentences.hpp"
@@ -72,13 +73,19 @@ int main(int argc, char** argv) {
     const QCommandLineOption voice_option(
         "voice", "Whether the program speaks: on, off, or as it was chosen (default).", "on|off");
     const QCommandLineOption page_option(
-        "page", "The page to begin with: start, browse, explore, care, mend, print, settings, lab.", "name");
+        "page", "The page to begin with: start, browse, explore, care, capture, mend, print, settings, lab.",
+        "name");
     const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.",
                                             "file");
     const QCommandLineOption size_option("size", "The window's size in pixels, such as 1280x800.", "WxH");
     const QCommandLineOption with_option(
         "with", "Adds features to eyes, lips and outline: brows, nose, irises.", "list");
-    options.addOptions({voice_option, page_option, with_option, picture_option, size_option});
+    const QCommandLineOption camera_option("camera",
+                                           "Takes photographs with another camera: \"simulated:PHOTO\" looks "
+                                           "into a photograph and is moved by keys, "
+                                           "\"folder:DIR\" gives the pictures of a folder.",
+                                           "camera");
+    options.addOptions({voice_option, page_option, with_option, picture_option, size_option, camera_option});
     options.process(app);
     const QString voice_wish = options.value(voice_option);
     if (options.isSet(voice_option) && voice_wish != "on" && voice_wish != "off")
@@ -89,6 +96,10 @@ int main(int argc, char** argv) {
     const std::optional<QSize> size = size_named(options.value(size_option));
     if (options.isSet(size_option) && !size)
         return refuse("--size is a width and a height in pixels, such as 1280x800.");
+
+    const std::string camera = options.value(camera_option).toStdString();
+    if (options.isSet(camera_option) && (camera.empty() || !tp::camera_named(camera)))
+        return refuse("--camera is \"simulated:\" with a photograph, or \"folder:\" with a folder.");
 
     tp::decode_in_helpers(&tp::touchphoto_decoders());
     tp::SpokenVoice voice;
@@ -103,6 +114,7 @@ int main(int argc, char** argv) {
     parts.explore.extras = *extras;
     parts.explore.devices =
         tp::DeviceAccess::of_this_computer(tp::Preferences::usual_file().parent_path() / "calibrations.txt");
+    parts.make_camera = [camera] { return tp::camera_named(camera); };
     const bool picture = options.isSet(picture_option);
     if (options.isSet(voice_option) || picture)
         parts.by = voice_wish == "on" && !picture ? tp::Narrator::By::voice : tp::Narrator::By::screen_reader;

@@ -113,7 +113,7 @@ FocusScope {
                 TpButton {
                     objectName: "help"
                     text: qsTr("Help")
-                    hint: qsTr("Says what can be done here. Key: F1")
+                    hint: qsTr("Says what you can do here. Key: F1")
                     onClicked: view.help()
                 }
             }
@@ -142,7 +142,7 @@ FocusScope {
             TpStatus {
                 id: said
                 objectName: "said"
-                label: qsTr("Said last")
+                label: qsTr("Last sentence")
                 anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: 2 * Theme.gap }
                 font.pixelSize: Theme.smallSize
                 maximumLineCount: Math.max(3, Math.floor(0.25 * view.height / saidMetrics.height))

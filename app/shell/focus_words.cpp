@@ -27,7 +27,8 @@ QString kind(QAccessible::Role role) {
 QString state(QAccessibleInterface& focused) {
     switch (focused.role()) {
     case QAccessible::CheckBox: return focused.state().checked ? FocusText::tr("on") : FocusText::tr("off");
-    case QAccessible::RadioButton: return focused.state().checked ? FocusText::tr("chosen") : QString();
+    case QAccessible::RadioButton:
+        return focused.state().checked ? FocusText::tr("selected") : QString();
     case QAccessible::Slider: return focused.text(QAccessible::Description); // the value with its unit
     default: return {};
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/shell/program.hpp"
 
+#include "app/capture/camera/system_camera.hpp"
+#include "app/capture/seeing/aim_eye.hpp"
 #include "app/shell/few_heaps.hpp"
 #include "audio/sound/player.hpp"
 #include "audio/sound/recorder.hpp"
@@ -10,13 +12,16 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QQmlEngine>
+#include <QTimer>
 
+#include <chrono>
 #include <utility>
 
 namespace tp {
 
 namespace {
 
+constexpr std::chrono::seconds open_album_after{1}; ///< when the start page is there
 constexpr int names_wait_ms = 100; ///< for the languages of names, which a page's first sentence may have
 
 Narrator::By by(Choices::Voice voice) {
@@ -29,6 +34,10 @@ Narrator::By by(Choices::Voice voice) {
         return Narrator::By::nobody;
     }
     return Narrator::By::voice;
+}
+
+FrameLook look_with_an_eye() {
+    return [eye = std::make_shared<AimEye>()](const CameraFrame& frame) { return eye->see(frame); };
 }
 
 } // namespace
@@ -52,11 +61,23 @@ struct Program::Browsing {
 struct Program::Caring {
     explicit Caring(Program& program)
         : playing(program.parts_), recorder(program.parts_.make_microphone),
-          session(program.album(), program.narrator_, program.earcons_, recorder, playing.player,
-                  program.preferences_) {}
+          session(program.album(), program.album_faces(), program.narrator_, program.earcons_, recorder,
+                  playing.player, program.preferences_) {}
     Playing playing;
     Recorder recorder;
     CareSession session;
+};
+
+struct Program::Capturing {
+    explicit Capturing(Program& program)
+        : recorder(program.parts_.make_microphone), moment(program.parts_.make_microphone),
+          session(
+              program.narrator_, program.earcons_, program.guide_, recorder, moment, program.preferences_,
+              {program.parts_.make_camera ? program.parts_.make_camera() : std::make_unique<SystemCamera>(),
+               look_with_an_eye, [&program] { return program.folder_for_photographs(); }}) {}
+    Recorder recorder;
+    MomentRecorder moment;
+    CaptureSession session;
 };
 
 Program::Program(ProgramParts parts)
@@ -81,8 +102,11 @@ Program::Program(ProgramParts parts)
 }
 
 Program::~Program() {
+    capturing_.reset();
     caring_.reset();
     browsing_.reset();
+    looks_.reset();
+    album_faces_.reset();
     album_.reset();
     if (discard_index_)
         AlbumIndex::discard(parts_.cache);
@@ -100,19 +124,26 @@ void Program::follow_choices() {
         emit language_changed();
         shell_.retranslated();
     }
+    look_as_chosen();
     emit appearanceChanged();
 }
 
 void Program::add_pages() {
     const auto open = [this](const QString& page) { shell_.open(page); };
     shell_.add(
-        {"start", [] { return tr("TouchPhoto"); }, [this] { start_.enter(); }, [this] { start_.leave(); }});
-    shell_.add({"browse", [] { return tr("Listen to photographs"); }, [this] { browse().enter(); },
+        {"start", [] { return tr("TouchPhoto"); }, [this] { enter_start(); }, [this] { start_.leave(); }});
+    shell_.add({"browse", [] { return tr("Listen to photographs"); },
+                [this] {
+                    browse().enter();
+                    news_told();
+                },
                 [this] { browse().leave(); }});
     shell_.add({"explore", [] { return tr("Feel a face"); }, [this] { enter_explore(); },
                 [this] { explore().leave(); }});
     shell_.add({"care", [] { return tr("Look after the album"); }, [this] { care().enter(); },
                 [this] { care().leave(); }});
+    shell_.add({"capture", [] { return tr("Take a photograph"); }, [this] { capture().enter(); },
+                [this] { capture().leave(); }});
     shell_.add(
         {"mend", [] { return tr("Mend contours"); }, [this] { mend().enter(); }, [this] { mend().leave(); }});
     shell_.add({"print", [] { return tr("Print a tactile sheet"); }, [this] { print().enter(); },
@@ -127,13 +158,10 @@ QVariantMap Program::page_files() {
     const auto file = [](const char* path) {
         return QString("qrc:/qt-project.org/imports/TouchPhoto/") + path;
     };
-    return {{"start", file("Start/StartPage.qml")},
-            {"browse", file("Browse/BrowsePage.qml")},
-            {"explore", file("Explore/ExplorePage.qml")},
-            {"care", file("Care/CarePage.qml")},
-            {"mend", file("Mend/MendPage.qml")},
-            {"print", file("Print/PrintPage.qml")},
-            {"lab", file("Lab/LabPage.qml")},
+    return {{"start", file("Start/StartPage.qml")},         {"browse", file("Browse/BrowsePage.qml")},
+            {"explore", file("Explore/ExplorePage.qml")},   {"care", file("Care/CarePage.qml")},
+            {"capture", file("Capture/CapturePage.qml")},   {"mend", file("Mend/MendPage.qml")},
+            {"print", file("Print/PrintPage.qml")},         {"lab", file("Lab/LabPage.qml")},
             {"settings", file("Settings/SettingsPage.qml")}};
 }
 
@@ -145,6 +173,8 @@ QObject* Program::session(const QString& page) {
         session = &explore();
     else if (page == "care")
         session = &care();
+    else if (page == "capture")
+        session = &capture();
     else if (page == "mend")
         session = &mend();
     else if (page == "print")
@@ -158,26 +188,21 @@ QObject* Program::session(const QString& page) {
     return session;
 }
 
-OpenAlbum& Program::album() {
-    if (!album_) {
-        album_ = std::make_unique<OpenAlbum>(parts_.cache, preferences_);
-        connect(album_.get(), &OpenAlbum::said, this,
-                [this](const QString& sentence) { narrator_.tell(sentence, Priority::message); });
-        connect(album_.get(), &OpenAlbum::album_changed, this, [this] {
-            if (explore_ && explore_->device()->here())
-                explore_->walk()->album_changed();
-        });
-        connect(album_.get(), &OpenAlbum::scanning_changed, this, [this] {
-            if (!album_->scanning())
-                voice_names_.read();
-        });
-    }
-    return *album_;
+void Program::show_looked(const std::filesystem::path& photo) {
+    if (browsing_)
+        browsing_->session.trail()->looked_at(photo);
+    if (caring_)
+        caring_->session.draft()->looked_at(photo);
 }
 
 BrowseSession& Program::browse() {
     if (!browsing_) {
         browsing_ = std::make_unique<Browsing>(*this);
+        connect(browsing_->session.trail(), &BrowseTrail::shown_anew, this, [this] {
+            const BrowseTrail& trail = *browsing_->session.trail();
+            if (trail.here() && !trail.seen())
+                looks_->want(trail.shown());
+        });
         connect(&browsing_->session, &BrowseSession::exploreAsked, this, &Program::feel);
         connect(&browsing_->session, &BrowseSession::careAsked, this, &Program::care_for);
         connect(&browsing_->session, &BrowseSession::settingsAsked, this,
@@ -190,6 +215,10 @@ BrowseSession& Program::browse() {
 CareSession& Program::care() {
     if (!caring_) {
         caring_ = std::make_unique<Caring>(*this);
+        connect(&caring_->session, &CareSession::photoChanged, this, [this] {
+            if (!caring_->session.photo().empty())
+                looks_->want(caring_->session.photo());
+        });
         connect(&caring_->session, &CareSession::nameLanguagesRead, &voice_names_, &VoiceNames::know);
         connect(&caring_->session, &CareSession::mendAsked, this, [this](const QString& photo) {
             mend().open_file(photo);
@@ -201,6 +230,16 @@ CareSession& Program::care() {
         });
     }
     return caring_->session;
+}
+
+CaptureSession& Program::capture() {
+    if (!capturing_) {
+        capturing_ = std::make_unique<Capturing>(*this);
+        connect(&capturing_->session, &CaptureSession::importAsked, this, [this] { shell_.open("care"); });
+        connect(&capturing_->session, &CaptureSession::touched, this,
+                [this](const std::filesystem::path& photo) { album().touched(photo); });
+    }
+    return capturing_->session;
 }
 
 MendSession& Program::mend() {
@@ -234,6 +273,13 @@ void Program::feel(const QString& photo) {
 void Program::care_for(const QString& photo) {
     care().open_photo(photo.toStdU16String());
     shell_.open("care");
+}
+
+/// The album is opened when the page is there: what is new in it is told.
+void Program::enter_start() {
+    start_.enter();
+    if (!album_ && preferences_.choices().asked && !preferences_.choices().folders.isEmpty())
+        QTimer::singleShot(open_album_after, this, [this] { album(); });
 }
 
 /// Where none is open, or one went on to another photograph meanwhile: the one that one was at last; where there is none,

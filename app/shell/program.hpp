@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/album/grouping/album_faces.hpp"
+#include "app/album/looking/album_looks.hpp"
 #include "app/album/open/open_album.hpp"
+#include "app/capture/camera/camera.hpp"
 #include "app/pages/browse/browse_session.hpp"
+#include "app/pages/capture/capture_session.hpp"
 #include "app/pages/care/care_session.hpp"
 #include "app/pages/explore/explore_session.hpp"
 #include "app/pages/lab/lab_session.hpp"
@@ -45,7 +49,8 @@ struct ProgramParts {
     std::filesystem::path documents;   ///< folder of what is made to be used outside: sheets, tables
     ExploreSettings explore;
     FirstQuestions::FindDevices find_devices;
-    std::optional<Narrator::By> by = {}; ///< who speaks, whatever was chosen
+    std::optional<Narrator::By> by = {};                       ///< who speaks, whatever was chosen
+    std::function<std::unique_ptr<Camera>()> make_camera = {}; ///< empty: this machine's own
 };
 
 /// All pages and what they share. A page's session is made when the page is opened first.
@@ -71,6 +76,7 @@ public:
     BrowseSession& browse();
     ExploreSession& explore();
     CareSession& care();
+    CaptureSession& capture();
     MendSession& mend();
     PrintSession& print();
     LabSession& lab();
@@ -97,14 +103,22 @@ private:
     struct Playing;
     struct Browsing;
     struct Caring;
+    struct Capturing;
 
+    AlbumFaces& album_faces();
+    std::filesystem::path folder_for_photographs();
     void add_pages();
+    void enter_start();
     void enter_explore();
     QString beside(const QString& file, bool forward);
     void remember_felt();
     void feel(const QString& photo);
     void care_for(const QString& photo);
     void follow_choices();
+    void look_as_chosen();
+    void show_looked(const std::filesystem::path& photo);
+    void know_news();
+    void news_told();
 
     ProgramParts parts_;
     Preferences preferences_;
@@ -121,10 +135,13 @@ private:
     QString last_at_explore_;    ///< Choices::last_photo as Explore knew it last
     bool discard_index_ = false; ///< when nobody has it open any more
     std::unique_ptr<OpenAlbum> album_;
+    std::unique_ptr<AlbumLooks> looks_;
+    std::unique_ptr<AlbumFaces> album_faces_;
     StartSession start_;
     std::unique_ptr<Browsing> browsing_;
     std::unique_ptr<ExploreSession> explore_;
     std::unique_ptr<Caring> caring_;
+    std::unique_ptr<Capturing> capturing_;
     std::unique_ptr<MendSession> mend_;
     std::unique_ptr<PrintSession> print_;
     std::unique_ptr<LabSession> lab_;

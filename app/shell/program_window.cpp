@@ -2,6 +2,7 @@
 #include "app/shell/program_window.hpp"
 
 #include "app/pages/browse/browse_module.hpp"
+#include "app/pages/capture/capture_module.hpp"
 #include "app/pages/care/care_module.hpp"
 #include "app/pages/explore/explore_module.hpp"
 #include "app/pages/lab/lab_module.hpp"
@@ -34,6 +35,7 @@ ProgramWindow::ProgramWindow(Program& program) : program_(program) {
     register_browse();
     register_explore();
     register_care();
+    register_capture();
     register_mend();
     register_print();
     register_lab();

@@ -49,11 +49,11 @@ void Shell::back() {
 void Shell::goHome() { open(order_.front()); }
 
 void Shell::help(const QString& of_page) {
-    narrator_.tell(title() + ". " + of_page + ' ' +
-                       tr("Everywhere: Escape stops what sounds or moves, and then leads home. F1: this "
-                          "help. F2: the last "
-                          "sentence again. F3: voice on or off. Alt and Left: the previous page."),
-                   Priority::touch);
+    narrator_.tell(
+        title() + ". " + of_page + ' ' +
+            tr("On every page: Escape stops whatever sounds or moves, then leads home. F1: this help. F2: "
+               "repeat the last sentence. F3: voice on or off. Alt+Left: previous page."),
+        Priority::touch);
 }
 
 void Shell::toggleVoice() {

@@ -46,7 +46,7 @@ Column {
         visible: buttons.ready
         primary: true
         text: buttons.session.playback.playing ? qsTr("Pause") : qsTr("Play recordings")
-        hint: qsTr("On the detail of a recording: that one alone. Key: Return")
+        hint: qsTr("On the detail of a recording: only that one. Key: Enter")
         onClicked: buttons.session.playback.play()
     }
     Pairs {
@@ -96,7 +96,7 @@ Column {
         }
         Half {
             text: qsTr("Surprise me")
-            hint: qsTr("Any photograph. Key: R")
+            hint: qsTr("A random photograph. Key: R")
             onClicked: buttons.session.trail.surprise()
         }
         Half {

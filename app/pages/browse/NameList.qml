@@ -96,7 +96,7 @@ FocusScope {
             objectName: "letters"
             width: parent.width
             visible: list.searching && letters.letters.length > 0
-            label: qsTr("Letters to spell with")
+            label: qsTr("Letters to type with")
             letters: list.session.lists.letters
             onReached: (letter) => list.session.lists.reachLetter(letter)
             onChosen: (letter) => {
@@ -109,7 +109,7 @@ FocusScope {
             id: takeBack
             objectName: "takeLetterBack"
             visible: list.searching && list.session.lists.typed !== ""
-            text: qsTr("Take the last letter back")
+            text: qsTr("Delete the last letter")
             onClicked: list.session.lists.takeLetterBack()
         }
         Repeater {
@@ -161,7 +161,7 @@ FocusScope {
             width: bar.third
             primary: true
             text: qsTr("Choose")
-            hint: qsTr("The row that was told last. Key: Return")
+            hint: qsTr("The row read out last. Key: Enter")
             onClicked: list.session.lists.choose(list.current)
         }
     }

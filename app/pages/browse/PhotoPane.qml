@@ -12,7 +12,7 @@ FocusScope {
     activeFocusOnTab: true
     Accessible.role: Accessible.Graphic
     Accessible.name: session.trail.placeText === "" ? session.details.summary : qsTr("%1 %2").arg(session.details.summary).arg(session.trail.placeText)
-    Accessible.description: qsTr("Left and right arrow: other photographs. Up and down: what is known. Return: recordings.")
+    Accessible.description: qsTr("Left and right arrow: other photographs. Up and down: details. Enter: recordings.")
     Accessible.focusable: true
     Accessible.onPressAction: session.playback.play()
     Accessible.onNextPageAction: session.trail.next()

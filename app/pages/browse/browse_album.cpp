@@ -32,7 +32,7 @@ QString BrowseAlbum::emptyText() const {
     case State::Looking:
         return tr("Looking for photographs in your folders.");
     case State::Empty:
-        return tr("There is no photograph in your folders yet. Import some, or choose other folders on the "
+        return tr("There are no photographs in your folders yet. Import some, or choose other folders on the "
                   "settings page.");
     case State::Ready:
         break;

@@ -14,8 +14,9 @@ BrowseDetails::BrowseDetails(BrowseAlbum& album, BrowseTrail& trail, BrowseTelle
     connect(&trail_, &BrowseTrail::shown_anew, this, &BrowseDetails::take);
     connect(&trail_, &BrowseTrail::arrived, this,
             [this](Priority priority) { teller_.tell(summary_, priority); });
+    connect(&trail_, &BrowseTrail::seen_now, this, &BrowseDetails::tell_seen);
     connect(&trail_, &BrowseTrail::lost, this, [this](const QString& name) {
-        teller_.tell(tr("%1 is gone from this list. Now: %2").arg(name, summary_), Priority::message);
+        teller_.tell(tr("%1 is no longer in this list. Now: %2").arg(name, summary_), Priority::message);
     });
     connect(&pictures_, &PictureAhead::ready, this,
             [this](const std::shared_ptr<const ShownPicture>& picture) {
@@ -29,11 +30,18 @@ BrowseDetails::BrowseDetails(BrowseAlbum& album, BrowseTrail& trail, BrowseTelle
 
 void BrowseDetails::take(bool another, bool backwards) {
     const bool there = trail_.here().has_value();
-    const PhotoWords words;
-    summary_ = there ? words.summary(trail_.shown(), trail_.record()) : QString();
-    details_ = there ? words.details(trail_.shown(), trail_.record()) : std::vector<PhotoDetail>();
+    const PhotoWords words = trail_.words();
+    const QString was_at = another || detail_ < 0 ? QString() : detail();
+    summary_ = there ? words.summary(trail_.shown(), trail_.record(), trail_.seen()) : QString();
+    details_ =
+        there ? words.details(trail_.shown(), trail_.record(), trail_.seen()) : std::vector<PhotoDetail>();
     tags_.set_tags(trail_.shown(), in_playing_order(trail_.record().tags));
     detail_ = another ? -1 : std::min(detail_, static_cast<int>(details_.size()) - 1);
+    if (!was_at.isEmpty()) // more may be known now that comes before it
+        if (const auto same = std::find_if(details_.begin(), details_.end(),
+                                           [&](const PhotoDetail& one) { return one.text == was_at; });
+            same != details_.end())
+            detail_ = static_cast<int>(same - details_.begin());
     if (another) {
         picture_ = {};
         picture_problem_.clear();
@@ -73,6 +81,15 @@ void BrowseDetails::tell() {
         return teller_.tell(album_.emptyText());
     tags_.pause(); // a recording is not talked over, and who asks wants an answer
     teller_.tell(detail());
+}
+
+/// To whoever waits at a photograph of which nothing more was known: what is seen, once. A screen reader reads the
+/// summary, which is its name.
+void BrowseDetails::tell_seen() {
+    if (detail_ >= 0 || tags_.playing() || teller_.narrator().by() == Narrator::By::screen_reader)
+        return;
+    if (const QString seen = trail_.words().seen(trail_.record(), trail_.seen()); !seen.isEmpty())
+        teller_.tell(seen, Priority::message);
 }
 
 void BrowseDetails::tap() {

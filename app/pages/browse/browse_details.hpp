@@ -59,6 +59,7 @@ signals:
 private:
     void take(bool another, bool backwards);
     void step(int by);
+    void tell_seen();
 
     BrowseAlbum& album_;
     BrowseTrail& trail_;

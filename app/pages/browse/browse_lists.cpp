@@ -75,7 +75,7 @@ void BrowseLists::open_photos(const QString& title, PhotoTrail photos, const std
     if (const Result<bool> there = at ? photos.to(*at) : photos.to_first(); !there)
         return teller_.refuse(in_persons_language(there.error()));
     if (!photos.here())
-        return teller_.refuse(tr("There is no photograph of that any more."));
+        return teller_.refuse(tr("There are no photographs of that any more."));
     trail_.go_down({View::Photos, title, std::move(photos), {}, {}, -1});
     enter_level();
 }
@@ -100,7 +100,8 @@ void BrowseLists::enter_level() {
 
 void BrowseLists::back() {
     if (trail_.at_the_top())
-        return teller_.tell(Earcon::list_end, tr("These are all photographs; there is no list above them."));
+        return teller_.tell(Earcon::list_end,
+                            tr("These are all the photographs; there is no list above them."));
     tags_.stop();
     teller_.sound(Earcon::previous);
     trail_.go_up();
@@ -192,10 +193,10 @@ void BrowseLists::list_matches() {
                                         : tr("keyword, %1").arg(count),
                 topic);
     }
-    const PhotoWords say;
+    const PhotoWords say = trail_.words();
     for (const PhotoEntry& photo : *photos)
         if (const auto known = queries.summary(photo.id); known && *known)
-            add_row(say.summary(photo.path, (*known)->record),
+            add_row(say.summary(photo.path, (*known)->record, (*known)->seen),
                     QString::fromStdString(photo.path.filename().string()), photo);
     if (typed().trimmed().isEmpty())
         return;
@@ -272,7 +273,7 @@ void BrowseLists::addLetter(int letter) {
 
 void BrowseLists::takeLetterBack() {
     if (typed().isEmpty())
-        return teller_.refuse(tr("There is no letter to take away."));
+        return teller_.refuse(tr("There is no letter to delete."));
     QString left = typed();
     left.chop(left.back().isLowSurrogate() ? 2 : 1);
     spell(left);
@@ -281,7 +282,7 @@ void BrowseLists::takeLetterBack() {
 void BrowseLists::spell(const QString& words) {
     teller_.sound(Earcon::next);
     type(words);
-    teller_.tell(found_.isEmpty() ? tr("Nothing is typed any more.")
+    teller_.tell(found_.isEmpty() ? tr("The search field is empty.")
                                   : tr("%1: %2.", "what is typed, what was found").arg(words, found_));
 }
 
@@ -300,7 +301,7 @@ QString BrowseLists::words() const {
                                 : tr("Search for %1: %2.").arg(typed(), found_);
     if (rows_.isEmpty())
         return tr("%1: there are none yet.", "a list").arg(trail_.title());
-    return tr("%1: %2. Choose one with the arrow keys and Return.", "a list, how many")
+    return tr("%1: %2. Choose one with the arrow keys and Enter.", "a list, how many")
         .arg(trail_.title(), found_);
 }
 

@@ -28,9 +28,10 @@ void BrowseSession::enter() {
     if (teller_.narrator().by() ==
         Narrator::By::screen_reader) // the photograph has the focus, and is read by itself
         return teller_.tell(tr("Your photographs."), Priority::message);
-    const QString can = playback_.hasRecordings()
-                            ? tr("Swipe or use the arrow keys to go on; double tap or press Return to hear.")
-                            : tr("Swipe or use the arrow keys to go on.");
+    const QString can =
+        playback_.hasRecordings()
+            ? tr("Swipe or use the arrow keys to move on; double tap or press Enter to listen.")
+            : tr("Swipe or use the arrow keys to move on.");
     teller_.tell(tr("Your photographs, %1: %2 %3", "place, summary, what can be done")
                      .arg(trail_.placeText(), details_.summary(), can),
                  Priority::message);
@@ -77,14 +78,12 @@ void BrowseSession::twoFingerDoubleTap() {
 
 QString BrowseSession::keys() const {
     return tr(
-        "Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the "
-        "recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last "
-        "photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all "
-        "photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: "
-        "these "
-        "keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two "
-        "fingers "
-        "goes back, three fingers tell where you are.");
+        "Left and right: previous and next photograph. Up and down: its details. Enter: play the recordings, "
+        "or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. "
+        "S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. "
+        "Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A "
+        "swipe does what its arrow key does, a double tap plays, a two-finger tap stops, a Z drawn with two "
+        "fingers goes back, a three-finger tap says where you are.");
 }
 
 void BrowseSession::tellKeys() {

@@ -130,13 +130,32 @@ void BrowseTrail::show_here(bool backwards) {
 void BrowseTrail::read_record() {
     shown_ = here() ? here()->path : fs::path();
     record_ = {};
+    seen_.reset();
     sha256_.clear();
     if (!here())
         return;
     if (const auto known = album_.open().queries().summary(here()->id); known && *known) {
         record_ = (*known)->record;
+        seen_ = (*known)->seen;
         sha256_ = (*known)->sha256;
     }
+}
+
+PhotoWords BrowseTrail::words() const {
+    const Choices& choices = preferences_.choices();
+    return PhotoWords(PhotoWords::Style{choices.descriptions, choices.place_first});
+}
+
+void BrowseTrail::looked_at(const fs::path& photo) {
+    if (photo != shown_ || !here())
+        return;
+    const auto known = [this] {
+        return seen_ && seen_->width > 0;
+    }; // a look that goes on is kept without a size
+    const bool news = !known();
+    show_here();
+    if (news && known() && active_ && view() == View::Photos)
+        emit seen_now();
 }
 
 void BrowseTrail::set_state() {

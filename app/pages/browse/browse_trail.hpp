@@ -5,6 +5,7 @@
 #include "app/pages/browse/browse_album.hpp"
 #include "app/pages/browse/browse_teller.hpp"
 #include "app/pages/browse/photo_trail.hpp"
+#include "app/pages/browse/photo_words.hpp"
 #include "app/pages/browse/tag_playback.hpp"
 #include "app/parts/preferences/preferences.hpp"
 #include "core/base/result.hpp"
@@ -70,6 +71,8 @@ public:
     void leave() { active_ = false; }
     /// Goes by what the album has now.
     void look_at_album();
+    /// What is on this photograph was looked at.
+    void looked_at(const std::filesystem::path& photo);
 
     /// A photograph is shown, and the level has photographs.
     bool ready() const { return album_.ready(); }
@@ -79,6 +82,8 @@ public:
     const std::optional<PhotoEntry>& here() const { return trail().here(); }
     const std::filesystem::path& shown() const { return shown_; }
     const PhotoRecord& record() const { return record_; }
+    const std::optional<SeenPhoto>& seen() const { return seen_; }
+    PhotoWords words() const;
     std::vector<std::filesystem::path> ahead(bool backwards) const { return trail().ahead(backwards); }
 
     Level& level() { return levels_.back(); }
@@ -100,6 +105,8 @@ signals:
     void shown_anew(bool another, bool backwards);
     /// One has come to a photograph: it is to be told.
     void arrived(tp::Priority priority);
+    /// What is on the photograph that is shown is known now, and was not when one came to it.
+    void seen_now();
     /// The photograph of that name is gone from the list, and another is shown.
     void lost(const QString& name);
     /// The index has changed; lists follow.
@@ -124,6 +131,7 @@ private:
     std::filesystem::path shown_;
     std::string sha256_; ///< of that photograph
     PhotoRecord record_;
+    std::optional<SeenPhoto> seen_;
 };
 
 } // namespace tp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/browse/photo_words.hpp"
 
+#include "app/photo/words/description.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QDate>
@@ -31,6 +32,12 @@ int unnamed(const PhotoRecord& record) {
 /// The date without its time, for a camera's clock knows no more than its owner set.
 QDate date_of(const QString& taken) { return QDate::fromString(taken.left(10), Qt::ISODate); }
 
+DescriptionOrder order_of(const PhotoWords::Style& style) {
+    return style.place_first ? DescriptionOrder::place_first : DescriptionOrder::people_first;
+}
+
+QString begun_large(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
+
 } // namespace
 
 std::vector<Tag> in_playing_order(const std::vector<Tag>& tags) {
@@ -56,7 +63,23 @@ QStringList PhotoWords::people(const PhotoRecord& record) const {
     return names;
 }
 
-QString PhotoWords::summary(const std::filesystem::path& photo, const PhotoRecord& record) const {
+QString PhotoWords::summary(const std::filesystem::path& photo, const PhotoRecord& record,
+                            const Seen& seen) const {
+    const int recordings = static_cast<int>(record.tags.size());
+    const bool looked = seen && seen->width > 0;
+    if (looked && style_.length == Choices::Descriptions::full) {
+        const QString count =
+            record.tags.empty() ? tr("No recordings yet.") : tr("%n recording(s).", nullptr, recordings);
+        return tr("%1 %2", "two sentences").arg(seen_in_full(record, *seen), count);
+    }
+    const QString what = looked && style_.length == Choices::Descriptions::brief
+                             ? seen_in_short(photo, record, *seen)
+                             : known_of(photo, record);
+    return record.tags.empty() ? tr("%1; no recordings yet.").arg(what)
+                               : tr("%1; %n recording(s).", nullptr, recordings).arg(what);
+}
+
+QString PhotoWords::known_of(const std::filesystem::path& photo, const PhotoRecord& record) const {
     QStringList who = people(record);
     if (const int more = unnamed(record); more > 0)
         who << (who.isEmpty() ? tr("%n face(s)", nullptr, more) : tr("%n more face(s)", nullptr, more));
@@ -69,22 +92,46 @@ QString PhotoWords::summary(const std::filesystem::path& photo, const PhotoRecor
         known << place;
     if (known.isEmpty())
         known << file_name(photo);
-    const QString what = known.join(tr(", ", "between who, when and where"));
-    return record.tags.empty()
-               ? tr("%1; no recordings yet.").arg(what)
-               : tr("%1; %n recording(s).", nullptr, static_cast<int>(record.tags.size())).arg(what);
+    return known.join(tr(", ", "between who, when and where"));
 }
 
-std::vector<PhotoDetail> PhotoWords::details(const std::filesystem::path& photo,
-                                             const PhotoRecord& record) const {
+QString PhotoWords::seen_in_short(const std::filesystem::path& photo, const PhotoRecord& record,
+                                  const SeenPhoto& seen) const {
+    const PhotoView view = view_of(seen, record, locale_.language());
+    QString text = short_description(view, locale_.language(), order_of(style_));
+    if (view.people.empty() && view.elsewhere.isEmpty() && !view.date.isValid() && view.town.isEmpty())
+        text += tr(", ", "between who, when and where") + file_name(photo);
+    return begun_large(text);
+}
+
+QString PhotoWords::seen(const PhotoRecord& record, const Seen& seen) const {
+    if (!seen || seen->width <= 0 || style_.length == Choices::Descriptions::none)
+        return {};
+    if (style_.length == Choices::Descriptions::full)
+        return seen_in_full(record, *seen);
+    PhotoView view = view_of(*seen, record, locale_.language());
+    view.date = QDate(); // said before
+    view.town.clear();
+    return begun_large(short_description(view, locale_.language())) + QLatin1Char('.');
+}
+
+QString PhotoWords::seen_in_full(const PhotoRecord& record, const SeenPhoto& seen) const {
+    return full_description(view_of(seen, record, locale_.language()), locale_.language(), order_of(style_));
+}
+
+std::vector<PhotoDetail> PhotoWords::details(const std::filesystem::path& photo, const PhotoRecord& record,
+                                             const Seen& seen) const {
     std::vector<PhotoDetail> details;
     const auto add = [&](const QString& text) {
         if (!text.isEmpty())
             details.push_back({text, {}});
     };
+    const bool looked = seen && seen->width > 0 && style_.length != Choices::Descriptions::none;
+    if (looked && style_.length == Choices::Descriptions::brief)
+        add(seen_in_full(record, *seen));
     for (const QString& name : people(record))
         add(name);
-    if (const int faces = unnamed(record); faces > 0)
+    if (const int faces = unnamed(record); faces > 0 && !looked)
         add(tr("%n face(s) without a name.", nullptr, faces));
     const std::vector<Tag> tags = in_playing_order(record.tags);
     for (std::size_t i = 0; i < tags.size(); ++i)
@@ -127,7 +174,7 @@ QString PhotoWords::recording(const Tag& tag) const {
     case RecordingKind::story:
         return speaker.isEmpty() ? tr("story") : tr("story by %1").arg(speaker);
     case RecordingKind::ambient:
-        return tr("sounds around the camera");
+        return tr("background sounds");
     }
     return {};
 }

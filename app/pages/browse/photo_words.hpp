@@ -2,6 +2,8 @@
 #pragma once
 
 #include "app/album/metadata/photo_record.hpp"
+#include "app/parts/preferences/choices.hpp"
+#include "app/photo/seen/seen_photo.hpp"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -26,13 +28,28 @@ struct PhotoDetail {
 class PhotoWords {
     Q_DECLARE_TR_FUNCTIONS(PhotoWords)
 public:
-    explicit PhotoWords(QLocale locale = QLocale()) : locale_(std::move(locale)) {}
+    /// How much is said of what is seen on a photograph, and what first.
+    struct Style {
+        Choices::Descriptions length = Choices::Descriptions::brief;
+        bool place_first = false;
+    };
+    /// What is seen on a photograph; nothing: nobody has looked yet.
+    using Seen = std::optional<SeenPhoto>;
 
-    /// "Anna and Tom, May 2026, Vienna; 3 recordings." With nothing known, the file's name stands for it.
-    QString summary(const std::filesystem::path& photo, const PhotoRecord& record) const;
-    /// People one by one, recordings one by one in the order in which they are played, descriptions, place,
-    /// time, keywords, and the file's name.
-    std::vector<PhotoDetail> details(const std::filesystem::path& photo, const PhotoRecord& record) const;
+    explicit PhotoWords(QLocale locale = QLocale()) : PhotoWords(Style(), std::move(locale)) {}
+    explicit PhotoWords(Style style, QLocale locale = QLocale())
+        : style_(style), locale_(std::move(locale)) {}
+
+    /// "Anna and Tom, both smiling, May 2026, Vienna; 3 recordings." With nothing known, the file's name stands for it.
+    QString summary(const std::filesystem::path& photo, const PhotoRecord& record,
+                    const Seen& seen = {}) const;
+    /// What is seen, people one by one, recordings one by one in the order in which they are played, descriptions,
+    /// place, time, keywords, and the file's name. Nothing that the summary says whole.
+    std::vector<PhotoDetail> details(const std::filesystem::path& photo, const PhotoRecord& record,
+                                     const Seen& seen = {}) const;
+
+    /// "Anna and Tom, both smiling.", or whole sentences, as was chosen; empty: nothing is to be said.
+    QString seen(const PhotoRecord& record, const Seen& seen) const;
 
     /// "memo by Tom": the kind of a recording, and who speaks.
     QString recording(const Tag& tag) const;
@@ -47,6 +64,12 @@ private:
     QString moment(const QString& taken) const;
     QString in_our_language(const LanguageTexts& texts) const;
 
+    QString known_of(const std::filesystem::path& photo, const PhotoRecord& record) const;
+    QString seen_in_short(const std::filesystem::path& photo, const PhotoRecord& record,
+                          const SeenPhoto& seen) const;
+    QString seen_in_full(const PhotoRecord& record, const SeenPhoto& seen) const;
+
+    Style style_;
     QLocale locale_;
 };
 

@@ -24,7 +24,7 @@ Item {
             height: modelData.rect.height * targets.pixelsPerMm
             Accessible.role: Accessible.Button
             Accessible.name: modelData.name
-            Accessible.description: qsTr("Fits this face into the surface")
+            Accessible.description: qsTr("Fits this face into the touch surface")
             Accessible.onPressAction: targets.session.zoom.chooseFace(face.index)
 
             Repeater {
@@ -39,7 +39,7 @@ Item {
                     z: -width * height // the outline lies round all others and must not hide them
                     Accessible.role: Accessible.Button
                     Accessible.name: modelData.name
-                    Accessible.description: qsTr("Sets the finger down there")
+                    Accessible.description: qsTr("Puts the finger there")
                     Accessible.onPressAction: targets.session.hand.goToFeature(modelData.index)
                 }
             }

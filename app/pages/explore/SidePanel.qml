@@ -82,7 +82,7 @@ TpScroll {
         }
         Half {
             text: qsTr("Tour of the face")
-            hint: qsTr("Leads the finger round every feature, each named before. Key: T")
+            hint: qsTr("Leads the finger round every feature, naming each one first. Key: T")
             onClicked: panel.session.tour.toggleFace()
         }
     }
@@ -90,12 +90,12 @@ TpScroll {
         Half {
             enabled: true
             text: qsTr("Where am I?")
-            hint: qsTr("Tells face, feature, direction and distance. Key: W")
+            hint: qsTr("Says which face and feature, the direction and the distance. Key: W")
             onClicked: panel.session.finger.whereAmI()
         }
         Half {
             text: panel.session.device.engaged ? qsTr("Stop") : qsTr("Force on")
-            hint: panel.session.device.engaged ? qsTr("Ends tour, speech and force. Key: Escape") : qsTr("Key: Enter")
+            hint: panel.session.device.engaged ? qsTr("Stops tour, speech and force. Key: Escape") : qsTr("Key: Enter")
             onClicked: panel.session.stopOrStart()
         }
     }
@@ -107,20 +107,20 @@ TpScroll {
         }
         Half {
             text: qsTr("Zoom out")
-            hint: qsTr("Key: Shift and Z")
+            hint: qsTr("Key: Shift+Z")
             onClicked: panel.session.zoom.zoomOut()
         }
     }
     Pair {
         Half {
             text: qsTr("Next feature")
-            hint: qsTr("Sets the finger down on it. Key: Tab")
+            hint: qsTr("Puts the finger on it. Key: Tab")
             onClicked: if (!panel.session.hand.stepFeature(1)) panel.session.hand.stepFeature(1)
         }
         Half {
             visible: panel.session.view.faceCount > 1
             text: qsTr("Next face")
-            hint: qsTr("Fits one face after the other into the surface. Key: F")
+            hint: qsTr("Fits one face after another into the touch surface. Key: F")
             onClicked: panel.session.zoom.nextFace()
         }
     }
@@ -128,13 +128,13 @@ TpScroll {
         Half {
             enabled: true
             text: qsTr("Next photograph")
-            hint: qsTr("The next one of the album with a face. Key: N")
+            hint: qsTr("The next one in the album with a face. Key: N")
             onClicked: panel.session.walk.next()
         }
         Half {
             enabled: true
             text: qsTr("Previous photograph")
-            hint: qsTr("Key: Shift and N")
+            hint: qsTr("Key: Shift+N")
             onClicked: panel.session.walk.previous()
         }
     }

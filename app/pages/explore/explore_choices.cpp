@@ -25,7 +25,7 @@ void ExploreChoices::setMaxForce(double newtons) {
 }
 
 QStringList ExploreChoices::guideNames() const {
-    return {tr("None"), tr("Sonar"), tr("Clock voice"), tr("Both")};
+    return {tr("None"), tr("Beeps"), tr("Clock directions"), tr("Both")};
 }
 
 void ExploreChoices::setGuide(int guide) {

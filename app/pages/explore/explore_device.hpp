@@ -72,6 +72,8 @@ public:
     void disengage();
     /// What is wrong with the servo now, at `now` seconds.
     void watch(Fault fault, double now);
+    /// A person who has to know of it does.
+    bool shows(Fault fault) const { return faults_.shown() == fault; }
     /// Where the sheet's top left corner lies on the screen, mm from the screen's (x right, y down), and how
     /// many real millimetres each of the sheet's is there. A calibrated device follows it once it lies still.
     Q_INVOKABLE void sheetLies(double left, double top, double scale);

@@ -57,6 +57,8 @@ public:
     Vec2 felt_place() const;
     /// Nobody's hand is on the surface: what rests there is not told.
     bool lifted() const { return !servo_.real() && hand_.off_surface(); }
+    /// The same, or nobody has come yet.
+    bool up() const { return lifted() || (!servo_.real() && moved_at_ == long_ago && !hand_.touches()); }
     const HandState& hand() const { return hand_; }
     HandState& hand() { return hand_; }
     /// Where mouse or touch was last.

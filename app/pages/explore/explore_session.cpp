@@ -21,12 +21,16 @@ ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
     timer_.setInterval(poll_ms);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &ExploreSession::poll);
-    connect(&view_, &ExploreView::replaced, this, &ExploreSession::follow_view);
+    connect(&view_, &ExploreView::replaced, this, &ExploreSession::stir);
     connect(&walk_, &ExploreWalk::setting_out, this, &ExploreSession::stop_everything);
     connect(&hand_, &ExploreHand::meant, this, &ExploreSession::perform);
     connect(&device_, &ExploreDevice::disabled, this, &ExploreSession::stop_everything);
+    servo_.when_stirred([this] { stir(); });
+    connect(&tour_, &ExploreTour::changed, this, [this] { servo_.stir(); }); // its names are told by the poll
     QCoreApplication::instance()->installEventFilter(this);
 }
+
+ExploreSession::~ExploreSession() { servo_.when_stirred({}); }
 
 /// The texts are asked for anew in another language.
 bool ExploreSession::eventFilter(QObject* watched, QEvent* event) {
@@ -43,7 +47,7 @@ void ExploreSession::enter() {
     const bool was_here = device_.here();
     away_ = false;
     servo_.wake();
-    follow_view();
+    stir();
     words_.enter();
     ear_.enter();
     device_.enter();
@@ -51,7 +55,7 @@ void ExploreSession::enter() {
         return; // just told
     words_.tell(
         view_.ready()
-            ? tr("Explore. %1 Move a finger over the picture; W tells where it is.").arg(view_.where_one_is())
+            ? tr("Explore. %1 Move a finger over the picture; W says where it is.").arg(view_.where_one_is())
             : tr("Explore. %1").arg(view_.where_one_is()),
         Priority::message);
 }
@@ -141,6 +145,20 @@ void ExploreSession::perform(TouchGestures::Gesture gesture) {
     }
 }
 
+void ExploreSession::stir() {
+    quiet_.stir();
+    follow_view();
+}
+
+/// A finger that is only drawn, up for a while, with nothing left to tell: the threads of the servo end.
+void ExploreSession::rest_where_quiet(const ServoSnapshot& seen, double now) {
+    const bool quiet = finger_.up() && !tour_.touring() && device_.shows(seen.fault);
+    if (!quiet_.due(quiet, now) || !servo_.park())
+        return;
+    timer_.stop();
+    device_.watch(servo_.snapshot().fault, now); // of its last tick
+}
+
 void ExploreSession::poll() {
     const ServoSnapshot seen = servo_.snapshot();
     const double now = now_();
@@ -148,6 +166,7 @@ void ExploreSession::poll() {
     device_.watch(seen.fault, now);
     tour_.follow(seen.tour_progress, now);
     ear_.hear();
+    rest_where_quiet(seen, now);
 }
 
 } // namespace tp

@@ -14,6 +14,7 @@
 #include "app/pages/explore/explore_zoom.hpp"
 #include "app/pages/explore/finger_servo.hpp"
 #include "app/pages/explore/page_clock.hpp"
+#include "app/pages/explore/rest_watch.hpp"
 #include "app/pages/explore/touch_gestures.hpp"
 
 #include <QEvent>
@@ -47,6 +48,7 @@ public:
     /// All must outlive the session.
     ExploreSession(Narrator& narrator, EarconPlayer& earcons, SonifiedGuide& guide, Preferences& preferences,
                    ExploreSettings settings = {});
+    ~ExploreSession() override;
 
     ExploreWords* words() { return &words_; }
     ExploreChoices* choices() { return &choices_; }
@@ -74,6 +76,9 @@ public:
     /// A photograph that is loaded already.
     void show(std::shared_ptr<const LoadedPhoto> photo) { view_.show(std::move(photo)); }
 
+    /// The finger has been up for a while: nothing ticks until somebody comes.
+    bool at_rest() const { return servo_.parked(); }
+
     /// Stops what sounds or moves: tour, guide, force, the search for faces in a photograph just opened.
     /// False where nothing did.
     Q_INVOKABLE bool stop();
@@ -91,6 +96,8 @@ private:
     void perform(TouchGestures::Gesture gesture);
     void follow_view();
     void poll();
+    void stir();
+    void rest_where_quiet(const ServoSnapshot& seen, double now);
 
     PageClock now_;
     FingerServo servo_;
@@ -104,8 +111,9 @@ private:
     ExploreEar ear_;
     ExploreHand hand_;
     ExploreDevice device_;
-    QTimer timer_;                   ///< while there is something to feel, and the page is in sight
-    bool away_ = false;              ///< the page is out of sight
+    RestWatch quiet_;
+    QTimer timer_;      ///< while there is something to feel, the page is in sight and not at rest
+    bool away_ = false; ///< the page is out of sight
     bool toured_before_tap_ = false; ///< what the first of two taps has stopped
 };
 

@@ -155,10 +155,10 @@ void ExploreView::turn_back() {
 QString ExploreView::give_up() {
     turn_back();
     if (!photo_)
-        return tr("Stopped looking. Press O to open a photograph.");
-    return ready() ? tr("Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.")
+        return tr("Search stopped. Press O to open a photograph.");
+    return ready() ? tr("Search stopped. %1 is open again. The force is off. Press Enter to switch it on.")
                          .arg(photo_->name)
-                   : tr("Stopped looking. %1 is open again.").arg(photo_->name);
+                   : tr("Search stopped. %1 is open again.").arg(photo_->name);
 }
 
 /// The person wants more or fewer features than are felt.

@@ -63,7 +63,7 @@ void ExploreWalk::judge(const std::shared_ptr<const LoadedPhoto>& photo) {
         if (way_ == Way::newest)
             before << tr("Your newest photograph with a face.");
         else if (!passed_.isEmpty())
-            before << tr("%n photograph(s) without a face passed over.", nullptr, passed());
+            before << tr("Skipped %n photograph(s) without a face.", nullptr, passed());
         if (!has_a_name(*photo))
             before << tr("%1.", "a photograph's name").arg(photo->name);
         return view_.show(photo, before.join(' '));
@@ -71,7 +71,7 @@ void ExploreWalk::judge(const std::shared_ptr<const LoadedPhoto>& photo) {
     passed_.insert(at_);
     if (const QString further = beside(at_); !further.isEmpty() && !passed_.contains(further)) {
         if (passed() % told_after == 0)
-            words_.tell(tr("Looking further: %n photograph(s) without a face so far.", nullptr, passed()),
+            words_.tell(tr("Still looking: %n photograph(s) without a face so far.", nullptr, passed()),
                         Priority::message);
         return look_into(further);
     }
@@ -82,7 +82,7 @@ void ExploreWalk::judge(const std::shared_ptr<const LoadedPhoto>& photo) {
 void ExploreWalk::end_of_album() {
     const bool any = view_.state() != ExploreView::State::Empty;
     words_.tell(Earcon::list_end,
-                !any                   ? tr("There is no face on any photograph of the album.")
+                !any                   ? tr("There is no face on any photograph in the album.")
                 : way_ == Way::forward ? tr("No photograph with a face comes after this one.")
                                        : tr("No photograph with a face comes before this one."),
                 Priority::touch);

@@ -108,7 +108,7 @@ void ExploreZoom::zoomHere(double x, double y) {
         feature >= 0 ? view_.feature(feature) : SceneFeature{static_cast<std::size_t>(face), {}};
     if (const std::optional<Subject> nearer = zoomed_to(view_.extraction(), view_.subject(), there))
         return zoom_to(*nearer);
-    words_.tell(Earcon::list_end, tr("There is nothing nearer to zoom to here."), Priority::touch);
+    words_.tell(Earcon::list_end, tr("There is nothing more to zoom in to here."), Priority::touch);
 }
 
 void ExploreZoom::chooseFace(int index) {

@@ -41,6 +41,7 @@ std::unique_ptr<DeviceDrive> FingerServo::exchange(std::unique_ptr<DeviceDrive> 
 std::unique_ptr<DeviceDrive> FingerServo::use(std::unique_ptr<DeviceDrive> real) {
     simulated_ = nullptr;
     std::unique_ptr<DeviceDrive> before = exchange(std::move(real));
+    stir();
     drive_->loop().start();
     return before;
 }
@@ -66,19 +67,37 @@ std::string FingerServo::show(Scene scene) {
 }
 
 void FingerServo::start() {
-    if (!resting_ || real())
+    stir();
+    if (state_ == State::awake || real())
         drive_->loop().start();
 }
 
+bool FingerServo::park() {
+    if (real() || state_ != State::awake)
+        return !real();
+    drive_->loop().stop();
+    state_ = State::parked;
+    return true;
+}
+
+void FingerServo::stir() {
+    if (state_ != State::parked || felt_.lines.empty())
+        return;
+    state_ = State::awake;
+    drive_->loop().start();
+    if (stirred_)
+        stirred_();
+}
+
 void FingerServo::rest() {
-    resting_ = true;
+    const bool parked = std::exchange(state_, State::resting) == State::parked;
     disengage();
-    if (!real() && drive_->loop().running())
+    if (!real() && (parked || drive_->loop().running()))
         use_simulated(); // a new one, and the old one's threads end
 }
 
 void FingerServo::wake() {
-    resting_ = false;
+    state_ = State::awake;
     if (!felt_.lines.empty())
         start();
 }
@@ -89,6 +108,7 @@ void FingerServo::clear() {
     tour_number_ = 0;
     relax(false);
     drive_->loop().render(nullptr);
+    park();
 }
 
 Vec2 FingerServo::inside(Vec2 p) const { return glm::clamp(p, surface_.min, surface_.max); }
@@ -103,6 +123,7 @@ void FingerServo::place(Vec2 pointer) {
         return;
     pointer_ = inside(pointer);
     simulated_->place_finger(pointer_);
+    stir();
     seen_from_ = snapshot().ticks + 2; // a tick under way may have looked before
 }
 
@@ -116,6 +137,7 @@ void FingerServo::move(Vec2 pointer) {
         return;
     pointer_ = inside(pointer);
     simulated_->move_pointer(pointer_);
+    stir();
 }
 
 void FingerServo::lead_along(std::size_t contour) {
@@ -124,6 +146,7 @@ void FingerServo::lead_along(std::size_t contour) {
         return;
     (*made)->tour = felt_.lines[contour];
     relax(true);
+    stir();
     tour_number_ = drive_->loop().render(std::move(*made));
 }
 
@@ -143,11 +166,13 @@ bool FingerServo::has_led() const {
 }
 
 void FingerServo::engage() {
+    stir();
     engaged_ = true;
     drive_->loop().engage();
 }
 
 void FingerServo::disengage() {
+    stir();
     engaged_ = false;
     drive_->loop().disengage();
 }

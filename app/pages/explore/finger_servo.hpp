@@ -7,8 +7,10 @@
 #include "device/simulated/simulated_device.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace tp {
 
@@ -18,6 +20,15 @@ ServoSettings settings_for_a_drawn_finger();
 
 /// The device that moves the finger, the loop that serves it on a thread of its own, and the scene that is felt. It is
 /// the simulated device until `use` brings another. Called from the page's thread only. Places in the surface frame, mm.
+///
+/// The loop of a finger that is only drawn ticks as long as it is awake. A real device's always does, for its motors are
+/// not left alone.
+///
+/// |         | park   | stir  | rest    | wake  |
+/// |---------|--------|-------|---------|-------|
+/// | awake   | parked |       | resting |       |
+/// | parked  |        | awake | resting | awake |
+/// | resting |        |       |         | awake |
 class FingerServo {
 public:
     /// `settings` and `plant` are the simulated device's.
@@ -35,7 +46,7 @@ public:
 
     /// Renders `scene` from now on; the sentence that says why not, or empty.
     std::string show(Scene scene);
-    /// Nothing is felt any more.
+    /// Nothing is felt any more, and nothing ticks.
     void clear();
     /// What is felt; empty where nothing is.
     const FlatScene& felt() const { return felt_; }
@@ -62,8 +73,16 @@ public:
     bool engaged() const { return engaged_; }
     void set_max_force(double newtons);
 
-    /// Nobody is there to feel anything: without force, and a finger that is only drawn stands still, its loop without
-    /// threads. A real device's goes on, for its motors are not left alone.
+    /// The finger is up for a while: one that is only drawn stands still without force, its loop without threads, until
+    /// anything is done with it. Who wanted the force has it then again. False where a real device's finger goes on.
+    bool park();
+    /// Something is about to be felt: what was parked ticks from now on.
+    void stir();
+    /// Called when what was parked ticks again.
+    void when_stirred(std::function<void()> call) { stirred_ = std::move(call); }
+    bool parked() const { return state_ == State::parked; }
+
+    /// Nobody is there to feel anything: without force, and a finger that is only drawn stands still.
     void rest();
     /// As before, without force until `engage`.
     void wake();
@@ -71,6 +90,8 @@ public:
     ServoSnapshot snapshot() const { return drive_->loop().snapshot(); }
 
 private:
+    enum class State { awake, parked, resting };
+
     std::unique_ptr<DeviceDrive> simulated_drive();
     std::unique_ptr<DeviceDrive> exchange(std::unique_ptr<DeviceDrive> drive);
     Vec2 inside(Vec2 p) const;
@@ -90,7 +111,8 @@ private:
     std::uint64_t tour_number_ = 0; ///< of the scene that leads; 0: none
     double max_force_;              ///< N
     bool engaged_ = false;
-    bool resting_ = false;
+    State state_ = State::awake;
+    std::function<void()> stirred_;
 };
 
 } // namespace tp

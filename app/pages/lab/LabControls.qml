@@ -29,7 +29,7 @@ Column {
     TpButton {
         width: parent.width
         enabled: controls.free
-        text: qsTr("Open a photograph…")
+        text: qsTr("Open photograph…")
         hint: qsTr("Key: O. One can be dropped on the page too")
         onClicked: controls.openAsked()
     }
@@ -106,8 +106,8 @@ Column {
     TpButton {
         width: parent.width
         enabled: controls.free
-        text: qsTr("The strongest force of real devices")
-        hint: qsTr("Goes to the settings")
+        text: qsTr("Set the strongest force of real devices")
+        hint: qsTr("Opens the settings")
         onClicked: controls.session.pageAsked("settings")
     }
     Repeater {
@@ -130,11 +130,11 @@ Column {
         tuning: controls.tuning
         key: "drop"
         enabled: controls.free && controls.simulated
-        label: qsTr("Readings that do not come")
+        label: qsTr("Missing readings")
     }
     Repeater {
-        model: [["silent", qsTr("No readings at all")], ["refuses", qsTr("Takes no force")],
-                ["motorsOff", qsTr("Motors off by themselves")], ["unplugged", qsTr("Unplugged")]]
+        model: [["silent", qsTr("No readings at all")], ["refuses", qsTr("Accepts no force")],
+                ["motorsOff", qsTr("Motors switch themselves off")], ["unplugged", qsTr("Unplugged")]]
         delegate: LabToggle {
             required property var modelData
             width: controls.width
@@ -157,15 +157,15 @@ Column {
         width: parent.width
         enabled: controls.free && controls.tuning.undoable !== ""
         text: controls.tuning.undoable === "" ? qsTr("Nothing to undo") : qsTr("Undo: %1").arg(controls.tuning.undoable)
-        hint: qsTr("Key: Control Z")
+        hint: qsTr("Key: Control+Z")
         onClicked: controls.tuning.undo()
     }
     TpButton {
         objectName: "reset"
         width: parent.width
         enabled: controls.free
-        text: qsTr("As they were at first")
-        hint: qsTr("It can be undone")
+        text: qsTr("Reset all parameters")
+        hint: qsTr("Can be undone")
         onClicked: controls.tuning.reset()
     }
 
@@ -179,7 +179,7 @@ Column {
     TpButton {
         objectName: "table"
         width: parent.width
-        text: qsTr("Write the plots as a table")
+        text: qsTr("Save the plots as a table")
         hint: qsTr("CSV, with the parameters as JSON beside it")
         onClicked: controls.session.files.writeTable()
     }

@@ -8,9 +8,7 @@ FocusScope {
     id: page
 
     required property LabSession session
-    readonly property string help: qsTr("On the surface arrow keys move the hand and Space starts and stops the servo. R records, "
-                                        + "W says where the finger is, P reads the plots, O opens a photograph, Control Z undoes "
-                                        + "a change. Escape stops what runs.")
+    readonly property string help: qsTr("On the surface, arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads out the plots, O opens a photograph, Control+Z undoes a change. Escape stops whatever is running.")
     readonly property bool wide: width > 1.15 * height
     readonly property bool plotsBeside: wide && Theme.textScale < 1.4 && height > 640
     readonly property real margin: 2 * Theme.gap
@@ -99,7 +97,7 @@ FocusScope {
             TpButton {
                 objectName: "record"
                 width: Math.min(implicitWidth, parent.width)
-                text: page.session.activity.recording ? qsTr("End the recording") : qsTr("Record")
+                text: page.session.activity.recording ? qsTr("Stop recording") : qsTr("Record")
                 hint: qsTr("Key: R")
                 onClicked: page.session.files.toggleRecording()
             }
@@ -111,7 +109,7 @@ FocusScope {
             }
             TpButton {
                 width: Math.min(implicitWidth, parent.width)
-                text: qsTr("Read the plots")
+                text: qsTr("Read out the plots")
                 hint: qsTr("Key: P")
                 onClicked: page.session.plots.readPlots()
             }

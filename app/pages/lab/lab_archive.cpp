@@ -17,7 +17,7 @@ LabArchive::LabArchive(const std::filesystem::path& folder, LabActivity& activit
 bool LabArchive::make_folder() {
     const std::string reason = files_.make_folder();
     if (!reason.empty())
-        teller_.say(tr("The folder %1 cannot be made: %2").arg(folder(), in_persons_language(reason)));
+        teller_.say(tr("The folder %1 cannot be created: %2").arg(folder(), in_persons_language(reason)));
     return reason.empty();
 }
 
@@ -28,7 +28,7 @@ void LabArchive::toggleRecording() {
         return;
     recorded_ = files_.new_file(".touch");
     if (const std::string reason = replace_file(setup_file(recorded_), run_.setup()); !reason.empty())
-        return teller_.say(tr("The recording cannot be begun: %1").arg(in_persons_language(reason)));
+        return teller_.say(tr("The recording cannot be started: %1").arg(in_persons_language(reason)));
     run_.record(recorded_);
 }
 
@@ -42,7 +42,7 @@ QString LabArchive::finish(bool whole) {
 void LabArchive::writeTable() {
     const LabTrace& trace = measurements_.trace();
     if (trace.points().empty())
-        return teller_.say(tr("There is nothing to write yet. Start the servo first."));
+        return teller_.say(tr("There is nothing to save yet. Start the servo first."));
     if (!make_folder())
         return;
     const std::filesystem::path table = files_.new_file(".csv");

@@ -39,7 +39,7 @@ void LabReplayer::replay(int index) {
 
 void LabReplayer::play(LabReplay replay, const QString& name) {
     if (replay.ticks.empty())
-        return teller_.say(tr("%1 holds nothing.").arg(name));
+        return teller_.say(tr("%1 is empty.").arg(name));
     words_ = replay_words(replay);
     measurements_.begin(replay.rate, replay.delay_ticks);
     playback_.emplace(std::move(replay.ticks), clock_.now());

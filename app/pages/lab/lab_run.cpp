@@ -84,7 +84,7 @@ void LabRun::run(const std::shared_ptr<DeviceChain>& chain, bool recorded, bool 
     if (!goes_on)
         around_.teller.say(
             recorded ? tr("Recording: %1. Escape ends it.").arg(in_persons_language(can.name))
-                     : tr("The servo runs: %1. Escape stops it.").arg(in_persons_language(can.name)));
+                     : tr("The servo is running: %1. Escape stops it.").arg(in_persons_language(can.name)));
 }
 
 void LabRun::turn(bool anew) {
@@ -113,7 +113,7 @@ bool LabRun::end() {
 void LabRun::hang() {
     FaultyDevice* faults = servo_ ? servo_->chain().faults() : nullptr;
     if (faults == nullptr)
-        return around_.teller.tell(tr("Only a simulated device that runs can be made to hang."));
+        return around_.teller.tell(tr("Only a simulated device that is running can be made to hang."));
     faults->hang_once(hang_s);
     around_.teller.tell(tr("The device hangs for 200 milliseconds."));
 }

@@ -45,7 +45,7 @@ QStringList LabScene::names() const {
 
 QString LabScene::fieldWords() const {
     const LabParameters& parameters = tuning_.parameters();
-    return tr("Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.")
+    return tr("Force field of %1: colours and arrows from 0 to %2 newtons. The scale bar is 20 mm long.")
         .arg(name_, QLocale().toString(parameters.stiffness * parameters.range, 'f', 2));
 }
 

@@ -36,8 +36,7 @@ LabSession::LabSession(Narrator& narrator, Preferences& preferences, const LabSe
 
 void LabSession::enter() {
     teller_.tell(tr("The lab. A finger on a simulated device, a force field, and everything that can be "
-                    "turned. Space on the surface "
-                    "starts the servo, Escape stops it."));
+                    "adjusted. Space on the surface starts the servo, Escape stops it."));
     devices_.find();
     emit archive_.changed();
 }

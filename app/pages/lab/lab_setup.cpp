@@ -51,7 +51,8 @@ Result<LabParameters> parameters_from(const QJsonObject& object) {
             continue;
         const double given = value.toDouble(std::nan(""));
         if (!(given >= number.lowest && given <= number.highest))
-            return Error{std::string(number.key) + " is not from " + QByteArray::number(number.lowest).toStdString() + " to " +
+            return Error{std::string(number.key) + " is not between " +
+                         QByteArray::number(number.lowest).toStdString() + " and " +
                          QByteArray::number(number.highest).toStdString() + "."};
         parameters.*number.member = given;
     }
@@ -183,7 +184,7 @@ Result<LabSetup> parse_setup(std::string_view json) {
     const QJsonObject object =
         QJsonDocument::fromJson(QByteArray(json.data(), static_cast<qsizetype>(json.size()))).object();
     if (object["format"].toString() != format)
-        return Error{"it is no setup of the lab of version 1."};
+        return Error{"it is not a lab setup of version 1."};
     Result<LabParameters> parameters = parameters_from(object["parameters"].toObject());
     if (!parameters)
         return Error{parameters.error()};

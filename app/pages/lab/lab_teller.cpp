@@ -3,7 +3,7 @@
 
 namespace tp {
 
-LabTeller::LabTeller(Narrator& narrator) : narrator_(narrator), status_(tr("Nothing runs.")) {}
+LabTeller::LabTeller(Narrator& narrator) : narrator_(narrator), status_(tr("Nothing is running.")) {}
 
 void LabTeller::keep(const QString& sentence, Priority priority) {
     status_ = sentence;

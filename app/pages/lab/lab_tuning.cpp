@@ -100,8 +100,7 @@ double LabTuning::step(const QString& key) const {
 QString LabTuning::words(const QString& key, double value) const { return parameter_words(key, value); }
 
 void LabTuning::reset() {
-    make(tr("the reset"), tr("Law, servo, device and faults are as they were at first."),
-         [](LabParameters& p) { p = {}; });
+    make(tr("the reset"), tr("Law, servo, device and faults are reset."), [](LabParameters& p) { p = {}; });
 }
 
 void LabTuning::undo() {

@@ -9,7 +9,7 @@ FocusScope {
 
     required property MendSession session
     readonly property bool wide: width > 1.15 * height
-    readonly property string help: qsTr("Tab goes from point to point of the photograph's lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z undoes the last step, Control S saves; leaving the page saves too.")
+    readonly property string help: qsTr("Tab goes from point to point of the photograph's lines, Page Up and Page Down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete deletes it, C turns a corner into a smooth point. Control+Z undoes the last step, Control+S saves; leaving the page saves too.")
     readonly property real side: Math.min(360 * Theme.textScale, 0.5 * width)
 
     focus: true

@@ -48,8 +48,8 @@ TpScroll {
     TpStatus {
         width: parent.width
         visible: panel.ready && panel.selection.featureName !== ""
-        label: qsTr("In hand")
-        text: !panel.selection.featureThere ? qsTr("%1: not there").arg(panel.selection.featureName)
+        label: qsTr("Selected")
+        text: !panel.selection.featureThere ? qsTr("%1: missing").arg(panel.selection.featureName)
             : panel.selection.handle < 0 ? panel.selection.featureName
             : qsTr("%1 of the %2: %3").arg(panel.selection.handleName).arg(panel.selection.featureName).arg(panel.selection.handlePlace)
         color: Theme.accent
@@ -102,7 +102,7 @@ TpScroll {
         TpButton {
             width: panel.half
             text: qsTr("Add a point")
-            hint: qsTr("Behind the one in hand. Key: A. Or double-click beside a line")
+            hint: qsTr("After the selected one. Key: A. Or double-click beside a line")
             onClicked: panel.session.editing.addPoint()
         }
         TpButton {
@@ -127,8 +127,8 @@ TpScroll {
         TpButton {
             width: panel.half
             enabled: panel.selection.featureMended
-            text: qsTr("As it was found")
-            hint: qsTr("Undoes what was done to this feature alone")
+            text: qsTr("Reset the feature")
+            hint: qsTr("Undoes the changes to this feature only")
             onClicked: panel.session.editing.resetFeature()
         }
         TpButton {
@@ -150,13 +150,13 @@ TpScroll {
         visible: panel.ready
         TpButton {
             width: panel.half
-            text: qsTr("Larger")
+            text: qsTr("Zoom in")
             hint: qsTr("Key: Plus")
             onClicked: panel.selection.zoomBy(1.5)
         }
         TpButton {
             width: panel.half
-            text: qsTr("Smaller")
+            text: qsTr("Zoom out")
             hint: qsTr("Key: Minus")
             onClicked: panel.selection.zoomBy(1 / 1.5)
         }
@@ -187,7 +187,7 @@ TpScroll {
     TpStatus {
         width: parent.width
         visible: panel.ready && text !== ""
-        label: qsTr("What is felt")
+        label: qsTr("Shows what is felt")
         text: panel.session.preview.change
         color: Theme.quiet
     }
@@ -204,7 +204,7 @@ TpScroll {
         TpButton {
             width: panel.half
             text: qsTr("Add a face")
-            hint: qsTr("One of usual shape, to be put in place")
+            hint: qsTr("One of the usual shape, for you to move into place")
             onClicked: panel.session.editing.addFace()
         }
     }
@@ -213,13 +213,13 @@ TpScroll {
         visible: panel.ready
         enabled: panel.session.file.canDiscard
         text: qsTr("Discard all changes")
-        hint: qsTr("The contours as they were opened. Can be undone")
+        hint: qsTr("The contours as they were when opened. Can be undone")
         onClicked: panel.session.file.discard()
     }
     TpText {
         width: parent.width
         visible: panel.ready
-        text: qsTr("Keys on the photograph: Tab and Shift+Tab go from point to point; arrows move it by one pixel, with Shift by ten, with Control by a fifth; Page up and Page down change the feature; A adds a point, Delete deletes it, C turns a corner, M moves the whole feature, F shows the force, plus and minus zoom, 0 shows all, Z this feature, W says where one is.")
+        text: qsTr("Keys on the photograph: Tab and Shift+Tab go from point to point; arrow keys move it by one pixel, with Shift by ten, with Control by a fifth; Page Up and Page Down change the feature; A adds a point, Delete deletes it, C makes it a corner or smooth, M moves the whole feature, F shows the force, plus and minus zoom, 0 shows all, Z this feature, W says where you are.")
         font.pixelSize: Theme.smallSize
         color: Theme.quiet
     }

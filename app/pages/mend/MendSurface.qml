@@ -14,7 +14,7 @@ FocusScope {
     activeFocusOnTab: true
     Accessible.role: Accessible.Canvas
     Accessible.name: qsTr("Contours")
-    Accessible.description: qsTr("Tab goes from point to point. Arrow keys move it by one pixel of the photograph, with Shift by ten, with Control by a fifth. Page up and page down change the feature.")
+    Accessible.description: qsTr("Tab goes from point to point. Arrow keys move it by one pixel of the photograph, with Shift by ten, with Control by a fifth. Page Up and Page Down change the feature.")
     Accessible.focusable: true
 
     onWidthChanged: session.view.setWindow(width, height)

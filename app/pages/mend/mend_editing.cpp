@@ -53,7 +53,7 @@ void MendEditing::nudge(double dx, double dy) {
         return selection_.whereAmI();
     const bool whole = selection_.wholeFeature();
     if (!whole && selection_.handle() < 0)
-        return tell(tr("No point is in hand. Tab goes from point to point."));
+        return tell(tr("No point is selected. Tab goes from point to point."));
     move_by({dx, dy}, QStringLiteral("nudge %1 %2 %3")
                           .arg(selection_.feature())
                           .arg(whole ? -1 : selection_.handle())
@@ -92,20 +92,20 @@ void MendEditing::addPointAt(double x, double y) {
 
 void MendEditing::deletePoint() {
     if (!selection_.line() || selection_.handle() < 0)
-        return tell(tr("No point is in hand. Tab goes from point to point."));
+        return tell(tr("No point is selected. Tab goes from point to point."));
     MendContour left = *selection_.line();
     if (!delete_node(left, selection_.node()))
         return tell(tr("The %1 needs its last points. The whole feature can be removed.")
                         .arg(selection_.featureName()));
     mend(tr("a point of the %1 was deleted").arg(selection_.featureName()),
          [&left](MendContour& line) { line = std::move(left); });
-    tell(tr("Deleted. In hand: %1.").arg(selection_.handleName()));
+    tell(tr("Deleted. Selected: %1.").arg(selection_.handleName()));
 }
 
 void MendEditing::turnCorner() {
     if (!selection_.handleTurns())
-        return tell(tr("This point can be no corner."));
-    mend(tr("a point of the %1 was turned").arg(selection_.featureName()),
+        return tell(tr("This point cannot be a corner."));
+    mend(tr("a point of the %1 was converted").arg(selection_.featureName()),
          [this](MendContour& line) { toggle_corner(line, selection_.node()); });
     tell(selection_.handleIsCorner() ? tr("A corner now.") : tr("Smooth now."));
 }
@@ -125,7 +125,7 @@ void MendEditing::resetFeature() {
     });
     selection_.fitIntoView();
     tell(selection_.line() ? tr("The %1 is as the program found it again.").arg(name)
-                           : tr("The %1 is gone again: the program did not find it.").arg(name));
+                           : tr("The %1 is gone again, because the program did not find it.").arg(name));
 }
 
 void MendEditing::addFeature() {
@@ -154,7 +154,7 @@ void MendEditing::removeFeature() {
         feature.mended = true;
     });
     selection_.take_handle(-1);
-    tell(tr("The %1 is removed. It will not be felt.").arg(selection_.featureName()));
+    tell(tr("The %1 was removed. It will not be felt.").arg(selection_.featureName()));
 }
 
 void MendEditing::addFace() {
@@ -168,7 +168,7 @@ void MendEditing::addFace() {
     selection_.take_feature(
         static_cast<int>(selection_.features().size() - static_cast<qsizetype>(face.features.size())));
     view_.show(face.box);
-    tell(tr("A face of usual shape was added. Move its features into place."));
+    tell(tr("A face of the usual shape was added. Move its features into place."));
 }
 
 } // namespace tp

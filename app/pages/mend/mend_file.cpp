@@ -60,7 +60,7 @@ std::string MendFile::keep_what_others_wrote() {
         const std::string reason = replace_file(aside, **now);
         if (reason.empty())
             kept_aside_ = aside;
-        return reason.empty() ? reason : "What another program wrote cannot be kept: " + reason;
+        return reason.empty() ? reason : "What another program wrote cannot be saved: " + reason;
     }
 }
 
@@ -79,7 +79,7 @@ std::string MendFile::save(const MendWork& work) {
         fs::remove(path_, failed);
         const std::string reason = failed ? reason_of(failed.value()) : sync_folder(path_.parent_path());
         if (!reason.empty())
-            return "The mended contours " + quoted(path_) + " cannot be taken away: " + reason;
+            return "The mended contours " + quoted(path_) + " cannot be removed: " + reason;
     }
     there_ = wanted;
     return {};

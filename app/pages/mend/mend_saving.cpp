@@ -58,7 +58,8 @@ void MendSaving::discard() {
         return narrator_.tell(tr("Nothing was changed."), Priority::touch);
     history_.replace(tr("all changes were discarded"), opened_);
     selection_.take_handle(-1);
-    narrator_.tell(tr("All changes are discarded: the contours are as they were opened."), Priority::message);
+    narrator_.tell(tr("All changes are discarded: the contours are as they were when opened."),
+                   Priority::message);
 }
 
 } // namespace tp

@@ -109,7 +109,7 @@ void MendSelection::chooseFeature(int index) {
             tr("%1, %n point(s).", nullptr, static_cast<int>(line()->nodes.size())).arg(featureName()),
             Priority::touch);
     else
-        narrator_.tell(tr("%1: not there. It can be added.").arg(featureName()), Priority::touch);
+        narrator_.tell(tr("%1: missing. It can be added.").arg(featureName()), Priority::touch);
 }
 
 void MendSelection::stepFeature(int step) {
@@ -225,10 +225,10 @@ void MendSelection::whereAmI() {
         return;
     }
     if (!line())
-        return narrator_.tell(tr("%1: not there. It can be added.").arg(featureName()), Priority::touch);
+        return narrator_.tell(tr("%1: missing. It can be added.").arg(featureName()), Priority::touch);
     if (handle_ < 0)
         return narrator_.tell(
-            tr("%1, %n point(s), none in hand.", nullptr, static_cast<int>(line()->nodes.size()))
+            tr("%1, %n point(s), none selected.", nullptr, static_cast<int>(line()->nodes.size()))
                 .arg(featureName()),
             Priority::touch);
     narrator_.tell(tr("%1 of the %2: %3.").arg(handleName(), featureName(), handlePlace()), Priority::touch);

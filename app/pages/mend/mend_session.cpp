@@ -46,7 +46,7 @@ void MendSession::show(MendPhoto photo) {
 void MendSession::enter() {
     switch (photo_.state()) {
     case MendedPhoto::State::Empty:
-        return tell(tr("Here the contours of a photograph are mended. There is no photograph yet."));
+        return tell(tr("This page mends the contours of a photograph. There is no photograph yet."));
     case MendedPhoto::State::Looking:
         return tell(tr("Looking for faces…"));
     case MendedPhoto::State::Problem:
@@ -56,9 +56,9 @@ void MendSession::enter() {
         break;
     }
     if (photo_.work().faces.empty())
-        return tell(tr("No face was found in %1. One of usual shape can be added and put in place.")
+        return tell(tr("No face was found in %1. You can add one of the usual shape and move it into place.")
                         .arg(photo_.name()));
-    tell(tr("Contours of %1. In hand: %2. Tab goes from point to point, the arrow keys move it.")
+    tell(tr("Contours of %1. Selected: %2. Tab goes from point to point, the arrow keys move it.")
              .arg(photo_.name(), selection_.featureName()));
 }
 

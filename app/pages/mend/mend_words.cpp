@@ -56,11 +56,12 @@ QString change_words(const std::optional<FieldDifference>& difference) {
     if (difference->max_n < 1e-6)
         return MendWords::tr("It feels as the program found it.");
     if (difference->felt_share <= 0.0)
-        return MendWords::tr("A finger will not notice the difference to what the program found.");
+        return MendWords::tr("A finger will not notice the difference from what the program found.");
     const QLocale locale;
-    return MendWords::tr("A finger notices the difference to what the program found on %1 % of the surface; there the "
-                         "force differs by up to %2 N.")
-        .arg(locale.toString(100.0 * difference->felt_share, 'f', 1), locale.toString(difference->max_n, 'f', 2));
+    return MendWords::tr("A finger notices the difference from what the program found on %1 % of the "
+                         "surface; there the force differs by up to %2 N.")
+        .arg(locale.toString(100.0 * difference->felt_share, 'f', 1),
+             locale.toString(difference->max_n, 'f', 2));
 }
 
 } // namespace tp

@@ -10,8 +10,7 @@ FocusScope {
 
     required property PrintSession session
     readonly property bool wide: width > 1.15 * height
-    readonly property string help: qsTr("Choose the paper and the face, then store the sheet as PDF for a printer or as SVG for a drawing program. "
-                                        + "Swell paper and embossers raise its black lines and dots.")
+    readonly property string help: qsTr("Choose the paper and the face, then save the sheet as PDF for a printer or as SVG for a drawing program. Swell paper and embossers raise its black lines and dots.")
 
     GridLayout {
         anchors.fill: parent
@@ -63,7 +62,7 @@ FocusScope {
                 }
                 TpToggle {
                     width: parent.width
-                    text: qsTr("Turned by a quarter")
+                    text: qsTr("Turn by 90 degrees")
                     on: page.session.sheet.landscape
                     onSwitched: (on) => page.session.sheet.setLandscape(on)
                 }
@@ -77,7 +76,7 @@ FocusScope {
                 }
                 TpToggle {
                     width: parent.width
-                    text: qsTr("Its name in print")
+                    text: qsTr("Name in print")
                     on: page.session.sheet.titled
                     onSwitched: (on) => page.session.sheet.setTitled(on)
                 }
@@ -104,11 +103,11 @@ FocusScope {
                 }
                 Store {
                     primary: true
-                    text: qsTr("Store as PDF")
+                    text: qsTr("Save as PDF")
                     onClicked: page.session.store("pdf")
                 }
                 Store {
-                    text: qsTr("Store as SVG")
+                    text: qsTr("Save as SVG")
                     onClicked: page.session.store("svg")
                 }
             }

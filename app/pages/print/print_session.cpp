@@ -35,7 +35,7 @@ void PrintSession::open_photo(const std::filesystem::path& photo) {
 
 void PrintSession::enter() {
     if (photo_.file().empty())
-        return narrator_.tell(tr("Print. Choose a photograph on the page for looking after the album."),
+        return narrator_.tell(tr("Print. Choose a photograph on the page \"Look after the album\"."),
                               Priority::touch);
     if (photo_.looking())
         return narrator_.tell(tr("Print %1. Looking for faces…").arg(photo_.name()), Priority::touch);
@@ -55,7 +55,7 @@ void PrintSession::store(const QString& ending) {
     if (!sheet_.ready() || (ending != "pdf" && ending != "svg"))
         return refuse(sheet_.notes().isEmpty() ? tr("There is no sheet yet.") : sheet_.notes().join(' '));
     if (const std::string why = make_folder(folder_); !why.empty())
-        return refuse(tr("The folder %1 could not be made: %2")
+        return refuse(tr("The folder %1 could not be created: %2")
                           .arg(QString::fromStdU16String(folder_.u16string()), in_persons_language(why)));
     const QString stem = QString::fromStdU16String((folder_ / photo_.file().stem()).u16string());
     std::filesystem::path file = (stem + '.' + ending).toStdU16String();
@@ -65,7 +65,7 @@ void PrintSession::store(const QString& ending) {
     if (!written)
         return refuse(in_persons_language(written.error()));
     earcons_.play(Earcon::saved);
-    narrator_.tell(tr("The sheet is stored as %1. Print it at 100 percent, unscaled.")
+    narrator_.tell(tr("The sheet is saved as %1. Print it at 100 percent, unscaled.")
                        .arg(QString::fromStdU16String(file.u16string())),
                    Priority::message);
 }

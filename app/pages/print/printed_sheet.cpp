@@ -113,7 +113,8 @@ void PrintedSheet::setTitled(bool titled) {
     emit optionsChanged();
     if (!photo_.looking())
         make();
-    narrator_.tell(titled ? tr("With its name in print.") : tr("Without a name in print."), Priority::touch);
+    narrator_.tell(titled ? tr("With the name in print.") : tr("Without the name in print."),
+                   Priority::touch);
 }
 
 } // namespace tp

@@ -82,7 +82,7 @@ FocusScope {
         TpButton {
             width: parent.width
             focus: true
-            text: qsTr("End the calibration")
+            text: qsTr("Cancel the calibration")
             hint: qsTr("Nothing is changed. Key: Escape")
             onClicked: view.devices.stop()
         }

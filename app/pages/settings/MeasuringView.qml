@@ -52,13 +52,13 @@ FocusScope {
             objectName: "weighed"
             width: parent.width
             visible: view.devices.weighing
-            text: qsTr("The scale shows this")
+            text: qsTr("Use this weight")
             onClicked: view.devices.weighed(grams.text)
         }
         TpButton {
             width: parent.width
             focus: true
-            text: qsTr("End the measurement")
+            text: qsTr("Cancel the measurement")
             hint: qsTr("Nothing is changed. Key: Escape")
             onClicked: view.devices.stop()
         }

@@ -9,8 +9,7 @@ FocusScope {
     id: page
 
     required property SettingsSession session
-    readonly property string help: qsTr("Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. "
-                                        + "Control Z undoes the last change. Each change is kept at once.")
+    readonly property string help: qsTr("Tab moves from setting to setting, Space or Enter changes one, the arrow keys move a slider. Control+Z undoes the last change. Every change is saved at once.")
 
     Keys.onPressed: (event) => {
         if (event.key === Qt.Key_Z && event.modifiers === Qt.ControlModifier)
@@ -93,12 +92,28 @@ FocusScope {
         TpToggle {
             objectName: "earcons"
             width: parent.width
-            text: qsTr("Sounds for what happens")
+            text: qsTr("Sound effects")
             on: page.session.speech.earcons
             onSwitched: (on) => page.session.speech.setEarcons(on)
         }
+        TpChoice {
+            objectName: "descriptions"
+            width: parent.width
+            label: qsTr("Descriptions of photographs")
+            options: page.session.speech.descriptionLengths
+            current: page.session.speech.descriptions
+            onPicked: (index) => page.session.speech.chooseDescriptions(index)
+        }
+        TpChoice {
+            objectName: "describedFirst"
+            width: parent.width
+            label: qsTr("What is said first")
+            options: page.session.speech.firstThings
+            current: page.session.speech.describedFirst
+            onPicked: (index) => page.session.speech.chooseDescribedFirst(index)
+        }
 
-        TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("What it looks like") }
+        TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("Appearance") }
         TpChoice {
             objectName: "theme"
             width: parent.width
@@ -110,7 +125,7 @@ FocusScope {
         TpSlider {
             objectName: "textScale"
             width: parent.width
-            label: qsTr("Size of text")
+            label: qsTr("Text size")
             valueText: qsTr("%1 percent").arg(Math.round(100 * value))
             from: 1
             to: 2
@@ -120,7 +135,7 @@ FocusScope {
         }
         TpToggle {
             width: parent.width
-            text: qsTr("Pictures may move")
+            text: qsTr("Animations")
             on: page.session.looks.motion
             onSwitched: (on) => page.session.looks.setMotion(on)
         }
@@ -164,7 +179,7 @@ FocusScope {
             width: parent.width
             visible: page.session.devices.there
             text: qsTr("Calibrate the device on this screen")
-            hint: qsTr("The four corners of the screen are touched with the device")
+            hint: qsTr("You touch the four corners of the screen with the device")
             onClicked: page.session.devices.calibrate()
         }
         TpButton {
@@ -198,7 +213,7 @@ FocusScope {
         }
         TpChoice {
             width: parent.width
-            label: qsTr("What guides the finger where no force does")
+            label: qsTr("Guide when there is no force")
             options: page.session.feeling.guides
             current: page.session.feeling.guide
             onPicked: (index) => page.session.feeling.chooseGuide(index)
@@ -257,6 +272,13 @@ FocusScope {
         }
 
         TpHeading { width: parent.width; topPadding: Theme.gap; text: qsTr("What is stored about me") }
+        TpToggle {
+            objectName: "knowFaces"
+            width: parent.width
+            text: qsTr("Compare faces, to offer names")
+            on: page.session.storage.knowFaces
+            onSwitched: (on) => page.session.storage.setKnowFaces(on)
+        }
         Repeater {
             model: page.session.storage.stored
             delegate: TpText {
@@ -268,7 +290,7 @@ FocusScope {
         }
         TpButton {
             width: parent.width
-            text: qsTr("Throw the index away and make it anew")
+            text: qsTr("Rebuild the index")
             onClicked: page.session.storage.discardIndex()
         }
 
@@ -278,7 +300,7 @@ FocusScope {
             width: parent.width
             enabled: page.session.steps.undoable !== ""
             text: page.session.steps.undoable === "" ? qsTr("Nothing to undo") : qsTr("Undo: %1").arg(page.session.steps.undoable)
-            hint: qsTr("Key: Control Z")
+            hint: qsTr("Key: Control+Z")
             onClicked: page.session.steps.undo()
         }
         TpButton {
@@ -289,8 +311,8 @@ FocusScope {
         TpButton {
             objectName: "reset"
             width: parent.width
-            text: qsTr("Everything as it was at first")
-            hint: qsTr("The album's folders stay; it can be undone")
+            text: qsTr("Reset all settings")
+            hint: qsTr("The album's folders stay. Can be undone")
             onClicked: page.session.steps.reset()
         }
     }

@@ -103,12 +103,12 @@ void DeviceSettings::begin(Doing what) {
         return;
     const ListedDevice* device = serving();
     if (device == nullptr)
-        return narrator_.tell(desk_.there().empty()
-                                  ? tr("No force device is plugged in. Plug one in; it is found by itself.")
-                                  : tr("No force device is chosen. Choose one above."),
-                              Priority::touch);
-    wanted_ = what;
-    doing_ = Doing::opening;
+        return narrator_.tell(
+            desk_.there().empty()
+                ? tr("No force device is plugged in. Plug one in; it is found automatically.")
+                : tr("No force device is chosen. Choose one above."),
+            Priority::touch);
+    doing_ = what;
     key_ = key_of(*device);
     scale_key_ = device->scale_key;
     const ListedDevice wish = *device;
@@ -119,39 +119,50 @@ void DeviceSettings::begin(Doing what) {
         desk_.open(wish);
 }
 
-void DeviceSettings::tryForce() { begin(Doing::trying); }
-void DeviceSettings::calibrate() { begin(Doing::calibrating); }
+void DeviceSettings::tryForce() { begin(Doing::opening_to_try); }
+void DeviceSettings::calibrate() { begin(Doing::opening_to_calibrate); }
 void DeviceSettings::home() { begin(Doing::homing); }
 void DeviceSettings::measure() {
     if (serving() != nullptr && !measurable())
-        return narrator_.tell(tr("This device knows its newtons itself; only force sticks are measured."), Priority::touch);
-    begin(Doing::measuring);
+        return narrator_.tell(tr("This device knows its own force; only force sticks need measuring."),
+                              Priority::touch);
+    begin(Doing::opening_to_measure);
 }
 
 void DeviceSettings::opened(OpenDevice& open) {
+    const bool to_measure = doing_ == Doing::opening_to_measure;
+    const bool to_calibrate = doing_ == Doing::opening_to_calibrate;
     drive_ = std::make_unique<DeviceDrive>(std::move(open.device), open.can,
-                                           wanted_ == Doing::calibrating ? settings_for_reading(setup_.servo) : setup_.servo);
-    drive_->loop().set_max_force(wanted_ == Doing::measuring ? StickTrial::pull_n : preferences_.choices().max_force_n);
+                                           to_calibrate ? settings_for_reading(setup_.servo) : setup_.servo);
+    drive_->loop().set_max_force(to_measure ? StickTrial::pull_n : preferences_.choices().max_force_n);
     drive_->loop().start();
-    doing_ = wanted_;
-    pull_from_.reset();
-    pulls_ = 0;
     faulty_from_ = -1.0;
     steps_.reset();
     touch_.reset();
-    if (doing_ == Doing::measuring)
+    if (to_measure)
         measuring_.emplace(drive_->device(), drive_->loop());
+    doing_ = to_measure     ? Doing::announcing_measure
+             : to_calibrate ? Doing::calibrating
+                            : Doing::announcing_trial;
     timer_.start();
     emit changed();
-    if (doing_ == Doing::measuring)
-        narrator_.tell_then(tr("%1 Escape ends it.").arg(instruction()), [this] { told_ = true; });
-    else if (doing_ == Doing::trying)
-        narrator_.tell_then(tr("The strongest force, %1 newtons: to the right, then to the left. Escape ends it.")
-                                .arg(QLocale().toString(preferences_.choices().max_force_n, 'f', 1)),
-                            [this] {
-                                if (doing_ == Doing::trying)
-                                    pull_from_ = now();
-                            });
+    announce();
+}
+
+void DeviceSettings::announce() {
+    if (doing_ == Doing::announcing_measure)
+        narrator_.tell_then(tr("%1 Escape ends it.").arg(instruction()), [this] {
+            if (doing_ == Doing::announcing_measure)
+                doing_ = Doing::measuring;
+        });
+    else if (doing_ == Doing::announcing_trial)
+        narrator_.tell_then(
+            tr("The strongest force, %1 newtons: to the right, then to the left. Escape ends it.")
+                .arg(QLocale().toString(preferences_.choices().max_force_n, 'f', 1)),
+            [this] {
+                if (doing_ == Doing::announcing_trial)
+                    doing_ = Doing::about_to_pull;
+            });
     else
         narrator_.tell(tr("Calibration. The device lies on the screen; put a finger into it, so that it touches the screen. "
                           "Escape ends it. %1")
@@ -161,34 +172,50 @@ void DeviceSettings::opened(OpenDevice& open) {
 
 void DeviceSettings::poll() {
     const ServoSnapshot seen = drive_->loop().snapshot();
-    if (seen.ticks == 0)
-        return;
     const double time = now();
+    if (seen.ticks == 0 || tells_fault(seen, time))
+        return;
+    switch (doing_) {
+    case Doing::about_to_pull:
+        return pull(Doing::pulling_right);
+    case Doing::pulling_right:
+        if (time - pulls_since_ >= pull_s)
+            pull(Doing::pulling_left);
+        return;
+    case Doing::pulling_left:
+        if (time - pulls_since_ >= pull_s)
+            end(tr("That was the strongest force."));
+        return;
+    case Doing::calibrating:
+        if (seen.fault == Fault::none)
+            sample(seen.finger());
+        return;
+    case Doing::measuring:
+        return poll_measuring();
+    default:
+        return;
+    }
+}
+
+/// One that disables, or lasts, is told, and ends what is done.
+bool DeviceSettings::tells_fault(const ServoSnapshot& seen, double time) {
     if (seen.fault == Fault::none)
         faulty_from_ = -1.0;
     else if (faulty_from_ < 0.0)
         faulty_from_ = time;
-    if (seen.fault != Fault::none && (disables(seen.fault) || time - faulty_from_ >= fault_lasts_s)) {
-        const QString why = seen.fault == Fault::motors_off ? in_persons_language(drive_->device().complaint()) : QString();
-        return end(why.isEmpty() ? fault_words(seen.fault) : why, Priority::fault);
-    }
-    if (doing_ == Doing::calibrating && seen.fault == Fault::none)
-        return sample(seen.finger());
-    if (doing_ == Doing::measuring && told_)
-        return poll_measuring();
-    if (doing_ != Doing::trying || !pull_from_)
-        return;
-    if (time - *pull_from_ >= 2.0 * pull_s)
-        return end(tr("That was the strongest force."));
-    const int due = time - *pull_from_ >= pull_s ? 2 : 1;
-    if (pulls_ < due) {
-        pulls_ = due;
-        pull(due == 1 ? 1.0 : -1.0);
-    }
+    if (seen.fault == Fault::none || (!disables(seen.fault) && time - faulty_from_ < fault_lasts_s))
+        return false;
+    const QString why =
+        seen.fault == Fault::motors_off ? in_persons_language(drive_->device().complaint()) : QString();
+    end(why.isEmpty() ? fault_words(seen.fault) : why, Priority::fault);
+    return true;
 }
 
-void DeviceSettings::pull(double toward) {
-    drive_->loop().render(line_that_pulls(drive_->loop().snapshot().finger(), Vec2(toward, 0.0),
+void DeviceSettings::pull(Doing which) {
+    doing_ = which;
+    pulls_since_ = now();
+    const Vec2 toward(which == Doing::pulling_right ? 1.0 : -1.0, 0.0);
+    drive_->loop().render(line_that_pulls(drive_->loop().snapshot().finger(), toward,
                                           preferences_.choices().max_force_n, pull_mm));
     drive_->loop().engage();
 }
@@ -238,8 +265,9 @@ QString DeviceSettings::result() {
     if (!found)
         return in_persons_language(found.error()) + ' ' + as_before;
     if (found->residual_mm > most_residual_mm)
-        return tr("The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that "
-                  "the device does not slip on the screen, keep still at each corner, and calibrate again.")
+        return tr("The calibration misses your touches by %1 millimetres on average, and at most %2 are "
+                  "allowed. Make sure that the device does not slip on the screen, keep still at each "
+                  "corner, and calibrate again.")
                    .arg(in_millimetres(found->residual_mm), in_millimetres(most_residual_mm)) +
                ' ' + as_before;
     if (!is_plausible(found->device_to_surface))
@@ -248,7 +276,7 @@ QString DeviceSettings::result() {
                ' ' + as_before;
     if (const std::string why = keep_calibration(setup_.access.calibrations, key_.toStdString(), *found); !why.empty())
         return in_persons_language(why);
-    return tr("Calibrated. It misses by %1 millimetres on average, and is kept for this device.")
+    return tr("Calibrated. It misses by %1 millimetres on average, and is saved for this device.")
         .arg(in_millimetres(found->residual_mm));
 }
 
@@ -279,7 +307,7 @@ void DeviceSettings::weighed(const QString& text) {
                               Priority::message);
     const StickScale found = measuring_->trial().assumed();
     const std::string why = keep_stick_scale(setup_.access.stick_scales, scale_key_, found);
-    end(why.empty() ? tr("The stick is measured: %1 newtons at most. That is kept for this stick.")
+    end(why.empty() ? tr("The stick is measured: %1 newtons at most. That is saved for this stick.")
                           .arg(QLocale().toString(found.newtons_at_full, 'f', 1))
                     : in_persons_language(why));
 }
@@ -290,8 +318,8 @@ bool DeviceSettings::stop() {
     if (doing_ == Doing::nothing)
         return false;
     narrator_.stop();
-    end(doing_ == Doing::calibrating ? tr("Calibration ended. Nothing was changed.")
-        : doing_ == Doing::measuring ? tr("Measurement ended. The force is off. Nothing was changed.")
+    end(doing_ == Doing::calibrating ? tr("Calibration cancelled. Nothing was changed.")
+        : measuring()                ? tr("Measurement cancelled. The force is off. Nothing was changed.")
                                      : tr("Stopped. The force is off."),
         Priority::touch);
     return true;
@@ -302,7 +330,6 @@ void DeviceSettings::end(const QString& sentence, Priority priority) {
     timer_.stop();
     desk_.cancel();
     measuring_.reset();
-    told_ = false;
     if (drive_) {
         drive_->loop().disengage();
         desk_.release(std::move(drive_));

@@ -24,7 +24,24 @@
 namespace tp {
 
 /// The force devices on the settings page: which there are, a try-out of the strongest force, the calibration of one that lies
-/// on the screen, and the measuring of a stick.
+/// on the screen, and the measuring of a stick. What is done with one:
+///
+/// |                      | asked for           | open, homed        | spoken        | polled                                 |
+/// |----------------------|---------------------|--------------------|---------------|----------------------------------------|
+/// | nothing              | homing, opening_to… |                    |               |                                        |
+/// | homing               |                     | nothing            |               |                                        |
+/// | opening_to_try       |                     | announcing_trial   |               |                                        |
+/// | announcing_trial     |                     |                    | about_to_pull |                                        |
+/// | about_to_pull        |                     |                    |               | pulling_right                          |
+/// | pulling_right        |                     |                    |               | pulling_left after pull_s              |
+/// | pulling_left         |                     |                    |               | nothing after pull_s                   |
+/// | opening_to_calibrate |                     | calibrating        |               |                                        |
+/// | calibrating          |                     |                    |               | nothing after the last corner          |
+/// | opening_to_measure   |                     | announcing_measure |               |                                        |
+/// | announcing_measure   |                     |                    | measuring     |                                        |
+/// | measuring            |                     |                    |               | nothing where it failed, or is weighed |
+///
+/// Escape, a page that is left, a fault that lasts and a refusal lead from each to nothing, and nothing has no force.
 class DeviceSettings final : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -62,7 +79,7 @@ public:
     QString calibration() const;
     bool calibrating() const { return doing_ == Doing::calibrating; }
     bool measurable() const { return there() && !serving()->scale_key.empty(); }
-    bool measuring() const { return doing_ == Doing::measuring; }
+    bool measuring() const { return measuring_.has_value(); }
     bool weighing() const { return measuring_ && measuring_->trial().step() == StickTrial::Step::weigh; }
     int mark() const { return steps_ ? steps_->mark() : CalibrationSteps::top_left; }
     QString instruction() const;
@@ -96,15 +113,30 @@ signals:
     void changed();
 
 private:
-    enum class Doing { nothing, opening, trying, calibrating, homing, measuring };
+    enum class Doing {
+        nothing,
+        homing,
+        opening_to_try,
+        announcing_trial,
+        about_to_pull,
+        pulling_right,
+        pulling_left,
+        opening_to_calibrate,
+        calibrating,
+        opening_to_measure,
+        announcing_measure,
+        measuring,
+    };
 
     double now() const;
     const ListedDevice* serving() const;
     QString name_of(const ListedDevice& device) const;
     void begin(Doing what);
     void opened(OpenDevice& open);
+    void announce();
     void poll();
-    void pull(double toward);
+    bool tells_fault(const ServoSnapshot& seen, double time);
+    void pull(Doing which);
     void sample(Vec2 device);
     void poll_measuring();
     void finish();
@@ -117,16 +149,13 @@ private:
     QElapsedTimer clock_;
     QTimer timer_;
     Doing doing_ = Doing::nothing;
-    Doing wanted_ = Doing::nothing; ///< once it is open
     std::unique_ptr<DeviceDrive> drive_;
     QString key_;                    ///< of the open device
     std::string scale_key_;          ///< of the open stick
-    std::optional<double> pull_from_; ///< s, when the try-out's first pull began
-    int pulls_ = 0;
+    double pulls_since_ = 0.0;       ///< s, in the pulling states
     double faulty_from_ = -1.0; ///< s; negative: no fault
     std::optional<CalibrationSteps> steps_;
-    std::optional<Vec2> touch_; ///< screen frame
-    bool told_ = false; ///< what the stick is going to do
+    std::optional<Vec2> touch_;               ///< screen frame
     std::optional<StickMeasuring> measuring_; ///< goes before the drive it uses
     DeviceDesk desk_;           ///< last: its work ends first
 };

@@ -15,12 +15,12 @@ FeelingSettings::FeelingSettings(SettingSteps& steps, const DeviceSettings& devi
 }
 
 QStringList FeelingSettings::guides() const {
-    return {tr("Nothing"), tr("Beeps"), tr("Spoken clock directions"), tr("Both")};
+    return {tr("None"), tr("Beeps"), tr("Clock directions"), tr("Both")};
 }
 
 void FeelingSettings::chooseGuide(int index) {
     if (index >= 0 && index < guides().size())
-        steps_.make(tr("what guides the finger"), guides()[index] + '.',
+        steps_.make(tr("the guide"), guides()[index] + '.',
                     [index](Choices& choices) { choices.guide = static_cast<Choices::Guide>(index); });
 }
 

@@ -29,12 +29,12 @@ void LookSettings::chooseTheme(int index) {
 }
 
 void LookSettings::setTextScale(double scale) {
-    steps_.make(tr("the size of text"), tr("Text at %1 percent.").arg(qRound(100.0 * scale)),
+    steps_.make(tr("the text size"), tr("Text size: %1 percent.").arg(qRound(100.0 * scale)),
                 [scale](Choices& choices) { choices.text_scale = std::clamp(scale, 1.0, 2.0); });
 }
 
 void LookSettings::setMotion(bool on) {
-    steps_.make(tr("motion"), on ? tr("Pictures may move.") : tr("Nothing moves by itself."),
+    steps_.make(tr("animations"), on ? tr("Animations on.") : tr("Animations off."),
                 [on](Choices& choices) { choices.motion = on; });
 }
 

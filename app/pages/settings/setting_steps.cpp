@@ -32,15 +32,14 @@ void SettingSteps::make(const QString& what, const QString& said,
 }
 
 void SettingSteps::reset() {
-    make(tr("the reset"), tr("All settings are as they were at first. The album's folders stay."),
-         [](Choices& choices) {
-             Choices fresh;
-             fresh.asked = true;
-             fresh.folders = choices.folders;
-             fresh.last_photo = choices.last_photo;
-             fresh.language = choices.language; // a person must go on understanding the page
-             choices = fresh;
-         });
+    make(tr("the reset"), tr("All settings are reset. The album's folders stay."), [](Choices& choices) {
+        Choices fresh;
+        fresh.asked = true;
+        fresh.folders = choices.folders;
+        fresh.last_photo = choices.last_photo;
+        fresh.language = choices.language; // a person must go on understanding the page
+        choices = fresh;
+    });
 }
 
 void SettingSteps::undo() {

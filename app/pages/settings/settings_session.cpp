@@ -12,8 +12,8 @@ SettingsSession::SettingsSession(Narrator& narrator, Preferences& preferences, S
       storage_(steps_, narrator, std::move(stored), devices_.calibrations()) {}
 
 void SettingsSession::enter() {
-    steps_.tell(
-        tr("Settings. Go through them by Tab; each change is kept at once. Control Z undoes the last one."));
+    steps_.tell(tr(
+        "Settings. Go through them with Tab; every change is saved at once. Control+Z undoes the last one."));
     storage_.enter();
     devices_.enter();
 }

@@ -26,8 +26,11 @@ QStringList SpeechSettings::rates() const {
     return {tr("Very slow"), tr("Slow"), tr("Normal"), tr("Fast"), tr("Very fast")};
 }
 QStringList SpeechSettings::languages() const {
-    return {tr("As the system"), "English", "Deutsch", "한국어"};
+    return {tr("Same as the system"), "English", "Deutsch", "한국어"};
 }
+QStringList SpeechSettings::descriptionLengths() const { return {tr("None"), tr("Short"), tr("Full")}; }
+QStringList SpeechSettings::firstThings() const { return {tr("People"), tr("Time and place")}; }
+
 int SpeechSettings::language() const {
     const auto found = std::find(language_codes.begin(), language_codes.end(), steps_.now().language);
     return found == language_codes.end() ? 0 : static_cast<int>(found - language_codes.begin());
@@ -55,13 +58,31 @@ void SpeechSettings::chooseLanguage(int index) {
 
 void SpeechSettings::setPlaybackSpeed(double speed) {
     steps_.make(tr("the speed of recordings"),
-                tr("Recordings play at %1 times their speed.").arg(QLocale().toString(speed, 'g', 3)),
+                tr("Recordings play at %1 times normal speed.").arg(QLocale().toString(speed, 'g', 3)),
                 [speed](Choices& choices) { choices.playback_speed = std::clamp(speed, 0.5, 2.0); });
 }
 
 void SpeechSettings::setEarcons(bool on) {
-    steps_.make(tr("sounds"), on ? tr("Sounds on.") : tr("Sounds off."),
+    steps_.make(tr("sound effects"), on ? tr("Sound effects on.") : tr("Sound effects off."),
                 [on](Choices& choices) { choices.earcons = on; });
+}
+
+void SpeechSettings::chooseDescriptions(int index) {
+    if (index < 0 || index >= descriptionLengths().size())
+        return;
+    const std::array said{tr("Only what people wrote about a photograph is said."),
+                          tr("What a photograph shows is said briefly."),
+                          tr("What a photograph shows is said in full.")};
+    steps_.make(tr("descriptions"), said[static_cast<std::size_t>(index)], [index](Choices& choices) {
+        choices.descriptions = static_cast<Choices::Descriptions>(index);
+    });
+}
+
+void SpeechSettings::chooseDescribedFirst(int index) {
+    if (index >= 0 && index < firstThings().size())
+        steps_.make(tr("what is said first"),
+                    index == 0 ? tr("People come first.") : tr("Time and place come first."),
+                    [index](Choices& choices) { choices.place_first = index == 1; });
 }
 
 } // namespace tp

@@ -26,6 +26,12 @@ class SpeechSettings final : public QObject {
 
     Q_PROPERTY(double playbackSpeed READ playbackSpeed NOTIFY changed)
     Q_PROPERTY(bool earcons READ earcons NOTIFY changed)
+
+    /// How much is said of what is on a photograph, and what first; as above.
+    Q_PROPERTY(int descriptions READ descriptions NOTIFY changed)
+    Q_PROPERTY(QStringList descriptionLengths READ descriptionLengths NOTIFY changed)
+    Q_PROPERTY(int describedFirst READ describedFirst NOTIFY changed)
+    Q_PROPERTY(QStringList firstThings READ firstThings NOTIFY changed)
 public:
     /// They must outlive it.
     explicit SpeechSettings(SettingSteps& steps);
@@ -38,12 +44,18 @@ public:
     QStringList languages() const;
     double playbackSpeed() const { return steps_.now().playback_speed; }
     bool earcons() const { return steps_.now().earcons; }
+    int descriptions() const { return static_cast<int>(steps_.now().descriptions); }
+    QStringList descriptionLengths() const;
+    int describedFirst() const { return steps_.now().place_first ? 1 : 0; }
+    QStringList firstThings() const;
 
     Q_INVOKABLE void chooseVoice(int index);
     Q_INVOKABLE void chooseRate(int index);
     Q_INVOKABLE void chooseLanguage(int index);
     Q_INVOKABLE void setPlaybackSpeed(double speed);
     Q_INVOKABLE void setEarcons(bool on);
+    Q_INVOKABLE void chooseDescriptions(int index);
+    Q_INVOKABLE void chooseDescribedFirst(int index);
 
 signals:
     void changed();

@@ -40,8 +40,8 @@ StorageSettings::StorageSettings(SettingSteps& steps, Narrator& narrator, Stored
     connect(&chooser_, &FolderChooser::chosen, this, [this](const QString& folder) {
         set_choosing(false);
         if (folders().contains(folder))
-            return steps_.tell(tr("The album has this folder already."));
-        steps_.make(tr("the album's new folder"), tr("%1 belongs to the album now.").arg(folder),
+            return steps_.tell(tr("This folder is already in the album."));
+        steps_.make(tr("the added folder"), tr("%1 now belongs to the album.").arg(folder),
                     [&folder](Choices& choices) { choices.folders << folder; });
     });
 }
@@ -69,32 +69,43 @@ void StorageSettings::removeFolder(int index) {
     if (index < 0 || index >= folders().size())
         return;
     const QString folder = folders()[index];
-    steps_.make(tr("the folder that left the album"),
+    steps_.make(tr("the removed folder"),
                 tr("%1 no longer belongs to the album. Its photographs and recordings stay where they are.")
                     .arg(folder),
                 [index](Choices& choices) { choices.folders.removeAt(index); });
 }
 
 QStringList StorageSettings::stored() const {
-    QStringList list{tr("Nothing leaves this computer: TouchPhoto opens no connection to any other.")};
+    QStringList list{tr("Nothing leaves this computer: TouchPhoto connects to no other.")};
     list << tr("These settings, in %1.").arg(native(stored_.preferences));
-    list << tr("An index of the album, in %1 (%2). It can be thrown away at any time.")
+    list << tr("An index of the album, in %1 (%2). It can be deleted at any time.")
                 .arg(native(stored_.cache),
                      QLocale().formattedDataSize(static_cast<qint64>(bytes_in(stored_.cache))));
+    if (knowFaces())
+        list << tr("In that index, for each face of the album, numbers by which it is known again.");
     if (std::error_code error; std::filesystem::exists(calibrations_, error))
         list << tr("Where your force device lies on the screen, in %1.").arg(native(calibrations_));
     for (const QString& folder : folders())
         list << tr("Names, descriptions and recordings, beside the photographs in %1.").arg(folder);
     if (!steps_.now().last_photo.isEmpty())
-        list << tr("The photograph that you were at last: %1.").arg(steps_.now().last_photo);
+        list << tr("The photograph you opened last: %1.").arg(steps_.now().last_photo);
     return list;
+}
+
+void StorageSettings::setKnowFaces(bool on) {
+    if (on == knowFaces())
+        return;
+    steps_.make(tr("comparing faces"),
+                on ? tr("Faces are compared, so that names can be offered.")
+                   : tr("Faces are not compared. What was kept about them is deleted; names stay."),
+                [on](Choices& choices) { choices.know_faces = on; });
 }
 
 void StorageSettings::discardIndex() {
     stored_.discard_index();
-    narrator_.tell(tr("The index is thrown away when TouchPhoto ends, and made anew from the photographs at "
-                      "the next start."),
-                   Priority::message);
+    narrator_.tell(
+        tr("The index is deleted when TouchPhoto ends, and rebuilt from the photographs at the next start."),
+        Priority::message);
 }
 
 } // namespace tp

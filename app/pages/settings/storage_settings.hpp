@@ -24,6 +24,7 @@ class StorageSettings final : public QObject {
     Q_PROPERTY(QStringList folders READ folders NOTIFY changed)
     Q_PROPERTY(bool choosing READ choosing NOTIFY choosingChanged)
     Q_PROPERTY(tp::FolderChooser* chooser READ chooser CONSTANT)
+    Q_PROPERTY(bool knowFaces READ knowFaces NOTIFY changed) ///< Choices::know_faces
     /// What the program keeps about its user on this computer, in sentences.
     Q_PROPERTY(QStringList stored READ stored NOTIFY storedChanged)
 public:
@@ -40,12 +41,14 @@ public:
                     std::filesystem::path calibrations);
 
     QStringList folders() const { return steps_.now().folders; }
+    bool knowFaces() const { return steps_.now().know_faces; }
     bool choosing() const { return choosing_; }
     FolderChooser* chooser() { return &chooser_; }
     QStringList stored() const;
 
     Q_INVOKABLE void addFolder();
     Q_INVOKABLE void removeFolder(int index);
+    Q_INVOKABLE void setKnowFaces(bool on);
     Q_INVOKABLE void discardIndex();
     /// Looks again at what is kept.
     void enter() { emit storedChanged(); }

@@ -97,6 +97,13 @@ FocusScope {
         TpScroll {
             margin: 2 * Theme.gap
             onTappedBeside: page.session.repeat()
+            TpStatus {
+                objectName: "news"
+                width: parent.width
+                visible: text !== ""
+                text: page.session.news
+                wrapMode: Text.Wrap
+            }
             Repeater {
                 model: page.session.destinations
                 delegate: TpListRow {

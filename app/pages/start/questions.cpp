@@ -51,7 +51,8 @@ QStringList answers_of(Question question, const QuestionFacts& facts) {
     case Question::user:
         return {Words::tr("Somebody who listens and feels"), Words::tr("Somebody who looks after the album")};
     case Question::device:
-        return {facts.device.isEmpty() ? Words::tr("Go on without a device") : Words::tr("Use it"),
+        return {facts.device.isEmpty() ? Words::tr("Continue without a device")
+                                       : Words::tr("Use this device"),
                 Words::tr("Look again")};
     case Question::photos: {
         QStringList answers;

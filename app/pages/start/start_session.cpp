@@ -27,14 +27,14 @@ QVariantList StartSession::destinations() const {
                            {"hint", tr("Import photographs, name people, record")}};
     const QVariantMap settings{{"page", "settings"},
                                {"title", tr("Settings")},
-                               {"hint", tr("Speech, colours, force, where photographs are")}};
+                               {"hint", tr("Speech, colours, force, where your photographs are")}};
     const QVariantMap lab{
         {"page", "lab"},
         {"title", tr("Lab")},
         {"hint", tr("For researchers: guidance laws, their parameters, plots, recordings")}};
-    const QVariantMap capture{{"page", ""},
+    const QVariantMap capture{{"page", "capture"},
                               {"title", tr("Take a photograph")},
-                              {"hint", tr("Not available yet: photographs of any camera can be imported")}};
+                              {"hint", tr("The camera is led to a face by words and a tone")}};
     const QVariantMap study{{"page", ""}, {"title", tr("Studies")}, {"hint", tr("Not available yet")}};
     const bool caregiver = preferences_.choices().user == Choices::User::caregiver;
     QVariantList list = caregiver ? QVariantList{care, browse, explore} : QVariantList{browse, explore, care};
@@ -42,13 +42,39 @@ QVariantList StartSession::destinations() const {
     return list;
 }
 
+QString StartSession::news() const {
+    if (news_.photos == 0)
+        return {};
+    const QString photos = tr("%n new photograph(s)", nullptr, static_cast<int>(news_.photos));
+    return news_.with_people == 0 ? tr("%1.").arg(photos)
+                                  : tr("%1, %2.").arg(photos, tr("%n with people", nullptr,
+                                                                 static_cast<int>(news_.with_people)));
+}
+
+void StartSession::know(const News& news, bool looking) {
+    if (news.photos != news_.photos)
+        told_ = news.photos == 0;
+    if (news != news_) {
+        news_ = news;
+        emit changed();
+    }
+    if (told_ || !here_ || asking() || (looking && news.to_look > 0))
+        return;
+    told_ = true;
+    narrator_.tell(this->news(), Priority::message);
+}
+
 void StartSession::enter() {
+    here_ = true;
     if (asking())
         return questions_.go_on();
     repeat();
 }
 
-void StartSession::leave() { narrator_.stop(); }
+void StartSession::leave() {
+    here_ = false;
+    narrator_.stop();
+}
 
 void StartSession::askAgain() { questions_.begin(); }
 
@@ -56,9 +82,14 @@ void StartSession::repeat() {
     if (asking())
         return questions_.repeat();
     const QVariantList all = destinations();
-    narrator_.tell(tr("TouchPhoto, start page. 1: %1. 2: %2. More below; F1 for help.")
-                       .arg(all[0].toMap()["title"].toString(), all[1].toMap()["title"].toString()),
-                   Priority::touch);
+    const QString first = all[0].toMap()["title"].toString(), second = all[1].toMap()["title"].toString();
+    narrator_.tell(
+        news_.photos == 0
+            ? tr("TouchPhoto, start page. 1: %1. 2: %2. More below; F1 for help.").arg(first, second)
+            : tr("TouchPhoto, start page. %3 1: %1. 2: %2. More below; F1 for help.")
+                  .arg(first, second, news()),
+        Priority::touch);
+    told_ = true;
 }
 
 void StartSession::go(int index) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/album/index/album_news.hpp"
 #include "app/pages/start/first_questions.hpp"
 #include "app/parts/narration/narrator.hpp"
 #include "app/parts/preferences/preferences.hpp"
@@ -22,6 +23,8 @@ class StartSession final : public QObject {
     Q_PROPERTY(bool asking READ asking NOTIFY changed)
     /// {page, title, hint}; the first two are the main ones. `page` is empty where the page is not there yet.
     Q_PROPERTY(QVariantList destinations READ destinations NOTIFY changed)
+    /// "12 new photographs, 9 with people."; empty: nothing is new
+    Q_PROPERTY(QString news READ news NOTIFY changed)
 public:
     /// All must outlive the session.
     StartSession(Narrator& narrator, Preferences& preferences, FirstQuestions::FindDevices find_devices);
@@ -29,6 +32,10 @@ public:
     FirstQuestions* questions() { return &questions_; }
     bool asking() const { return questions_.asking(); }
     QVariantList destinations() const;
+    QString news() const;
+    /// What is new in the album. Told at once to whoever is here, when it is known whole: `looking`, people may still be
+    /// found on what is new.
+    void know(const News& news, bool looking);
 
     /// Tells where one is and the two things one can do, or the question that waits.
     Q_INVOKABLE void enter();
@@ -47,6 +54,9 @@ private:
     Narrator& narrator_;
     Preferences& preferences_;
     FirstQuestions questions_;
+    News news_;
+    bool told_ = true; ///< the news that there are
+    bool here_ = false;
 };
 
 } // namespace tp

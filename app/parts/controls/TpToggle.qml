@@ -28,16 +28,20 @@ T.Switch {
     Keys.onReturnPressed: control.toggle()
     Keys.onEnterPressed: control.toggle()
 
-    contentItem: PlainText {
-        id: label
-        text: control.text
-        rightPadding: control.mirrored ? 0 : control.indicator.width + 16
-        leftPadding: control.mirrored ? control.indicator.width + 16 : 0
-        font.pixelSize: Theme.textSize
-        color: Theme.text
-        verticalAlignment: Text.AlignVCenter
-        wrapMode: Text.Wrap
-        Accessible.ignored: true
+    contentItem: Item {
+        PlainText {
+            id: label
+            // As wide as the control and not as its content, which is laid out while the height is set: a binding loop.
+            width: control.width - 2 * control.padding
+            text: control.text
+            rightPadding: control.mirrored ? 0 : control.indicator.width + 16
+            leftPadding: control.mirrored ? control.indicator.width + 16 : 0
+            anchors.verticalCenter: parent.verticalCenter
+            font.pixelSize: Theme.textSize
+            color: Theme.text
+            wrapMode: Text.Wrap
+            Accessible.ignored: true
+        }
     }
     indicator: Rectangle {
         x: control.mirrored ? control.padding : control.width - width - control.padding

@@ -71,8 +71,9 @@ QString StickMeasuring::words() const {
         return tr("The stick will move by itself, a little to the right and back, then a little away from you and back. Let it "
                   "stand free, and keep your hands off it.");
     case StickTrial::Step::weigh:
-        return tr("It is known now which way it pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards "
-                  "you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.");
+        return tr("Now it is clear which way the stick pulls. Hold its grip with a kitchen scale or a "
+                  "luggage scale, straight towards you: the stick pulls away from you. When the grip stands "
+                  "still, enter how many grams the scale shows.");
     case StickTrial::Step::measured:
         return tr("The stick is measured.");
     case StickTrial::Step::failed:
@@ -80,14 +81,17 @@ QString StickMeasuring::words() const {
     }
     switch (trial_.failure()) {
     case StickTrial::Failure::not_still:
-        return tr("The stick did not stand still. Let go of it, see that nothing touches it, and measure again.");
+        return tr(
+            "The stick did not stand still. Let go of it, check that nothing touches it, and measure again.");
     case StickTrial::Failure::not_moved:
-        return tr("The stick did not move. See that its power supply is plugged in, keep your hands off it, and measure again.");
+        return tr("The stick did not move. Check that its power supply is plugged in, keep your hands off "
+                  "it, and measure again.");
     case StickTrial::Failure::other_axis:
-        return tr("The stick moved to the side of where it was to move. It cannot be measured so: see that nothing touches it "
-                  "and that it stands straight, and measure again.");
+        return tr("The stick moved to one side of where it should have gone. It cannot be measured like "
+                  "that: check that nothing touches it and that it stands straight, and measure again.");
     case StickTrial::Failure::changes_mind:
-        return tr("The stick did not come back as it went. See that nothing touches it, and measure again.");
+        return tr(
+            "The stick did not come back the way it went. Check that nothing touches it, and measure again.");
     case StickTrial::Failure::not_weighed:
         return tr("The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.");
     case StickTrial::Failure::none:

@@ -102,8 +102,8 @@ Result<bool> StickTrial::weighed(double grams, double asked_n) {
     }
     const double full = assumed_.newtons_at_full * 1e-3 * grams * standard_gravity / asked_n;
     if (full < least_stick_newtons || full > greatest_stick_newtons)
-        return Error{"A stick cannot be as strong or as weak as that. See that the scale shows grams and pulls straight "
-                     "towards you, and weigh again."};
+        return Error{"A stick cannot be as strong or as weak as that. Check that the scale shows grams and "
+                     "pulls straight towards you, and weigh again."};
     assumed_.newtons_at_full = full;
     assumed_.measured = true;
     pull_ = Vec2(0.0);

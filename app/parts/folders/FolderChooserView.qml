@@ -28,13 +28,13 @@ FocusScope {
             width: parent.width
             primary: true
             focus: true
-            text: qsTr("Take this folder")
+            text: qsTr("Choose this folder")
             onClicked: view.chooser.choose()
         }
         TpButton {
             width: parent.width
             enabled: view.chooser.hasAbove
-            text: qsTr("To the folder above")
+            text: qsTr("Up one folder")
             onClicked: view.chooser.goUp()
         }
         Repeater {
@@ -51,7 +51,7 @@ FocusScope {
         }
         TpButton {
             width: parent.width
-            text: qsTr("Do not choose a folder")
+            text: qsTr("Cancel")
             onClicked: view.chooser.cancel()
         }
     }

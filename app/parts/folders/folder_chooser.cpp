@@ -43,8 +43,8 @@ bool FolderChooser::look(const QString& folder) {
 
 void FolderChooser::tell_place() {
     const QString name = QDir(folder_).isRoot() ? tr("the whole computer") : QDir(folder_).dirName();
-    const QString below = below_.isEmpty() ? tr("no folders below it")
-                                           : tr("%n folder(s) below it", nullptr, static_cast<int>(below_.size()));
+    const QString below = below_.isEmpty() ? tr("no subfolders")
+                                           : tr("%n subfolder(s)", nullptr, static_cast<int>(below_.size()));
     narrator_.tell(tr("Folder %1: %2, %3.").arg(name, content(), below), Priority::touch);
 }
 

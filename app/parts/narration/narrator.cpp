@@ -76,8 +76,8 @@ void Narrator::set_voice_on(bool on) {
 
 QString Narrator::voice_problem() const {
     return voice_on() && voice_.state() == Voice::State::missing
-               ? tr("No speech engine was found on this computer, so nothing is spoken here. A screen reader is told "
-                    "instead.")
+               ? tr("No speech engine was found on this computer, so TouchPhoto cannot speak. It tells a "
+                    "screen reader instead.")
                : QString();
 }
 

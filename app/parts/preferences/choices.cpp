@@ -17,6 +17,7 @@ constexpr std::array voice_names{"program", "screen_reader", "off"};
 constexpr std::array rate_names{"very_slow", "slow", "normal", "fast", "very_fast"};
 constexpr std::array user_names{"end_user", "caregiver"};
 constexpr std::array theme_names{"dark", "light", "yellow_on_black"};
+constexpr std::array description_names{"none", "short", "full"};
 constexpr std::array guide_names{"none", "sonar", "clock_voice", "both"};
 
 /// Writes each choice under its name.
@@ -24,7 +25,9 @@ class ToJson {
 public:
     void operator()(const char* name, const bool& value) { object_[name] = value; }
     void operator()(const char* name, const QString& value) { object_[name] = value; }
-    void operator()(const char* name, const QStringList& value) { object_[name] = QJsonArray::fromStringList(value); }
+    void operator()(const char* name, const QStringList& value) {
+        object_[name] = QJsonArray::fromStringList(value);
+    }
     void operator()(const char* name, const double& value, double, double) { object_[name] = value; }
     template <typename Enum, std::size_t Count>
     void operator()(const char* name, const Enum& value, const std::array<const char*, Count>& names) {
@@ -77,8 +80,14 @@ void each_choice(Of& choices, Visitor& visit) {
     visit("text_scale", choices.text_scale, 1.0, 2.0);
     visit("motion", choices.motion);
     visit("earcons", choices.earcons);
+    visit("descriptions", choices.descriptions, description_names);
+    visit("place_first", choices.place_first);
+    visit("know_faces", choices.know_faces);
     visit("guide", choices.guide, guide_names);
     visit("max_force_n", choices.max_force_n, 0.1, 1.5);
+    visit("shutter_by_itself", choices.shutter_by_itself);
+    visit("keep_moment", choices.keep_moment);
+    visit("capture_told", choices.capture_told);
     visit("playback_speed", choices.playback_speed, 0.5, 2.0);
     visit("brows", choices.brows);
     visit("nose", choices.nose);

@@ -16,6 +16,9 @@ struct Choices {
     /// What guides a finger where no force does.
     enum class Guide { none, sonar, clock_voice, both };
 
+    /// How much is said of what is seen on a photograph.
+    enum class Descriptions { none, brief, full };
+
     bool asked = false; ///< the questions of the first start have been answered
     Voice voice = Voice::program;
     Rate rate = Rate::normal;
@@ -25,13 +28,19 @@ struct Choices {
     double text_scale = 1.0; ///< 1–2
     bool motion = true;      ///< pictures may move and fade
     bool earcons = true;
+    Descriptions descriptions = Descriptions::brief;
+    bool place_first = false; ///< a description begins with time and place, not with people
+    bool know_faces = true;   ///< faces of the album are compared, so that names can be offered
     Guide guide = Guide::both;
-    double max_force_n = 1.0;    ///< newtons, 0.1–1.5
-    double playback_speed = 1.0; ///< of recordings, 0.5–2
+    double max_force_n = 1.0;                         ///< newtons, 0.1–1.5
+    bool shutter_by_itself = true;                    ///< a photograph is taken when all is well
+    bool keep_moment = false;                         ///< with it the sound round it, as a recording
+    bool capture_told = false;                        ///< how photographs are taken was told once
+    double playback_speed = 1.0;                      ///< of recordings, 0.5–2
     bool brows = false, nose = false, irises = false; ///< felt beside eyes, lips and outline
     QStringList folders;                              ///< of the album, absolute
     QString last_photo;                               ///< where one was, absolute; empty: nowhere
-    QString device;                                   ///< serial number, or name, of the force device; "simulated": none; empty: the first
+    QString device; ///< serial number, or name, of the force device; "simulated": none; empty: the first
 
     bool operator==(const Choices&) const = default;
 };

@@ -41,9 +41,10 @@ Preferences::Preferences(std::filesystem::path file, QObject* parent) : QObject(
     std::filesystem::path aside = file_;
     aside += ".aside";
     std::filesystem::rename(file_, aside, error);
-    notice_ = error ? tr("Your settings could not be read. The usual ones are used until that is mended.")
-                    : tr("Your settings could not be read and were set aside. The usual ones are used; you can choose "
-                         "anew on the settings page.");
+    notice_ =
+        error ? tr("Your settings could not be read. The default settings are used until that is put right.")
+              : tr("Your settings could not be read and were set aside. The default settings are used; you "
+                   "can choose again on the settings page.");
 }
 
 Preferences::~Preferences() { keep(); }
@@ -65,7 +66,7 @@ QString Preferences::keep() {
     if (why.empty())
         why = replace_file(file_, json_of(choices_).toStdString(), Readers::owner_only);
     if (!why.empty())
-        return tr("Your settings could not be kept: %1").arg(in_persons_language(why));
+        return tr("Your settings could not be saved: %1").arg(in_persons_language(why));
     kept_ = choices_;
     return {};
 }

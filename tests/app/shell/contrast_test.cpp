@@ -19,7 +19,8 @@ namespace {
 
 constexpr double text_bound = 7.0; // WCAG 2.1, 1.4.6, which the house promises for every text
 constexpr double look_bound = 3.0; // 1.4.11: what shows a control and where the keyboard is
-const QStringList all_pages{"start", "browse", "search", "explore", "care", "mend", "print", "lab", "settings", "questions", "folders"};
+const QStringList all_pages{"start", "browse", "search", "explore",  "care",      "capture",
+                            "mend",  "print",  "lab",    "settings", "questions", "folders"};
 
 /// Everything below an item that is seen and can be used; WCAG leaves out what cannot.
 void collect_seen(QQuickItem* root, QList<QQuickItem*>& into) {

@@ -24,7 +24,7 @@ class Monkey {
 public:
     Monkey(WholeProgram& whole, unsigned seed) : whole_(whole), random_(seed) {
         for (tp::FolderChooser* chooser :
-             {whole.program->start().questions()->chooser(), whole.program->care().chooser(),
+             {whole.program->start().questions()->chooser(), whole.program->care().folders()->chooser(),
               whole.program->settings().storage()->chooser()})
             keep_at_home(*chooser);
     }

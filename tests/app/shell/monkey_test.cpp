@@ -22,7 +22,8 @@ private slots:
 
     void a_page_survives_and_escape_leads_home_data() {
         QTest::addColumn<QString>("page");
-        for (const char* page : {"start", "browse", "explore", "care", "mend", "print", "lab", "settings"})
+        for (const char* page :
+             {"start", "browse", "explore", "care", "capture", "mend", "print", "lab", "settings"})
             QTest::newRow(page) << page;
     }
     void a_page_survives_and_escape_leads_home() {

@@ -16,7 +16,8 @@ using namespace tp;
 
 namespace {
 
-const QStringList every_page{"start", "browse", "explore", "care", "mend", "print", "lab", "settings"};
+const QStringList every_page{"start", "browse", "explore", "care",    "capture",
+                             "mend",  "print",  "lab",     "settings"};
 
 /// Marks every text that goes through translation.
 class PseudoLocale : public QTranslator {
@@ -224,8 +225,9 @@ private slots:
             QTest::keyClick(whole.window.get(), Qt::Key_Tab);
             said << whole.voice.said();
         }
-        for (const char* words : {"Speed of speech: Normal, choice, chosen", "Colours: Light, choice", "Home, button",
-                                  "Sounds for what happens, switch, on", "Size of text, slider, 100 percent"})
+        for (const char* words :
+             {"Speed of speech: Normal, choice, selected", "Colours: Light, choice", "Home, button",
+              "Sound effects, switch, on", "Text size, slider, 100 percent"})
             QVERIFY2(said.contains(words), qPrintable(QString(words) + " is not in: " + said.join("; ")));
         whole.program->settings().speech()->chooseVoice(1); // a screen reader says it itself
         whole.voice.clear();
@@ -309,7 +311,7 @@ private slots:
         Choices choices = whole.program->preferences().choices();
         choices.folders << whole.folder.filePath("Gone");
         whole.program->preferences().set(choices);
-        QTRY_VERIFY2(heard("⟦The folder \"" + whole.folder.filePath("Gone") + "\" is not there."),
+        QTRY_VERIFY2(heard("⟦The folder \"" + whole.folder.filePath("Gone") + "\" is missing."),
                      qPrintable(whole.voice.said().join('\n')));
 
         const QString broken = whole.folder.filePath("broken.jpg");
@@ -344,7 +346,8 @@ private slots:
         QTRY_VERIFY(!care.take()->running());
         const QString name = care.photoName();
         care.deletePhoto();
-        QTRY_VERIFY2(care.undoText().contains("⟦" + name + " was deleted"), qPrintable(care.undoText()));
+        QTRY_VERIFY2(care.history()->undoText().contains("⟦" + name + " was deleted"),
+                     qPrintable(care.history()->undoText()));
     }
 
     void the_language_changes_while_the_program_runs() {

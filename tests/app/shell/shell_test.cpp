@@ -47,7 +47,7 @@ private slots:
         fill(shell);
         shell.open("b");
         shell.help("Press 7.");
-        QVERIFY(voice_.said().back().startsWith("Page b. Press 7. Everywhere: Escape"));
+        QVERIFY(voice_.said().back().startsWith("Page b. Press 7. On every page: Escape"));
         const QString help = voice_.said().back();
         shell.repeat();
         QCOMPARE(voice_.said().count(help), 2);

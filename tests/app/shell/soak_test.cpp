@@ -32,15 +32,15 @@ constexpr double unlike = 3.0;             ///< handles or threads, of the pages
 
 double hours() { return qEnvironmentVariableIsSet("TP_SOAK_HOURS") ? qEnvironmentVariable("TP_SOAK_HOURS").toDouble() : 16.0; }
 
-struct Look {
+struct LoadLook {
     double hour = 0.0;
     ProcessLoad load;
 };
 
 /// MB an hour, by least squares.
-double growth(std::span<const Look> looks) {
+double growth(std::span<const LoadLook> looks) {
     double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-    for (const Look& look : looks) {
+    for (const LoadLook& look : looks) {
         n += 1.0;
         x += look.hour;
         y += look.load.memory_mb;
@@ -51,9 +51,9 @@ double growth(std::span<const Look> looks) {
 }
 
 template <typename Count>
-double mean(std::span<const Look> looks, Count count) {
+double mean(std::span<const LoadLook> looks, Count count) {
     double sum = 0.0;
-    for (const Look& look : looks)
+    for (const LoadLook& look : looks)
         sum += static_cast<double>(count(look.load));
     return sum / static_cast<double>(looks.size());
 }
@@ -85,8 +85,9 @@ private slots:
         Monkey monkey(whole, 20260501);
         Disturbances disturbances(whole, socket, 20260502);
         std::mt19937 random(20260503);
-        const QStringList pages{"start", "browse", "explore", "care", "mend", "print", "lab", "settings"};
-        std::vector<Look> looks;
+        const QStringList pages{"start", "browse", "explore", "care",    "capture",
+                                "mend",  "print",  "lab",     "settings"};
+        std::vector<LoadLook> looks;
         const auto deeds = static_cast<int>(std::lround(3600.0 * hours() / deed_s));
         const auto deeds_between = static_cast<int>(std::lround(3600.0 * look_every_h / deed_s));
         for (int i = 0; i < deeds; ++i) {
@@ -113,14 +114,15 @@ private slots:
         socket.unplug();
         QTRY_VERIFY(!socket.in_use());
         // In the first half what is kept fills: pictures, pages, dialogs, threads that wait for work.
-        const std::span<const Look> judged = std::span(looks).last(looks.size() / 2);
+        const std::span<const LoadLook> judged = std::span(looks).last(looks.size() / 2);
         if (static_cast<double>(judged.size()) * look_every_h < least_judged_hours) {
             std::printf("too few hours to judge what grows\n");
             return;
         }
         std::printf("grows by %.2f MB an hour\n", growth(judged));
         QVERIFY(growth(judged) <= most_growth);
-        const std::span<const Look> before = judged.first(judged.size() / 2), after = judged.last(judged.size() / 2);
+        const std::span<const LoadLook> before = judged.first(judged.size() / 2),
+                                        after = judged.last(judged.size() / 2);
         const auto handles = [](const ProcessLoad& load) { return load.handles; };
         const auto threads = [](const ProcessLoad& load) { return load.threads; };
         QVERIFY(mean(after, handles) <= mean(before, handles) + unlike);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/capture/camera/desk_camera.hpp"
 #include "app/parts/devices/device_access.hpp"
 #include "app/shell/program_window.hpp"
 #include "audio/speech/recording_voice.hpp"
@@ -25,7 +26,7 @@
 #include <vector>
 
 /// The program with everything but the machine: its voice is remembered, its loudspeakers and its microphone
-/// are the test's, its album is a folder of sample portraits; of somebody who has not been asked yet it has
+/// are the test's, its camera looks into a photograph, its album is a folder of sample portraits; of somebody who has not been asked yet it has
 /// none. Its home lies in its own folder, so that nothing is found, read or written in that of whoever runs
 /// the test.
 class WholeProgram {
@@ -65,6 +66,9 @@ public:
                                {},
                                [] { return std::vector<tp::FoundDevice>(); }};
         parts.explore.devices = std::move(devices);
+        parts.make_camera = [photo = file("Family/anna_smiling.jpg")] {
+            return std::make_unique<tp::DeskCamera>(tp::DeskCamera::Of::photo, photo);
+        };
         program = std::make_unique<tp::Program>(std::move(parts));
         program->begin({});
         window = std::make_unique<tp::ProgramWindow>(*program);

@@ -33,7 +33,7 @@ private slots:
         BrowseParts bench;
         bench.start();
         QCOMPARE(bench.album().state(), State::Empty);
-        QVERIFY(bench.album().emptyText().startsWith("There is no photograph in your folders yet."));
+        QVERIFY(bench.album().emptyText().startsWith("There are no photographs in your folders yet."));
         bench.drawn.photo("first.jpg", "2026-05-01T10:15:00");
         QTRY_COMPARE(bench.album().state(), State::Ready);
         QCOMPARE(bench.said(), QString("May 2026; no recordings yet."));

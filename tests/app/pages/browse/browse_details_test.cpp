@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/album/index/seen_photos.hpp"
 #include "browse_parts.hpp"
 
 #include <QImage>
@@ -45,6 +46,44 @@ private slots:
         bench.details().previous();
         QCOMPARE(bench.earcon(), Earcon::list_end);
         QCOMPARE(bench.said(), garden_words);
+    }
+
+    /// A look that ends while somebody is at a detail moves nobody and says nothing; to whoever waits it is said, once.
+    void what_is_seen_comes_to_whoever_waits_and_moves_nobody() {
+        PartsAtGarden bench;
+        SeenPhoto seen;
+        seen.width = seen.height = 100;
+        seen.faces.resize(1);
+        seen.faces[0].part = {Vec2(0.4), Vec2(0.6)};
+        seen.faces[0].mien = Mien::smiling;
+        bench.details().next();
+        QCOMPARE(bench.said(), QString("Anna"));
+        bench.voice.clear();
+        SeenPhotos known(bench.album().open().index(), 1);
+        const auto photo = AlbumQueries(bench.album().open().index()).summary(bench.trail().here()->id);
+        QCOMPARE(known.put(photo.value()->sha256, {seen, {}}), std::string());
+        bench.trail().looked_at("/album/another.jpg");
+        QCOMPARE(bench.details().summary(), garden_words);
+        bench.trail().looked_at(bench.trail().shown());
+        QVERIFY(bench.voice.said().isEmpty());
+        QCOMPARE(bench.details().detail(), QString("Anna"));
+        QVERIFY2(bench.details().summary().contains("one of them smiling"),
+                 qPrintable(bench.details().summary()));
+        SqlConnection& connection = bench.album().open().index().connection();
+        connection.run_once("DELETE FROM seen");
+        QCOMPARE(known.begin(photo.value()->sha256),
+                 std::string());    // while it is looked at, it is kept without a size
+        bench.details().previous(); // to what is seen, in full
+        bench.details().previous();
+        bench.trail().looked_at(bench.trail().shown()); // it is not known any more
+        bench.voice.clear();
+        QCOMPARE(known.put(photo.value()->sha256, {seen, {}}), std::string());
+        bench.trail().looked_at(bench.trail().shown());
+        QCOMPARE(bench.voice.said(), QStringList("Anna, Tom, and one more person, one of them smiling."));
+        bench.trail().looked_at(bench.trail().shown());
+        QCOMPARE(bench.voice.said().size(), 1);
+        bench.details().next();
+        QVERIFY2(bench.said().contains(" smiling") && bench.said().endsWith("."), qPrintable(bench.said()));
     }
 
     void a_tap_tells_and_disturbs_no_recording() {

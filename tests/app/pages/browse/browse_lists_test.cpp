@@ -24,7 +24,7 @@ private slots:
         bench.lists().openTopic(Topic::People);
         QCOMPARE(bench.trail().view(), View::Names);
         QCOMPARE(bench.row_texts(), QStringList({"Anna", "Ben", "Tom"}));
-        QCOMPARE(bench.said(), QString("People: 3 person(s). Choose one with the arrow keys and Return."));
+        QCOMPARE(bench.said(), QString("People: 3 person(s). Choose one with the arrow keys and Enter."));
         bench.lists().reach(0);
         QCOMPARE(bench.said(), QString("Anna, 2 photograph(s)"));
         bench.trail().next(); // arrows are for the rows here
@@ -153,9 +153,9 @@ private slots:
         QCOMPARE(bench.lists().typed(), QString("To"));
         bench.lists().takeLetterBack();
         bench.lists().takeLetterBack();
-        QCOMPARE(bench.said(), QString("Nothing is typed any more."));
+        QCOMPARE(bench.said(), QString("The search field is empty."));
         bench.lists().takeLetterBack();
-        QCOMPARE(bench.said(), QString("There is no letter to take away."));
+        QCOMPARE(bench.said(), QString("There is no letter to delete."));
     }
 
     void what_was_found_is_gone_through() {

@@ -37,9 +37,8 @@ private slots:
         bench.drawn.five();
         bench.start();
         QCOMPARE(bench.session->album()->state(), State::Ready);
-        QCOMPARE(bench.voice.said(),
-                 QStringList("Your photographs, 1 of 5: February 2024, Vienna; no recordings yet. Swipe "
-                             "or use the arrow keys to go on."));
+        QCOMPARE(bench.voice.said(), QStringList("Your photographs, 1 of 5: February 2024, Vienna; no "
+                                                 "recordings yet. Swipe or use the arrow keys to move on."));
     }
 
     void a_screen_reader_reads_the_photograph_itself_and_is_not_told_it_too() {
@@ -176,8 +175,9 @@ private slots:
         bench.loudspeaker.play(0.1);
         fs::remove(bench.five.garden);
         QTRY_COMPARE(bench.session->trail()->photo(), QString::fromStdString(bench.five.walk.string()));
-        QCOMPARE(bench.said(),
-                 QString("garden.jpg is gone from this list. Now: Anna and Ben, June 2026; 1 recording(s)."));
+        QCOMPARE(
+            bench.said(),
+            QString("garden.jpg is no longer in this list. Now: Anna and Ben, June 2026; 1 recording(s)."));
         QVERIFY(!bench.session->playback()->playing());
         QCOMPARE(bench.session->trail()->placeText(), QString("4 of 4"));
     }
@@ -246,7 +246,7 @@ private slots:
     void the_keys_are_told() {
         AtGarden bench;
         bench.session->tellKeys();
-        for (const char* word : {"Left and right", "Return", "Escape", "Backspace", "W: where am I"})
+        for (const char* word : {"Left and right", "Enter", "Escape", "Backspace", "W: where am I"})
             QVERIFY2(bench.said().contains(word), word);
     }
 };

@@ -36,6 +36,19 @@ PhotoRecord garden() {
     return record;
 }
 
+/// Two who smile, of whom nobody has said who they are.
+SeenPhoto smiling_people() {
+    SeenPhoto seen;
+    seen.width = 4000;
+    seen.height = 3000;
+    seen.faces.resize(2);
+    seen.faces[0].part = {Vec2(0.05, 0.05), Vec2(0.25, 0.3)};
+    seen.faces[1].part = {Vec2(0.75, 0.05), Vec2(0.95, 0.3)};
+    for (SeenFace& face : seen.faces)
+        face.mien = Mien::smiling;
+    return seen;
+}
+
 QStringList texts(const std::vector<PhotoDetail>& details) {
     QStringList all;
     for (const PhotoDetail& detail : details)
@@ -69,6 +82,50 @@ private slots:
                  QString::fromUtf8("f\xEF\xBF\xBDo .jpg; no recordings yet."));
     }
 
+    /// What is seen is said with the names, and nothing twice.
+    void what_is_seen_is_said_after_the_names_and_before_the_recordings() {
+        PhotoRecord record = garden();
+        record.tags.clear();
+        record.faces.clear();
+        const PhotoWords brief(english);
+        QCOMPARE(brief.summary(photo, record, smiling_people()),
+                 QString("Anna and Tom, both smiling, May 2026, Vienna; no recordings yet."));
+        QCOMPARE(brief.summary(photo, {}, smiling_people()),
+                 QString("Two people, both smiling; no recordings yet."));
+        const QStringList details = texts(brief.details(photo, {}, smiling_people()));
+        QCOMPARE(
+            details,
+            QStringList({"Two people: one at the left, smiling; one at the right, smiling. A wide picture.",
+                         "File: IMG_1.jpg."}));
+        const PhotoWords full({Choices::Descriptions::full, true}, english);
+        QCOMPARE(full.summary(photo, record, smiling_people()),
+                 QString("A Friday morning in May 2026, in Vienna. Two people: one at the left, smiling; one "
+                         "at the right, "
+                         "smiling; named: Anna and Tom. A wide picture. No recordings yet."));
+        QVERIFY(full.summary(photo, garden(), smiling_people()).endsWith(" A wide picture. 3 recording(s)."));
+        QCOMPARE(texts(full.details(photo, {}, smiling_people())), QStringList("File: IMG_1.jpg."));
+    }
+
+    void who_wants_no_descriptions_hears_none() {
+        const PhotoWords words({Choices::Descriptions::none, false}, english);
+        QCOMPARE(words.summary(photo, garden(), smiling_people()), words.summary(photo, garden()));
+        QVERIFY(words.details(photo, garden(), smiling_people()) == words.details(photo, garden()));
+        const PhotoWords brief(english);
+        QCOMPARE(brief.summary(photo, garden(), SeenPhoto()),
+                 brief.summary(photo, garden())); // it could not be read
+    }
+
+    void a_photograph_on_which_nothing_is_seen_keeps_its_name() {
+        SeenPhoto nothing = smiling_people();
+        nothing.faces.clear();
+        QCOMPARE(PhotoWords(english).summary(photo, {}, nothing),
+                 QString("No faces, IMG_1.jpg; no recordings yet."));
+        PhotoRecord record;
+        record.taken = "2026-05-01";
+        QCOMPARE(PhotoWords(english).summary(photo, record, nothing),
+                 QString("No faces, May 2026; no recordings yet."));
+    }
+
     void names_and_months_are_written_as_the_person_writes_them() {
         PhotoRecord record = garden();
         record.faces.clear();
@@ -84,7 +141,7 @@ private slots:
         QCOMPARE(said.mid(0, 3), QStringList({"Anna", "Tom", "1 face(s) without a name."}));
         QCOMPARE(said.mid(3, 3), QStringList({"Recording 1 of 3: memo by Tom, 12 second(s).",
                                               "Recording 2 of 3: story by Ben, 1 minute(s) 5 second(s).",
-                                              "Recording 3 of 3: sounds around the camera, 3 second(s)."}));
+                                              "Recording 3 of 3: background sounds, 3 second(s)."}));
         QCOMPARE(said[6], QString("Two people in a garden"));
         QCOMPARE(said[7], QString("Place: Vienna, Austria."));
         QVERIFY2(said[8].startsWith("Taken: ") && said[8].contains("1 May 2026") && said[8].contains("10:15"),

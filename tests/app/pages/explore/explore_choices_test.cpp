@@ -29,7 +29,7 @@ private slots:
         bench.choices.nextGuide();
         QCOMPARE(bench.said(), QString("Guide: None."));
         bench.choices.nextGuide();
-        QCOMPARE(bench.said(), QString("Guide: Sonar."));
+        QCOMPARE(bench.said(), QString("Guide: Beeps."));
         QCOMPARE(bench.sounds.preferences.choices().guide, Choices::Guide::sonar);
     }
 

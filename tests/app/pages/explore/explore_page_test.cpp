@@ -341,9 +341,9 @@ private slots:
         QVERIFY(page.voice.said().back().startsWith("The face. "));
         QVERIFY(page.window.press("Zoom in"));
         QCOMPARE(page.voice.said().back(), QString("Zoomed to the eyes."));
-        QVERIFY(page.window.press("Guide: Sonar"));
+        QVERIFY(page.window.press("Guide: Beeps"));
         QCOMPARE(page.sounds.preferences.choices().guide, Choices::Guide::sonar);
-        QVERIFY(page.window.named("Guide: Sonar")->state().checked);
+        QVERIFY(page.window.named("Guide: Beeps")->state().checked);
         QVERIFY(page.window.press("Tour of the face"));
         QVERIFY(page.session.tour()->touring());
     }
@@ -378,10 +378,27 @@ private slots:
                     QString("role %1 at %2,%3").arg(one->role()).arg(one->rect().x()).arg(one->rect().y())));
         }
         QVERIFY(operable >= 11);
-        for (const char* name : {"Guided tour", "Tour of the face", "Where am I?", "Stop", "Zoom in", "Zoom out",
-                                 "Next feature", "Strongest force", "Guide: None", "Guide: Sonar",
-                                 "Guide: Clock voice", "Guide: Both", "Voice", "Open photograph…", "Touch surface", "face", "left eye",
-                                 "right eye", "lips", "face outline", "drawn.png"})
+        for (const char* name : {"Guided tour",
+                                 "Tour of the face",
+                                 "Where am I?",
+                                 "Stop",
+                                 "Zoom in",
+                                 "Zoom out",
+                                 "Next feature",
+                                 "Strongest force",
+                                 "Guide: None",
+                                 "Guide: Beeps",
+                                 "Guide: Clock directions",
+                                 "Guide: Both",
+                                 "Voice",
+                                 "Open photograph…",
+                                 "Touch surface",
+                                 "face",
+                                 "left eye",
+                                 "right eye",
+                                 "lips",
+                                 "face outline",
+                                 "drawn.png"})
             QVERIFY2(page.window.named(name) != nullptr, name);
     }
 

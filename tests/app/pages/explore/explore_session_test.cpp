@@ -82,7 +82,7 @@ private slots:
         QCOMPARE(bench.session.view()->state(), ExploreView::State::Ready); // what was open before
         QCOMPARE(bench.session.view()->photoName(), name);
         QVERIFY(!bench.session.device()->engaged());
-        QVERIFY(bench.session.words()->sentence().startsWith("Stopped looking. " + name + " is open again."));
+        QVERIFY(bench.session.words()->sentence().startsWith("Search stopped. " + name + " is open again."));
         bench.session.stopOrStart();
         QVERIFY(bench.session.device()->engaged());
 
@@ -99,7 +99,7 @@ private slots:
         later.load(tp::test::in_source("resources/samples/anna_smiling.jpg"));
         QTRY_VERIFY_WITH_TIMEOUT(answered, 60000);
         QCOMPARE(first.view()->state(), ExploreView::State::Empty);
-        QCOMPARE(first.words()->sentence(), QString("Stopped looking. Press O to open a photograph."));
+        QCOMPARE(first.words()->sentence(), QString("Search stopped. Press O to open a photograph."));
     }
 
     void escape_takes_the_force_away_and_gives_it_back() {
@@ -296,7 +296,7 @@ private slots:
         const QPointF corner(1.0, 1.0);
         bench.tap(1, corner);
         bench.tap(1, corner, 0.8);
-        QVERIFY(bench.said().startsWith("There is nothing nearer") || bench.said().startsWith("Zoomed out"));
+        QVERIFY(bench.said().startsWith("There is nothing more") || bench.said().startsWith("Zoomed out"));
         bench.session.zoom()->zoomOut();
         bench.time += 2.0;
         bench.tap(1, bench.left_of_outline(40.0));

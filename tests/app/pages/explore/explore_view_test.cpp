@@ -53,13 +53,13 @@ private slots:
         bench.view.load(file);
         QCOMPARE(bench.view.state(), State::Looking);
         QCOMPARE(bench.said(), QString("Looking for faces…"));
-        QCOMPARE(bench.view.give_up(), QString("Stopped looking. Press O to open a photograph."));
+        QCOMPARE(bench.view.give_up(), QString("Search stopped. Press O to open a photograph."));
         QCOMPARE(bench.view.state(), State::Empty);
         bench.view.show(drawn_photo());
         bench.view.load(file);
         QCOMPARE(bench.view.featureCount(), 0);
         QVERIFY(
-            bench.view.give_up().startsWith("Stopped looking. drawn.png is open again. The force is off."));
+            bench.view.give_up().startsWith("Search stopped. drawn.png is open again. The force is off."));
         QCOMPARE(bench.view.state(), State::Ready);
         auto nothing = std::make_shared<LoadedPhoto>(*drawn_photo());
         nothing->extraction.faces.clear();
@@ -68,7 +68,7 @@ private slots:
         QCOMPARE(bench.view.state(), State::Problem);
         QCOMPARE(bench.view.where_one_is(), QString("No face was found in this picture."));
         bench.view.load(file);
-        QCOMPARE(bench.view.give_up(), QString("Stopped looking. drawn.png is open again."));
+        QCOMPARE(bench.view.give_up(), QString("Search stopped. drawn.png is open again."));
         QCOMPARE(bench.view.state(), State::Problem);
     }
 

@@ -79,13 +79,13 @@ private slots:
         QCOMPARE(out.size(), 1);
         QCOMPARE(bench.view().state(), ExploreView::State::Looking);
         QTRY_VERIFY_WITH_TIMEOUT(bench.stands_at("2_anna.jpg"), patience_ms);
-        QVERIFY2(bench.parts.said().startsWith(
-                     "1 photograph(s) without a face passed over. 2_anna.jpg. One face."),
-                 qPrintable(bench.parts.said()));
+        QVERIFY2(
+            bench.parts.said().startsWith("Skipped 1 photograph(s) without a face. 2_anna.jpg. One face."),
+            qPrintable(bench.parts.said()));
         bench.walk->next();
         QTRY_VERIFY_WITH_TIMEOUT(bench.stands_at("5_ben.jpg"), patience_ms);
-        QVERIFY(bench.parts.said().startsWith(
-            "2 photograph(s) without a face passed over. 5_ben.jpg. One face."));
+        QVERIFY(
+            bench.parts.said().startsWith("Skipped 2 photograph(s) without a face. 5_ben.jpg. One face."));
         bench.walk->previous();
         QTRY_VERIFY_WITH_TIMEOUT(bench.stands_at("2_anna.jpg"), patience_ms);
         QCOMPARE(bench.view().file(), bench.album.files[1]);
@@ -118,7 +118,7 @@ private slots:
         bench.album.files = {bench.album.files[0], bench.album.files[2], bench.album.files[3]};
         bench.walk->newest();
         QTRY_COMPARE_WITH_TIMEOUT(bench.parts.said(),
-                                  QString("There is no face on any photograph of the album."), patience_ms);
+                                  QString("There is no face on any photograph in the album."), patience_ms);
         QCOMPARE(bench.view().state(), ExploreView::State::Empty);
     }
 
@@ -142,7 +142,7 @@ private slots:
         WalkBench bench;
         bench.walk->next();
         QVERIFY(bench.view().looking_into());
-        QCOMPARE(bench.view().give_up(), QString("Stopped looking. Press O to open a photograph."));
+        QCOMPARE(bench.view().give_up(), QString("Search stopped. Press O to open a photograph."));
         QVERIFY(!bench.view().looking_into());
         QCOMPARE(bench.view().state(), ExploreView::State::Empty);
         bench.walk->album_changed();
@@ -178,7 +178,7 @@ private slots:
         bench.walk.reset();
         walk.next();
         QTRY_COMPARE_WITH_TIMEOUT(bench.parts.said(),
-                                  QString("There is no face on any photograph of the album."), patience_ms);
+                                  QString("There is no face on any photograph in the album."), patience_ms);
         QCOMPARE(bench.view().state(), ExploreView::State::Empty);
     }
 

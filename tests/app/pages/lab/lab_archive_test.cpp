@@ -50,7 +50,7 @@ private slots:
     void a_table_has_a_row_for_each_tick_and_its_setup() {
         LabFolder lab;
         lab.archive.writeTable();
-        QVERIFY(lab.last().startsWith("There is nothing to write yet."));
+        QVERIFY(lab.last().startsWith("There is nothing to save yet."));
         QVERIFY(!std::filesystem::exists(lab.place));
         lab.run.start();
         lab.advance(0.1);
@@ -71,11 +71,11 @@ private slots:
         QVERIFY(in_the_way.open(QIODevice::WriteOnly));
         lab.archive.toggleRecording();
         QCOMPARE(lab.activity.state(), LabActivity::Stopped);
-        QVERIFY2(lab.last().contains("cannot be made"), qPrintable(lab.last()));
+        QVERIFY2(lab.last().contains("cannot be created"), qPrintable(lab.last()));
         lab.run.start();
         lab.advance(0.01);
         lab.archive.writeTable();
-        QVERIFY2(lab.last().contains("cannot be made"), qPrintable(lab.last()));
+        QVERIFY2(lab.last().contains("cannot be created"), qPrintable(lab.last()));
     }
 
     void what_runs_ends_before_a_recording_begins() {

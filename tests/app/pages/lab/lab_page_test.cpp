@@ -160,14 +160,14 @@ private slots:
         QVERIFY(window.exposed());
         QVERIFY(window.press("Record"));
         bench.session.advance(0.3);
-        QVERIFY(window.named("As they were at first, not available") != nullptr);
-        QVERIFY(window.press("End the recording"));
+        QVERIFY(window.named("Reset all parameters, not available") != nullptr);
+        QVERIFY(window.press("Stop recording"));
         const QString name = bench.session.files()->recordings().value(0);
         QVERIFY(window.press(QString("Replay %1, 1 of 1").arg(name)));
         QTRY_COMPARE(bench.session.activity()->state(), LabActivity::Replaying);
         bench.session.advance(0.1);
         QVERIFY(window.press("Stop"));
-        QVERIFY(window.press("Write the plots as a table"));
+        QVERIFY(window.press("Save the plots as a table"));
         QCOMPARE(QDir(bench.folder.filePath("lab")).entryList({"*.csv"}).size(), 1);
     }
 

@@ -145,7 +145,7 @@ private slots:
         RunBench bench;
         QVERIFY(!bench.run.run_for(1.0));
         bench.run.start();
-        QVERIFY(bench.last().startsWith("The servo runs: "));
+        QVERIFY(bench.last().startsWith("The servo is running: "));
         bench.advance(0.5);
         bench.voice.clear();
         bench.run.start();

@@ -53,7 +53,7 @@ private slots:
     void the_table_holds_what_the_trace_holds_and_the_parameters_lie_beside_it() {
         LabBench bench;
         bench.session.files()->writeTable();
-        QVERIFY(bench.last().contains("nothing to write yet"));
+        QVERIFY(bench.last().contains("nothing to save yet"));
         bench.session.tuning()->setNumber("range", 6.0, "Range");
         bench.hand(43.0, 5.0);
         bench.session.servo()->start();
@@ -173,13 +173,13 @@ private slots:
         settings.folder = bench.folder.filePath("file/lab").toStdString();
         LabSession session(bench.narrator, bench.preferences, settings);
         session.files()->toggleRecording();
-        QVERIFY(bench.last().contains("cannot be made"));
+        QVERIFY(bench.last().contains("cannot be created"));
         QVERIFY(!session.activity()->recording());
         QCOMPARE(session.activity()->state(), LabActivity::Stopped);
         session.servo()->start();
         session.advance(0.1);
         session.files()->writeTable();
-        QVERIFY(bench.last().contains("cannot be made"));
+        QVERIFY(bench.last().contains("cannot be created"));
     }
 
     void in_real_time_the_servo_ticks_by_itself_and_what_it_did_is_replayed() {

@@ -59,8 +59,8 @@ private slots:
             return read.ok() ? std::string() : read.error();
         };
         QCOMPARE(error(""), std::string());
-        QCOMPARE(error(R"("stiffness":0.6)"), std::string("stiffness is not from 0.1 to 0.5."));
-        QCOMPARE(error(R"("mass":"heavy")"), std::string("mass is not from 0.02 to 0.5."));
+        QCOMPARE(error(R"("stiffness":0.6)"), std::string("stiffness is not between 0.1 and 0.5."));
+        QCOMPARE(error(R"("mass":"heavy")"), std::string("mass is not between 0.02 and 0.5."));
         QCOMPARE(error(R"("law":"cubic")"), std::string("it names a law that is unknown."));
         QVERIFY(!parse_setup("").ok());
         QVERIFY(!parse_setup("{}").ok());

@@ -26,7 +26,7 @@ private slots:
     void a_nudge_moves_the_point_and_tells_its_place() {
         EditingBench bench;
         bench.editing.nudge(1, 0);
-        QVERIFY(bench.said().startsWith("No point is in hand"));
+        QVERIFY(bench.said().startsWith("No point is selected"));
         QVERIFY(!bench.history.canUndo());
         bench.selection.chooseHandle(0);
         bench.editing.nudge(10, 0);
@@ -73,7 +73,7 @@ private slots:
         EditingBench bench;
         const int count = bench.selection.handles()->rowCount();
         bench.editing.deletePoint();
-        QVERIFY(bench.said().startsWith("No point is in hand"));
+        QVERIFY(bench.said().startsWith("No point is selected"));
         bench.selection.chooseHandle(0);
         bench.editing.addPoint();
         QVERIFY(bench.said().startsWith("Added. Point "));
@@ -107,7 +107,7 @@ private slots:
         QVERIFY(!bench.selection.featureThere());
         QVERIFY(bench.text() != before);
         bench.editing.removeFeature();
-        QCOMPARE(bench.said(), QString("left eye: not there. It can be added."));
+        QCOMPARE(bench.said(), QString("left eye: missing. It can be added."));
         bench.editing.addFeature();
         QVERIFY(bench.selection.featureThere());
         QCOMPARE(bench.text(), before);

@@ -284,7 +284,7 @@ private slots:
             QVERIFY2(page.act(name), name);
         QVERIFY(near_to(page.node(0).at, before + Vec2(-1, -1), 1e-9));
         for (const char* name :
-             {"Next point", "Previous point", "Add a point", "Delete the point", "Larger", "Smaller",
+             {"Next point", "Previous point", "Add a point", "Delete the point", "Zoom in", "Zoom out",
               "Whole photograph", "This feature", "Undo", "Redo", "Feature: right eye"})
             QVERIFY2(page.act(name), name);
         QCOMPARE(page.selection().featureName(), QString("right eye"));

@@ -45,7 +45,7 @@ private slots:
         bench.selection.stepFeature(1);
         QCOMPARE(bench.selection.feature(), left_eye);
         bench.selection.chooseFeature(mouth_opening);
-        QCOMPARE(bench.said(), QString("mouth opening: not there. It can be added."));
+        QCOMPARE(bench.said(), QString("mouth opening: missing. It can be added."));
         bench.selection.chooseFeature(99);
         QCOMPARE(bench.selection.feature(), mouth_opening);
     }
@@ -85,13 +85,13 @@ private slots:
     void where_one_is_is_told() {
         SelectionBench bench;
         bench.selection.whereAmI();
-        QVERIFY(bench.said().startsWith("left eye, ") && bench.said().endsWith(", none in hand."));
+        QVERIFY(bench.said().startsWith("left eye, ") && bench.said().endsWith(", none selected."));
         bench.selection.chooseHandle(0);
         bench.selection.whereAmI();
         QVERIFY(bench.said().contains(" of the left eye: 212 across, 120 down."));
         bench.selection.chooseFeature(mouth_opening);
         bench.selection.whereAmI();
-        QCOMPARE(bench.said(), QString("mouth opening: not there. It can be added."));
+        QCOMPARE(bench.said(), QString("mouth opening: missing. It can be added."));
         SelectionBench nobody(0);
         QSignalSpy asked(&nobody.selection, &MendSelection::nothingInHand);
         nobody.selection.whereAmI();

@@ -39,13 +39,12 @@ private slots:
         session.enter();
         QVERIFY(ground.said().contains("no photograph yet"));
         session.show(drawn_mend_photo(ground.folder.path()));
-        QCOMPARE(ground.said(), QString("Contours of drawn.png. In hand: left eye. Tab goes from point to "
+        QCOMPARE(ground.said(), QString("Contours of drawn.png. Selected: left eye. Tab goes from point to "
                                         "point, the arrow keys move it."));
         MendBench nobody(0);
         nobody.selection().whereAmI();
-        QCOMPARE(
-            nobody.said(),
-            QString("No face was found in drawn.png. One of usual shape can be added and put in place."));
+        QCOMPARE(nobody.said(), QString("No face was found in drawn.png. You can add one of the usual shape "
+                                        "and move it into place."));
     }
 
     void every_step_of_every_part_is_undone_to_the_last_byte_and_done_again() {

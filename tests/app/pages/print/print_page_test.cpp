@@ -28,7 +28,7 @@ private slots:
         PageWindow window("Print/PrintPage.qml", &bench.session, size);
         QVERIFY(window.exposed());
         QVERIFY(window.named("No sheet yet") != nullptr);
-        QVERIFY(window.named("Store as PDF, not available") != nullptr);
+        QVERIFY(window.named("Save as PDF, not available") != nullptr);
         bench.session.open_photo(PrintBench::sample("ben_and_clara.jpg"));
         QTRY_VERIFY_WITH_TIMEOUT(bench.sheet().ready(), 60000);
         QCOMPARE(window.faulty_targets().join("; "), QString());
@@ -37,7 +37,7 @@ private slots:
         QCOMPARE(bench.sheet().face(), 2);
         QVERIFY(window.press("Paper: A3"));
         QVERIFY(window.named("The sheet, 297 by 420 millimetres") != nullptr);
-        QVERIFY(window.press("Store as PDF"));
+        QVERIFY(window.press("Save as PDF"));
         QVERIFY(std::filesystem::exists(bench.documents() / "ben_and_clara.pdf"));
     }
 };

@@ -57,7 +57,7 @@ private slots:
         bench.session.open_photo(PrintBench::sample("anna_smiling.jpg"));
         QTRY_VERIFY_WITH_TIMEOUT(bench.sheet().ready(), 60000);
         bench.session.store("svg");
-        QVERIFY(bench.last_said().contains("could not be made"));
+        QVERIFY(bench.last_said().contains("could not be created"));
     }
 };
 

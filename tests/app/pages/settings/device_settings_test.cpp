@@ -97,7 +97,8 @@ private slots:
     void a_device_is_homed_and_given_back() {
         Bench bench;
         bench.devices().home();
-        QCOMPARE(bench.voice.said().back(), QString("No force device is plugged in. Plug one in; it is found by itself."));
+        QCOMPARE(bench.voice.said().back(),
+                 QString("No force device is plugged in. Plug one in; it is found automatically."));
         bench.socket.plug_in();
         QTRY_VERIFY(bench.has_device());
         bench.devices().home();
@@ -152,7 +153,8 @@ private slots:
         bench.devices().measure();
         bench.wait_in_time([&] { return bench.devices().weighing(); });
         QVERIFY(bench.session.back());
-        QCOMPARE(bench.voice.said().back(), QString("Measurement ended. The force is off. Nothing was changed."));
+        QCOMPARE(bench.voice.said().back(),
+                 QString("Measurement cancelled. The force is off. Nothing was changed."));
         QTRY_VERIFY(!bench.socket.in_use());
         bench.socket.hold();
         QTRY_VERIFY(bench.devices().measurable());
@@ -170,7 +172,7 @@ private slots:
         QTRY_VERIFY(bench.has_device());
         QVERIFY(!bench.devices().measurable());
         bench.devices().measure();
-        QVERIFY(bench.said("only force sticks are measured"));
+        QVERIFY(bench.said("only force sticks need measuring"));
         QVERIFY(bench.socket.opened() == 0);
     }
 
@@ -191,6 +193,43 @@ private slots:
         QVERIFY(!bench.socket.in_use());
     }
 
+    void nothing_is_pulled_while_it_is_announced_and_who_ends_it_then_feels_nothing() {
+        Bench bench;
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.has_device());
+        bench.voice.set_busy(true);
+        bench.devices().tryForce();
+        QTRY_VERIFY(bench.said("The strongest force"));
+        bench.time += 2.0 * DeviceSettings::pull_s;
+        QTest::qWait(60);
+        QVERIFY(bench.socket.in_use());
+        QCOMPARE(bench.socket.strongest(), 0.0);
+        bench.session.leave(); // the sentence goes on
+        bench.voice.set_busy(false);
+        QTest::qWait(60);
+        QTRY_VERIFY(!bench.socket.in_use());
+        QCOMPARE(bench.socket.strongest(), 0.0);
+    }
+
+    void a_stick_stays_still_while_its_measuring_is_announced() {
+        Bench bench;
+        bench.socket.be_a_stick(8.0, {1.0, 1.0});
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.devices().measurable());
+        bench.voice.set_busy(true);
+        bench.devices().measure();
+        QTRY_VERIFY(bench.devices().measuring());
+        bench.wait_in_time([] { return false; }, 2.0);
+        QCOMPARE(bench.socket.strongest(), 0.0);
+        QVERIFY(bench.session.back());
+        QCOMPARE(bench.voice.said().back(),
+                 QString("Measurement cancelled. The force is off. Nothing was changed."));
+        bench.voice.set_busy(false);
+        QTest::qWait(60);
+        QTRY_VERIFY(!bench.socket.in_use());
+        QCOMPARE(bench.socket.strongest(), 0.0);
+    }
+
     void the_page_that_is_left_leaves_no_force() {
         Bench bench;
         bench.socket.plug_in();
@@ -207,7 +246,8 @@ private slots:
     void unplugged_or_refused_it_is_told() {
         Bench bench;
         bench.devices().tryForce();
-        QCOMPARE(bench.voice.said().back(), QString("No force device is plugged in. Plug one in; it is found by itself."));
+        QCOMPARE(bench.voice.said().back(),
+                 QString("No force device is plugged in. Plug one in; it is found automatically."));
         bench.socket.plug_in();
         QTRY_VERIFY(bench.has_device());
         bench.devices().tryForce();
@@ -260,8 +300,9 @@ private slots:
         bench.touch(left, bottom);
         bench.hold();
         QVERIFY(!bench.devices().calibrating());
-        QCOMPARE(bench.voice.said().back(),
-                 QString("Calibrated. It misses by 0.0 millimetres on average, and is kept for this device."));
+        QCOMPARE(
+            bench.voice.said().back(),
+            QString("Calibrated. It misses by 0.0 millimetres on average, and is saved for this device."));
         QCOMPARE(bench.socket.strongest(), 0.0);
         QTRY_VERIFY(!bench.socket.in_use());
         const auto kept = kept_calibration(bench.calibrations(), DeviceSocket::serial_number);
@@ -301,7 +342,7 @@ private slots:
         bench.touch(left, top);
         bench.hold();
         QVERIFY(bench.session.back());
-        QCOMPARE(bench.voice.said().back(), QString("Calibration ended. Nothing was changed."));
+        QCOMPARE(bench.voice.said().back(), QString("Calibration cancelled. Nothing was changed."));
         QTRY_VERIFY(!bench.socket.in_use());
         QVERIFY(!std::filesystem::exists(bench.calibrations()));
     }

@@ -55,11 +55,11 @@ private slots:
         QVERIFY(window.named("Speed of speech: Fast")->state().checked);
         QVERIFY(window.press("Colours: Yellow on black"));
         QCOMPARE(bench.now().theme, Choices::Theme::yellow_on_black);
-        QAccessibleInterface* size = window.named("Size of text");
+        QAccessibleInterface* size = window.named("Text size");
         QVERIFY(size != nullptr);
         size->valueInterface()->setCurrentValue(1.5);
         QCOMPARE(bench.now().text_scale, 1.5);
-        QVERIFY(window.press("Undo: the size of text"));
+        QVERIFY(window.press("Undo: the text size"));
         QCOMPARE(bench.now().text_scale, 1.0);
         QCOMPARE(size->valueInterface()->currentValue().toDouble(), 1.0);
     }
@@ -83,15 +83,15 @@ private slots:
         QVERIFY(window.exposed());
         QVERIFY(window.press("Add a folder"));
         bench.session.storage()->chooser()->begin_in("/usr");
-        QTRY_VERIFY(window.named("Take this folder") != nullptr);
+        QTRY_VERIFY(window.named("Choose this folder") != nullptr);
         QCOMPARE(window.faulty_targets().join("; "), QString());
-        QVERIFY(window.press("To the folder above"));
+        QVERIFY(window.press("Up one folder"));
         QCOMPARE(bench.session.storage()->chooser()->folder(), QString("/"));
-        QVERIFY(window.press("Take this folder"));
+        QVERIFY(window.press("Choose this folder"));
         QCOMPARE(bench.now().folders, QStringList("/"));
         QVERIFY(window.named("Add a folder") != nullptr);
         QVERIFY(window.press("Add a folder"));
-        QTRY_VERIFY(window.named("Take this folder") != nullptr);
+        QTRY_VERIFY(window.named("Choose this folder") != nullptr);
         QTest::keyClick(&window, Qt::Key_Escape);
         QVERIFY(!bench.session.storage()->choosing());
     }
@@ -114,11 +114,11 @@ private slots:
         DeviceSettings& devices = *bench.session.devices();
         QTRY_VERIFY(window.named("Measure the stick") != nullptr);
         QVERIFY(window.press("Measure the stick"));
-        QTRY_VERIFY(window.named("End the measurement") != nullptr);
+        QTRY_VERIFY(window.named("Cancel the measurement") != nullptr);
         QVERIFY(window.named("Speed of speech: Fast") == nullptr);
-        QVERIFY(window.named("The scale shows this") == nullptr); // nothing to be weighed yet
+        QVERIFY(window.named("Use this weight") == nullptr); // nothing to be weighed yet
         bench.wait_in_time([&] { return devices.weighing(); });
-        QTRY_VERIFY(window.named("The scale shows this") != nullptr);
+        QTRY_VERIFY(window.named("Use this weight") != nullptr);
         QCOMPARE(window.faulty_targets().join("; "), QString());
         QCOMPARE(PageWindow::tab_order(window), PageWindow::reading_order(window));
         bench.socket.hold();
@@ -128,7 +128,7 @@ private slots:
         QVERIFY(slider != nullptr);
         for (int i = 0; i < 8 && devices.weighing(); ++i) {
             slider->valueInterface()->setCurrentValue(5.0 * std::round(grams() / 5.0) + (i == 0 ? 5.0 : 0.0));
-            QVERIFY(window.press("The scale shows this"));
+            QVERIFY(window.press("Use this weight"));
             bench.wait_in_time([] { return false; }, 1.0);
         }
         QVERIFY(!devices.measuring());
@@ -167,7 +167,7 @@ private slots:
         QCOMPARE(window.faulty_targets().join("; "), QString());
 
         QVERIFY(window.press("Calibrate the device on this screen"));
-        QTRY_VERIFY(window.named("End the calibration") != nullptr);
+        QTRY_VERIFY(window.named("Cancel the calibration") != nullptr);
         QCOMPARE(window.faulty_targets().join("; "), QString());
         QVERIFY(window.named("Speed of speech: Fast") == nullptr);
         // A corner, with a finger: millimetres of the screen are the device's, wherever the window lies.

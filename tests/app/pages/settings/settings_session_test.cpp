@@ -11,7 +11,7 @@ private slots:
     void who_enters_is_told_and_who_leaves_chooses_no_folder_any_more() {
         SettingsBench bench;
         bench.session.enter();
-        QVERIFY(bench.said("Settings. Go through them by Tab"));
+        QVERIFY(bench.said("Settings. Go through them with Tab"));
         bench.session.storage()->addFolder();
         bench.session.leave();
         QVERIFY(!bench.session.storage()->choosing());

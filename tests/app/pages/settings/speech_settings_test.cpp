@@ -12,7 +12,23 @@ private slots:
         SpeechSettings speech(ground.steps);
         ground.try_each({[&] { speech.chooseVoice(1); }, [&] { speech.chooseRate(4); },
                          [&] { speech.chooseLanguage(3); }, [&] { speech.setPlaybackSpeed(1.5); },
-                         [&] { speech.setEarcons(false); }});
+                         [&] { speech.setEarcons(false); }, [&] { speech.chooseDescriptions(2); },
+                         [&] { speech.chooseDescribedFirst(1); }});
+    }
+    void descriptions_are_chosen_by_length_and_by_what_is_first() {
+        SettingGround ground;
+        SpeechSettings speech(ground.steps);
+        QCOMPARE(speech.descriptions(), 1);
+        speech.chooseDescriptions(0);
+        QVERIFY(ground.now().descriptions == Choices::Descriptions::none);
+        QCOMPARE(ground.last(), QString("Only what people wrote about a photograph is said."));
+        speech.chooseDescriptions(3);
+        speech.chooseDescriptions(-1);
+        QCOMPARE(speech.descriptions(), 0);
+        QCOMPARE(speech.describedFirst(), 0);
+        speech.chooseDescribedFirst(1);
+        QVERIFY(ground.now().place_first);
+        QCOMPARE(ground.last(), QString("Time and place come first."));
     }
     void the_new_language_is_said_by_its_own_name() {
         SettingGround ground;

@@ -42,7 +42,7 @@ private slots:
         QCOMPARE(bench.storage.folders(), QStringList(QDir(folder.path()).absolutePath()));
         bench.choose(folder.path());
         QCOMPARE(bench.storage.folders().size(), 1);
-        QCOMPARE(bench.last(), QString("The album has this folder already."));
+        QCOMPARE(bench.last(), QString("This folder is already in the album."));
         for (const int index : {-1, 99})
             bench.storage.removeFolder(index);
         bench.storage.removeFolder(0);
@@ -78,7 +78,7 @@ private slots:
         QVERIFY(bench.storage.stored().join('\n').contains(bench.calibrations));
         bench.storage.discardIndex();
         QCOMPARE(bench.discarded, 1);
-        QVERIFY(bench.last().contains("thrown away"));
+        QVERIFY(bench.last().contains("deleted when TouchPhoto ends"));
     }
 };
 

@@ -73,14 +73,14 @@ private slots:
         StartBench bench(std::vector<FoundDevice>{{"a force pad with the serial number TP-7", "TP-7"}});
         bench.answer_until(Question::user);
         QTRY_VERIFY(bench.last_said().contains(
-            "A force device was found: a force pad with the serial number TP-7. 1: Use it."));
+            "A force device was found: a force pad with the serial number TP-7. 1: Use this device."));
         bench.devices.clear();
         bench.questions().answer(1);
         QTRY_VERIFY(bench.last_said().contains("No force device was found"));
         QCOMPARE(bench.looked, 2);
         bench.devices = {{"a force pad", "TP-8"}};
         bench.questions().answer(1);
-        QTRY_VERIFY(bench.last_said().contains("a force pad. 1: Use it"));
+        QTRY_VERIFY(bench.last_said().contains("a force pad. 1: Use this device"));
         bench.questions().answer(0);
         QCOMPARE(bench.now().device, QString("TP-8"));
     }

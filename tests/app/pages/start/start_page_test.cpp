@@ -42,7 +42,7 @@ private slots:
         bench.session.enter();
         for (const char* answer :
              {"3: No, my screen reader speaks", "4: Fast", "1: Somebody who listens and feels",
-              "1: Go on without a device", "3: Ask me later"}) {
+              "1: Continue without a device", "3: Ask me later"}) {
             QTRY_VERIFY2(window.named(answer) != nullptr, answer);
             QCOMPARE(window.faulty_targets().join("; "), QString());
             QVERIFY(window.press(answer));
@@ -113,8 +113,8 @@ private slots:
         bench.answer_until(Question::device);
         QVERIFY(window.press("2: In another folder"));
         bench.questions().chooser()->begin_in("/");
-        QTRY_VERIFY(window.named("Take this folder") != nullptr);
-        QVERIFY(window.named("To the folder above, not available") != nullptr);
+        QTRY_VERIFY(window.named("Choose this folder") != nullptr);
+        QVERIFY(window.named("Up one folder, not available") != nullptr);
         QCOMPARE(window.faulty_targets().join("; "), QString());
         QTest::keyClick(&window, Qt::Key_Escape);
         QTRY_VERIFY(window.named("2: In another folder") != nullptr);

@@ -29,6 +29,41 @@ private slots:
         QVERIFY(bench.last_said().startsWith("Question 1 of 5."));
     }
 
+    void what_is_new_is_told_once_it_is_known_whole() {
+        StartBench bench;
+        bench.preferences.change([](Choices& choices) { choices.asked = true; });
+        StartSession session(bench.narrator, bench.preferences, [] { return std::vector<FoundDevice>(); });
+        session.enter();
+        session.know({}, false);
+        const auto sentences = bench.voice.said().size();
+        session.know({12, 3, 5}, true); // five of them are not looked at yet
+        QCOMPARE(bench.voice.said().size(), sentences);
+        QCOMPARE(session.news(), QString("12 new photograph(s), 3 with people."));
+        session.know({12, 9, 0}, true);
+        QCOMPARE(bench.last_said(), QString("12 new photograph(s), 9 with people."));
+        session.know({12, 9, 0}, false);
+        QCOMPARE(bench.voice.said().size(), sentences + 1);
+        session.repeat();
+        QVERIFY(
+            bench.last_said().startsWith("TouchPhoto, start page. 12 new photograph(s), 9 with people. 1: "));
+        session.leave();
+        session.know({13, 9, 0}, false); // nobody is here
+        QVERIFY(bench.last_said().startsWith("TouchPhoto, start page. 12 "));
+        session.enter();
+        QVERIFY(bench.last_said().startsWith("TouchPhoto, start page. 13 "));
+        session.know({}, false);
+        QCOMPARE(session.news(), QString());
+    }
+
+    void nobody_is_seen_where_nobody_looks() {
+        StartBench bench;
+        bench.preferences.change([](Choices& choices) { choices.asked = true; });
+        StartSession session(bench.narrator, bench.preferences, [] { return std::vector<FoundDevice>(); });
+        session.enter();
+        session.know({2, 0, 2}, false);
+        QCOMPARE(bench.last_said(), QString("2 new photograph(s)."));
+    }
+
     void the_two_main_things_depend_on_who_uses_it() {
         StartBench bench;
         bench.preferences.change([](Choices& choices) { choices.asked = true; });
@@ -43,7 +78,9 @@ private slots:
         session.go(1);
         QCOMPARE(asked.takeFirst().first().toString(), QString("browse"));
         QCOMPARE(asked.takeFirst().first().toString(), QString("explore"));
-        session.go(5); // not there yet
+        session.go(5);
+        QCOMPARE(asked.takeFirst().first().toString(), QString("capture"));
+        session.go(6); // not there yet
         QVERIFY(voice.said().back().contains("Not available yet"));
         session.go(77);
         QVERIFY(asked.isEmpty());

@@ -9,6 +9,7 @@
 #include <QPointingDevice>
 #include <QQuickItem>
 #include <QQuickView>
+#include <QRegularExpression>
 #include <QScopeGuard>
 #include <QStringList>
 #include <QTest>
@@ -336,6 +337,26 @@ private slots:
         QVERIFY(item(*view_, "toggle")->hasActiveFocus()); // the disabled one is passed over
         QTest::keyClick(view_.get(), Qt::Key_Tab);
         QVERIFY(item(*view_, "slider")->hasActiveFocus());
+    }
+
+    /// Wrapped words change their height while the control that they are in takes its own from it.
+    void no_height_hangs_on_itself_while_a_window_changes() {
+        QTest::failOnWarning(QRegularExpression(".*"));
+        view_ = std::make_unique<QQuickView>(
+            QUrl::fromLocalFile(tp::test::in_source("tests/app/parts/controls/Resized.qml")));
+        view_->show();
+        QObject* theme = property("theme").value<QObject*>();
+        const QScopeGuard usual([theme] { theme->setProperty("textScale", 1.0); });
+        int completed = 0;
+        for (int i = 1; i <= 400; ++i) {
+            view_->rootObject()->setProperty("shown", i % 7 != 0);
+            view_->rootObject()->setWidth(150 + i * 37 % 500);
+            if (i % 5 == 0)
+                theme->setProperty("textScale", 1.0 + 0.6 * (i % 3));
+            QTest::qWait(3);
+            completed += property("complete").toBool() ? 1 : 0;
+        }
+        QVERIFY2(completed > 100, qPrintable(QString::number(completed)));
     }
 
 private:

@@ -27,10 +27,11 @@ private slots:
         QSignalSpy chosen(&chooser, &FolderChooser::chosen);
         chooser.begin_in(folder.filePath("family"));
         QCOMPARE(chooser.below(), QStringList({"2026", "Älter"}));
-        QCOMPARE(voice_.said().back(), QString("Folder family: no photographs in this folder itself, 2 folder(s) below it."));
+        QCOMPARE(voice_.said().back(),
+                 QString("Folder family: no photographs in this folder itself, 2 subfolder(s)."));
         chooser.goInto(0);
         QCOMPARE(chooser.folder(), folder.filePath("family/2026"));
-        QVERIFY(voice_.said().back().contains("4 photograph(s) in this folder itself, no folders below it"));
+        QVERIFY(voice_.said().back().contains("4 photograph(s) in this folder itself, no subfolders"));
         chooser.goInto(0);
         chooser.goInto(-1);
         QCOMPARE(chooser.folder(), folder.filePath("family/2026"));

@@ -28,6 +28,8 @@ Choices unusual() {
     choices.earcons = false;
     choices.guide = Choices::Guide::clock_voice;
     choices.max_force_n = 0.3;
+    choices.shutter_by_itself = false;
+    choices.keep_moment = choices.capture_told = true;
     choices.playback_speed = 1.5;
     choices.brows = choices.nose = choices.irises = true;
     choices.folders = {"/photos/Familie Müller", "/사진"};
@@ -118,7 +120,7 @@ private slots:
         QVERIFY(in_the_way.open(QIODevice::WriteOnly));
         Preferences preferences(in(folder, "file/preferences.json"));
         preferences.set(unusual());
-        QVERIFY(preferences.keep().startsWith("Your settings could not be kept: "));
+        QVERIFY(preferences.keep().startsWith("Your settings could not be saved: "));
         QCOMPARE(preferences.choices(), unusual());
     }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The album's index at 100, 10 000 and 100 000 photographs: album_bench [FOLDER [COUNT…]]. Albums are drawn
+// The album's index at 100, 10 000 and 100 000 photographs, at last with two faces grouped on each: album_bench
+// [FOLDER [COUNT…]]. Albums are drawn
 // in FOLDER (default: a temporary one) and kept there for the next time. Scan and questions of each size run
 // in processes of their own, so that memory is that one's alone; the last columns are ratios of neighbouring
 // sizes.
+#include "app/album/grouping/group_worker.hpp"
 #include "app/album/index/album_queries.hpp"
 #include "app/album/index/album_scan.hpp"
+#include "app/album/index/seen_photos.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "known_faces.hpp"
 #include "synthetic_album.hpp"
 
 #include <QCoreApplication>
@@ -134,6 +138,53 @@ Figures page_figures(const fs::path& folder, std::size_t count) {
     return figures;
 }
 
+/// Two faces a photograph, of as many people as there are photographs of each.
+void add_faces(AlbumIndex& index, std::size_t count) {
+    std::vector<std::string> hashes;
+    {
+        SqlRun run =
+            index.connection().run("SELECT DISTINCT lower(hex(hash)) FROM photos WHERE hash IS NOT NULL");
+        while (run.next())
+            hashes.push_back(run.text(0));
+    }
+    const int people = static_cast<int>(std::sqrt(static_cast<double>(count)));
+    SeenPhotos seen(index, 1, true);
+    unsigned next_face = 0;
+    for (const std::string& hash : hashes) {
+        Looked looked;
+        looked.seen.width = looked.seen.height = 100;
+        for (std::size_t place = 0; place < 2; ++place) {
+            SeenFace face;
+            face.part = place_of_face(place);
+            looked.seen.faces.push_back(face);
+            looked.marks.push_back(
+                {NoGuess::none, numbers_of(static_cast<int>(next_face) % people, next_face)});
+            next_face += place == 0 ? static_cast<unsigned>(people) + 1 : 2;
+        }
+        if (!seen.put(hash, looked).empty())
+            std::exit(1);
+    }
+}
+
+Figures face_figures(const fs::path& folder, std::size_t count) {
+    Figures figures;
+    const fs::path cache = folder / ("cache" + std::to_string(count));
+    {
+        auto index = AlbumIndex::open(cache);
+        add_faces(*index, count);
+        const double begin = cpu_ms();
+        GroupWorker worker(*index);
+        while (worker.group(1000).more) {
+        }
+        figures.emplace_back("two faces a photograph grouped, CPU ms", cpu_ms() - begin);
+    }
+    const auto begin = Clock::now();
+    auto index = AlbumIndex::open(cache);
+    benchmark::DoNotOptimize(AlbumQueries(*index).page(AllByTime{}, {}, 50));
+    figures.emplace_back("then open and first page, ms", ms_since(begin));
+    return figures;
+}
+
 void print(const Figures& figures) {
     for (const auto& [name, value] : figures)
         std::printf("%s\t%.6f\n", name.c_str(), value);
@@ -177,7 +228,9 @@ int main(int argc, char** argv) {
     const QCoreApplication application(argc, argv);
     const QStringList arguments = application.arguments();
     if (argc == 4 && arguments[1].startsWith("--")) {
-        const auto figures = arguments[1] == "--scan" ? scan_figures : page_figures;
+        const auto figures = arguments[1] == "--scan"    ? scan_figures
+                             : arguments[1] == "--pages" ? page_figures
+                                                         : face_figures;
         print(figures(argv[2], std::stoul(argv[3])));
         return 0;
     }
@@ -189,8 +242,9 @@ int main(int argc, char** argv) {
     std::vector<Figures> columns;
     for (const std::string& size : sizes) {
         columns.push_back(of_process({"--scan", folder, QString::fromStdString(size)}));
-        for (auto& figure : of_process({"--pages", folder, QString::fromStdString(size)}))
-            columns.back().push_back(std::move(figure));
+        for (const char* const what : {"--pages", "--faces"})
+            for (auto& figure : of_process({what, folder, QString::fromStdString(size)}))
+                columns.back().push_back(std::move(figure));
     }
     print_table(sizes, columns);
 }

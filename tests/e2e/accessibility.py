@@ -59,7 +59,7 @@ def check(page, listener):
     page.press("Tour of the face")
     listener.await_words("Tour of the face: ")
     page.press("Stop")
-    page.press("Guide: Sonar")
+    page.press("Guide: Beeps")
     print("pressed: Zoom in, Zoom out, Tour of the face, a guide")
 
     slider.currentValue = 0.5

@@ -40,8 +40,11 @@ class Album:
     def photo(self, name):
         return os.path.join(self.folder, name)
 
+    def show(self, photo):
+        return json.loads(self.run("show", "--json", self.photo(photo)))
+
     def tags(self, photo):
-        return json.loads(self.run("show", "--json", photo))["tags"]
+        return self.show(photo)["tags"]
 
 
 def preferences(folder, **choices):

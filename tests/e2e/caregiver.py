@@ -30,12 +30,12 @@ class Caregiver:
     def imports_a_folder(self):
         self.page.await_name(desk.SAID + "TouchPhoto, start page. 1: Look after the album.…")
         self.page.keys("1")
-        self.hears("Care for the album.")
+        self.hears("Look after the album.")
         self.page.press("Import a folder…")
         self.hears("Folder ")
         self.page.press("Card…", self.page.atspi.ROLE_LIST_ITEM)
         self.hears("Folder Card: 2 photographs in this folder itself")
-        self.page.press("Take this folder")
+        self.page.press("Choose this folder")
         self.hears("2 photographs imported.")
 
     def names_two_people(self):
@@ -59,7 +59,7 @@ class Caregiver:
         sound = tone(os.path.join(self.folder, "memo.wav"), 500, 3.0)
         subprocess.run(["paplay", "-d", "mouth", sound], check=True)
         self.page.press("Finish the recording")
-        self.hears("It is saved.")
+        self.hears("Saved.")
         tags = self.album.tags(self.photo)
         assert len(tags) == 1 and tags[0]["duration_s"] >= 3.0, tags
 
@@ -84,7 +84,7 @@ class Caregiver:
         assert len(self.album.tags(self.photo)) == 1
 
     def mends_a_contour(self):
-        self.page.press("Mend the contours…")
+        self.page.press("Mend contours…")
         self.hears("ben_and_clara.jpg")
         self.page.await_name("Mend contours", self.page.atspi.ROLE_HEADING)
         self.page.await_name("Undo…")
@@ -101,8 +101,8 @@ class Caregiver:
     def prints_a_sheet(self):
         self.page.press("Print a tactile sheet…")
         self.hears("Print ben_and_clara.jpg on 210 by 297 millimetres.")
-        self.page.press("Store as PDF")
-        self.hears("The sheet is stored as ")
+        self.page.press("Save as PDF")
+        self.hears("The sheet is saved as ")
         sheets = glob.glob(os.path.join(self.folder, "Documents", "TouchPhoto", "*.pdf"))
         assert len(sheets) == 1, sheets
         page = subprocess.run(["pdfinfo", sheets[0]], capture_output=True, text=True, check=True).stdout

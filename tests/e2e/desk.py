@@ -12,7 +12,7 @@ import time
 INNER = "TOUCHPHOTO_E2E_INNER"
 STATUS = "TOUCHPHOTO_E2E_STATUS"  # a file for the verdict
 LAUNCHER = "/usr/libexec/at-spi-bus-launcher"
-SAID = "Said last: "
+SAID = "Last sentence: "
 PATIENCE = 60.0  # s; how long a thing may take on a busy machine, asserted nowhere
 
 
@@ -142,8 +142,8 @@ class Page:
                 continue
         return None
 
-    def await_name(self, name, role=None):
-        end = time.monotonic() + PATIENCE
+    def await_name(self, name, role=None, patience=PATIENCE):
+        end = time.monotonic() + patience
         while time.monotonic() < end:
             node = self.find(name, role)
             if node is not None:

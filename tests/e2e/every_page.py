@@ -18,7 +18,7 @@ from album import Album, preferences
 LANGUAGES = ("en", "de", "ko")
 WIDE, TALL = (1280, 800), (800, 1280)
 SMALLEST = 48  # px, a caregiver's target; DESIGN.md, section 10
-BY_NUMBER = {"browse": "1", "explore": "2", "care": "3", "settings": "4", "lab": "5"}  # of the start page
+BY_NUMBER = {"browse": "1", "explore": "2", "care": "3", "settings": "4", "lab": "5", "capture": "6"}  # of the start page
 MOST_STOPS = 400  # of Tab on one page; more is no way round
 
 
@@ -224,7 +224,7 @@ def walk(program, album, folder, focus, language, text_scale):
                                   album_folders=[album.folder], last_photo=album.photos[0])
         environment["QT_QUICK_BACKEND"] = "software"  # where no GPU is, OpenGL's pictures cost most of the time, and nobody looks
         with open(complaints, "w", encoding="utf-8") as file:
-            running = subprocess.Popen([program, "--page", first, "--size", "x".join(map(str, WIDE))], env=environment, stderr=file)
+            running = subprocess.Popen([program, "--page", first, "--camera", "simulated:" + album.photos[0], "--size", "x".join(map(str, WIDE))], env=environment, stderr=file)
         try:
             walker = Walker(running, desk.Page(), focus)
             for name in names:

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""A tablet at rest rests: on every page where nothing is felt the program hardly wakes up, also after a face was felt and
-the lab has run. Prints for each page how often its threads wake up and which share of a core they take, and which do.
+"""A tablet at rest rests: on every page where nothing is felt the program hardly wakes up, with a face on it too once the
+hand has gone, also after one was felt and the lab has run. Prints for each page how often its threads wake up and which share of a core they take, and which do.
 
 rest.py PROGRAM LAB PHOTOS...    ends in 77 where something that it needs is missing
 """
@@ -81,8 +81,24 @@ def visit(program, environment, first, then):
         running.wait(timeout=20)
 
 
+def point(x, y):
+    subprocess.run(["xdotool", "mousemove", str(int(x)), str(int(y))], check=True)
+
+
+def felt(process):
+    """Somebody is there: the servo ticks."""
+    desk.awaited(lambda: window(process)[0] > MOST_WAKE_UPS * 10)
+
+
 def after_a_face_was_felt(process, page):
-    page.await_name("left eye")
+    eye = page.await_name("left eye")
+    point(0, 0)  # off the picture
+    resting(process, "explore")
+    place = eye.queryComponent().getExtents(page.atspi.DESKTOP_COORDS)
+    point(place.x + place.width / 2, place.y + place.height / 2)
+    felt(process)
+    point(0, 0)
+    resting(process, "explore, after a hand")
     go(page, "lab")
     for name in PAGES:
         go(page, name)

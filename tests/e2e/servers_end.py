@@ -48,7 +48,7 @@ class Caregiver:
 
     def finishes(self):
         self.page.press("Finish the recording")
-        self.listener.await_words("It is saved.")
+        self.listener.await_words("Saved.")
 
     def hears_it_speak(self):
         """The last sentence again."""

@@ -2,6 +2,188 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AimWords</name>
+    <message>
+        <source>Nobody is seen. Turn slowly to the left.</source>
+        <translation>Niemand ist zu sehen. Drehen Sie sich langsam nach links.</translation>
+    </message>
+    <message>
+        <source>Nobody is seen. Turn slowly to the right.</source>
+        <translation>Niemand ist zu sehen. Drehen Sie sich langsam nach rechts.</translation>
+    </message>
+    <message>
+        <source>Nobody is seen. Tilt slowly up.</source>
+        <translation>Niemand ist zu sehen. Neigen Sie langsam nach oben.</translation>
+    </message>
+    <message>
+        <source>Nobody is seen. Tilt slowly down.</source>
+        <translation>Niemand ist zu sehen. Neigen Sie langsam nach unten.</translation>
+    </message>
+    <message>
+        <source>a little left</source>
+        <translation>etwas nach links</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>far left</source>
+        <translation>weit nach links</translation>
+    </message>
+    <message>
+        <source>a little right</source>
+        <translation>etwas nach rechts</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>far right</source>
+        <translation>weit nach rechts</translation>
+    </message>
+    <message>
+        <source>a little up</source>
+        <translation>etwas nach oben</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>far up</source>
+        <translation>weit nach oben</translation>
+    </message>
+    <message>
+        <source>a little down</source>
+        <translation>etwas nach unten</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>far down</source>
+        <translation>weit nach unten</translation>
+    </message>
+    <message>
+        <source>a little closer</source>
+        <translation>etwas näher</translation>
+    </message>
+    <message>
+        <source>closer</source>
+        <translation>näher</translation>
+    </message>
+    <message>
+        <source>much closer</source>
+        <translation>viel näher</translation>
+    </message>
+    <message>
+        <source>a little back</source>
+        <translation>etwas zurück</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>zurück</translation>
+    </message>
+    <message>
+        <source>far back</source>
+        <translation>weit zurück</translation>
+    </message>
+    <message>
+        <source>a little clockwise</source>
+        <translation>etwas im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>far clockwise</source>
+        <translation>weit im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>a little anticlockwise</source>
+        <translation>etwas gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>anticlockwise</source>
+        <translation>gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>far anticlockwise</source>
+        <translation>weit gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Too dark. More light on the face.</source>
+        <translation>Zu dunkel. Mehr Licht aufs Gesicht.</translation>
+    </message>
+    <message>
+        <source>The light is behind them.</source>
+        <translation>Das Licht ist dahinter.</translation>
+    </message>
+    <message>
+        <source>Keep still.</source>
+        <translation>Ruhig halten.</translation>
+    </message>
+    <message>
+        <source>Eyes are shut.</source>
+        <translation>Augen sind zu.</translation>
+    </message>
+    <message>
+        <source>Good. Hold still.</source>
+        <translation>Gut. Stillhalten.</translation>
+    </message>
+    <message>
+        <source>Move the tablet: %1.</source>
+        <translation>Bewegen Sie das Tablet: %1.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s).</source>
+        <translation>
+            <numerusform>%n Gesicht.</numerusform>
+            <numerusform>%n Gesichter.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut off at the left edge.</source>
+        <translation>Am linken Rand abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Cut off at the right edge.</source>
+        <translation>Am rechten Rand abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Cut off at the upper edge.</source>
+        <translation>Am oberen Rand abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Cut off at the lower edge.</source>
+        <translation>Am unteren Rand abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>One face in the middle</source>
+        <translation>Ein Gesicht in der Mitte</translation>
+    </message>
+    <message>
+        <source>One face by thirds</source>
+        <translation>Ein Gesicht im Drittel</translation>
+    </message>
+    <message>
+        <source>Head and shoulders</source>
+        <translation>Kopf und Schultern</translation>
+    </message>
+    <message>
+        <source>Everybody in</source>
+        <translation>Alle im Bild</translation>
+    </message>
+</context>
+<context>
     <name>BrowseButtons</name>
     <message>
         <source>Choose folders</source>
@@ -9,7 +191,7 @@
     </message>
     <message>
         <source>On the settings page</source>
-        <translation>Auf der Seite Einstellungen</translation>
+        <translation>Auf der Seite „Einstellungen“</translation>
     </message>
     <message>
         <source>Import photographs</source>
@@ -24,8 +206,8 @@
         <translation>Aufnahmen abspielen</translation>
     </message>
     <message>
-        <source>On the detail of a recording: that one alone. Key: Return</source>
-        <translation>Bei der Einzelheit einer Aufnahme: nur diese. Taste: Eingabetaste</translation>
+        <source>On the detail of a recording: only that one. Key: Enter</source>
+        <translation>Auf dem Detail einer Aufnahme: nur diese. Taste: Eingabetaste</translation>
     </message>
     <message>
         <source>Previous</source>
@@ -45,7 +227,7 @@
     </message>
     <message>
         <source>Previous detail</source>
-        <translation>Vorige Einzelheit</translation>
+        <translation>Vorheriges Detail</translation>
     </message>
     <message>
         <source>Key: up arrow</source>
@@ -53,7 +235,7 @@
     </message>
     <message>
         <source>Next detail</source>
-        <translation>Nächste Einzelheit</translation>
+        <translation>Nächstes Detail</translation>
     </message>
     <message>
         <source>People, recordings, descriptions, place and time. Key: down arrow</source>
@@ -61,7 +243,7 @@
     </message>
     <message>
         <source>Feel the face</source>
-        <translation>Das Gesicht fühlen</translation>
+        <translation>Gesicht fühlen</translation>
     </message>
     <message>
         <source>Key: E</source>
@@ -73,7 +255,7 @@
     </message>
     <message>
         <source>To the previous list. Key: Backspace</source>
-        <translation>Zur vorigen Liste. Taste: Rücktaste</translation>
+        <translation>Zur vorherigen Liste. Taste: Rücktaste</translation>
     </message>
     <message>
         <source>All photographs</source>
@@ -93,11 +275,11 @@
     </message>
     <message>
         <source>Surprise me</source>
-        <translation>Überraschung</translation>
+        <translation>Überraschen lassen</translation>
     </message>
     <message>
-        <source>Any photograph. Key: R</source>
-        <translation>Irgendein Foto. Taste: R</translation>
+        <source>A random photograph. Key: R</source>
+        <translation>Ein zufälliges Foto. Taste: R</translation>
     </message>
     <message>
         <source>People</source>
@@ -157,7 +339,7 @@
     </message>
     <message>
         <source>Look after it</source>
-        <translation>Pflegen</translation>
+        <translation>Foto pflegen</translation>
     </message>
     <message>
         <source>Names, recordings and descriptions of this photograph. Key: C</source>
@@ -170,8 +352,8 @@
         <source>Left, Right: photograph · Up, Down: details · Enter: recordings · Escape: stop · +, −: speed
 Home, End: first, last · S: search · P: people · Y: years · L: places · K: keywords · R: surprise
 A: all · Backspace: back · E: feel the face · C: look after it · W: where am I · H: keys</source>
-        <translation>Links, Rechts: Foto · Auf, Ab: Einzelheiten · Eingabetaste: Aufnahmen · Escape: anhalten · +, −: Tempo
-Pos1, Ende: erstes, letztes · S: suchen · P: Personen · Y: Jahre · L: Orte · K: Stichwörter · R: Überraschung
+        <translation>Links, Rechts: Foto · Auf, Ab: Details · Eingabetaste: Aufnahmen · Escape: anhalten · +, −: Tempo
+Pos1, Ende: erstes, letztes · S: suchen · P: Personen · Y: Jahre · L: Orte · K: Stichwörter · R: überraschen
 A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo bin ich · H: Tasten</translation>
     </message>
 </context>
@@ -182,8 +364,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>End the calibration</source>
-        <translation>Kalibrierung beenden</translation>
+        <source>Cancel the calibration</source>
+        <translation>Kalibrierung abbrechen</translation>
     </message>
     <message>
         <source>Nothing is changed. Key: Escape</source>
@@ -191,10 +373,152 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>CapturePanel</name>
+    <message>
+        <source>What to do</source>
+        <translation>Was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Import photographs</source>
+        <translation>Fotos importieren</translation>
+    </message>
+    <message>
+        <source>Of another camera, into your album. Key: I</source>
+        <translation>Von einer anderen Kamera in Ihr Album. Taste: I</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>Key: R</source>
+        <translation>Taste: R</translation>
+    </message>
+    <message>
+        <source>What is seen?</source>
+        <translation>Was ist zu sehen?</translation>
+    </message>
+    <message>
+        <source>Says who is in the picture and what to do. Key: W</source>
+        <translation>Sagt, wer im Bild ist und was zu tun ist. Taste: W</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Take it by itself when all is well</source>
+        <translation>Von selbst aufnehmen, wenn alles stimmt</translation>
+    </message>
+    <message>
+        <source>Back camera</source>
+        <translation>Rückkamera</translation>
+    </message>
+    <message>
+        <source>Front camera</source>
+        <translation>Frontkamera</translation>
+    </message>
+    <message>
+        <source>Key: C</source>
+        <translation>Taste: C</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Point the camera at somebody and do what is said. A tone says where to move the camera: faster is nearer, high is up, and it comes from the side to move to. It rises when all is well.</source>
+        <translation>Richten Sie die Kamera auf jemanden und tun Sie, was gesagt wird. Ein Ton sagt, wohin die Kamera soll: schneller heißt näher, hoch heißt nach oben, und er kommt von der Seite, zu der sie soll. Er steigt, wenn alles stimmt.</translation>
+    </message>
+    <message>
+        <source>This camera is simulated. Arrow keys turn it, Page up and Page down move it closer and back, Shift with left and right tilts it.</source>
+        <translation>Diese Kamera ist simuliert. Die Pfeiltasten drehen sie, Bild auf und Bild ab bewegen sie näher und zurück, Umschalt mit links und rechts neigt sie.</translation>
+    </message>
+    <message>
+        <source>Last photograph</source>
+        <translation>Letztes Foto</translation>
+    </message>
+    <message>
+        <source>Take the photograph</source>
+        <translation>Foto aufnehmen</translation>
+    </message>
+    <message>
+        <source>Also by a touch on the camera view. Key: Space</source>
+        <translation>Auch durch Berühren des Kamerabilds. Taste: Leertaste</translation>
+    </message>
+    <message>
+        <source>Finish the memo</source>
+        <translation>Memo beenden</translation>
+    </message>
+    <message>
+        <source>Speak a memo</source>
+        <translation>Memo sprechen</translation>
+    </message>
+    <message>
+        <source>For the photograph that was taken last. Key: M</source>
+        <translation>Für das zuletzt aufgenommene Foto. Taste: M</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Deletes the photograph again. Key: Control+Z</source>
+        <translation>Löscht das Foto wieder. Taste: Strg+Z</translation>
+    </message>
+    <message>
+        <source>Next of the burst</source>
+        <translation>Nächstes der Serie</translation>
+    </message>
+    <message>
+        <source>Looks through what was seen round the shutter. Key: N; back: P</source>
+        <translation>Geht durch, was um die Aufnahme herum zu sehen war. Taste: N; zurück: P</translation>
+    </message>
+    <message>
+        <source>Keep this one too</source>
+        <translation>Dieses auch behalten</translation>
+    </message>
+    <message>
+        <source>Key: K</source>
+        <translation>Taste: K</translation>
+    </message>
+    <message>
+        <source>Space, or a touch on the camera view: take the photograph. Then M: speak a memo, and M again to finish it. N, P: look through the other frames; K: keep one. Control+Z: undo.</source>
+        <translation>Leertaste oder das Kamerabild berühren: Foto aufnehmen. Dann M: ein Memo sprechen, und noch einmal M beendet es. N, P: die anderen Bilder der Serie durchgehen; K: eines behalten. Strg+Z: rückgängig.</translation>
+    </message>
+    <message>
+        <source>Keep the sound of the moment</source>
+        <translation>Den Klang des Augenblicks behalten</translation>
+    </message>
+    <message>
+        <source>The microphone is on.</source>
+        <translation>Das Mikrofon ist an.</translation>
+    </message>
+    <message>
+        <source>1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it by itself or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence.</source>
+        <translation>1 bis 4: Ziel: ein Gesicht in der Mitte, eines im Drittel, Kopf und Schultern, alle. W: was zu sehen ist. S: von selbst aufnehmen oder nicht. A: mit dem Klang des Augenblicks oder ohne. C: andere Kamera. L: Licht. Escape: Ruhe.</translation>
+    </message>
+</context>
+<context>
+    <name>CaptureSurface</name>
+    <message>
+        <source>Camera view</source>
+        <translation>Kamerabild</translation>
+    </message>
+    <message>
+        <source>The camera is starting.</source>
+        <translation>Die Kamera startet.</translation>
+    </message>
+</context>
+<context>
     <name>CarePage</name>
     <message>
-        <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z undoes the last step, Control Shift Z redoes it. Escape stops what plays, and ends a recording and keeps it.</source>
-        <translation>Tab geht von Bedienelement zu Bedienelement, die Pfeiltasten gehen von Foto zu Foto, die Eingabetaste öffnet eines. Strg Z nimmt den letzten Schritt zurück, Strg Umschalt Z wiederholt ihn. Escape hält an, was gerade spielt; eine laufende Aufnahme wird beendet und behalten.</translation>
+        <source>Tab moves from control to control, the arrow keys from photograph to photograph, Enter opens one. Control+Z undoes the last step, Control+Shift+Z redoes it. Escape stops playback; it also ends a recording and keeps it.</source>
+        <translation>Mit Tab gehen Sie von Bedienelement zu Bedienelement, mit den Pfeiltasten von Foto zu Foto, die Eingabetaste öffnet eines. Strg+Z macht den letzten Schritt rückgängig, Strg+Umschalt+Z wiederholt ihn. Escape hält die Wiedergabe an; eine laufende Aufnahme wird beendet und behalten.</translation>
+    </message>
+    <message>
+        <source>Each row is a person. Tab moves from control to control, the arrow keys from row to row, Enter opens one. Type who it is, or press Y where a name is offered. On a face, Delete says that it is somebody else&apos;s. Control+Z undoes the last step. Escape leads back.</source>
+        <translation>Jede Zeile ist eine Person. Mit Tab gehen Sie von Bedienelement zu Bedienelement, mit den Pfeiltasten von Zeile zu Zeile, die Eingabetaste öffnet eine. Geben Sie ein, wer das ist, oder drücken Sie Y, wenn ein Name angeboten wird. Auf einem Gesicht sagt Entf, dass es jemand anderes ist. Strg+Z macht den letzten Schritt rückgängig. Escape führt zurück.</translation>
     </message>
 </context>
 <context>
@@ -216,8 +540,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Geschichte</translation>
     </message>
     <message>
-        <source>Sounds around</source>
-        <translation>Geräusche ringsum</translation>
+        <source>Background sounds</source>
+        <translation>Umgebungsgeräusche</translation>
     </message>
     <message>
         <source>%1, about %2</source>
@@ -259,7 +583,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Import wurde vor dem ersten Foto angehalten.</translation>
     </message>
     <message>
-        <source>There is no photograph among what was chosen.</source>
+        <source>There is no photograph in what you chose.</source>
         <translation>In der Auswahl ist kein Foto.</translation>
     </message>
     <message numerus="yes">
@@ -270,10 +594,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them there already</source>
+        <source>%n of them already in the album</source>
         <translation>
-            <numerusform>%n davon schon da</numerusform>
-            <numerusform>%n davon schon da</numerusform>
+            <numerusform>%n davon schon im Album</numerusform>
+            <numerusform>%n davon schon im Album</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -288,8 +612,81 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1 The import was stopped; it can go on later.</source>
-        <translation>%1 Der Import wurde angehalten; er kann später weitergehen.</translation>
+        <source>%1 The import was stopped; you can continue it later.</source>
+        <translation>%1 Der Import wurde angehalten; Sie können ihn später fortsetzen.</translation>
+    </message>
+    <message>
+        <source>Who is this?</source>
+        <translation>Wer ist das?</translation>
+    </message>
+    <message>
+        <source>Who is this? Perhaps %1.</source>
+        <translation>Wer ist das? Vielleicht %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s)</source>
+        <translation>
+            <numerusform>%n Foto</numerusform>
+            <numerusform>%n Fotos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to confirm</source>
+        <translation>
+            <numerusform>%n zu bestätigen</numerusform>
+            <numerusform>%n zu bestätigen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody was seen on two photographs yet.</source>
+        <translation>Noch niemand ist auf zwei Fotos zu sehen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) without a name.</source>
+        <translation>
+            <numerusform>%n Person ohne Namen.</numerusform>
+            <numerusform>%n Personen ohne Namen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everybody here has a name.</source>
+        <translation>Hier haben alle einen Namen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s) still to be looked at.</source>
+        <translation>
+            <numerusform>%n Foto ist noch durchzusehen.</numerusform>
+            <numerusform>%n Fotos sind noch durchzusehen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) on one photograph only.</source>
+        <translation>
+            <numerusform>%n Gesicht auf nur einem Foto.</numerusform>
+            <numerusform>%n Gesichter auf nur je einem Foto.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) too small, blurred, turned or covered to be compared.</source>
+        <translation>
+            <numerusform>%n Gesicht ist für einen Vergleich zu klein, unscharf, abgewandt oder verdeckt.</numerusform>
+            <numerusform>%n Gesichter sind für einen Vergleich zu klein, unscharf, abgewandt oder verdeckt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, to confirm</source>
+        <translation>%1, zu bestätigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) to confirm.</source>
+        <translation>
+            <numerusform>%n Gesicht ist zu bestätigen.</numerusform>
+            <numerusform>%n Gesichter sind zu bestätigen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -303,15 +700,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>In einem Satz (%1)</translation>
     </message>
     <message>
-        <source>%1 characters; a screen reader reads up to 250 in one piece.</source>
-        <translation>%1 Zeichen; ein Screenreader liest bis zu 250 in einem Stück.</translation>
+        <source>%1 characters; a screen reader reads up to 250 at once.</source>
+        <translation>%1 Zeichen; ein Screenreader liest bis zu 250 auf einmal.</translation>
     </message>
     <message>
         <source>%1 of 250 characters</source>
         <translation>%1 von 250 Zeichen</translation>
     </message>
     <message>
-        <source>In more words (%1)</source>
+        <source>In more detail (%1)</source>
         <translation>Ausführlicher (%1)</translation>
     </message>
     <message>
@@ -320,15 +717,27 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Save the description</source>
-        <translation>Die Beschreibung speichern</translation>
+        <translation>Beschreibung speichern</translation>
     </message>
     <message>
         <source>The description is saved</source>
         <translation>Die Beschreibung ist gespeichert</translation>
     </message>
     <message>
-        <source>It is saved too when a field is left.</source>
+        <source>It is also saved when you leave a field.</source>
         <translation>Sie wird auch gespeichert, wenn Sie ein Feld verlassen.</translation>
+    </message>
+    <message>
+        <source>Suggested: %1</source>
+        <translation>Vorschlag: %1</translation>
+    </message>
+    <message>
+        <source>Use the suggestion</source>
+        <translation>Vorschlag übernehmen</translation>
+    </message>
+    <message>
+        <source>It becomes the description in one sentence, which you can change.</source>
+        <translation>Der Vorschlag wird zur Beschreibung in einem Satz; Sie können sie ändern.</translation>
     </message>
 </context>
 <context>
@@ -375,11 +784,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>FaceTargets</name>
     <message>
-        <source>Fits this face into the surface</source>
+        <source>Fits this face into the touch surface</source>
         <translation>Passt dieses Gesicht in die Tastfläche ein</translation>
     </message>
     <message>
-        <source>Sets the finger down there</source>
+        <source>Puts the finger there</source>
         <translation>Setzt den Finger dorthin</translation>
     </message>
 </context>
@@ -390,8 +799,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Gesichter</translation>
     </message>
     <message>
-        <source>Press to name it</source>
-        <translation>Drücken, um einen Namen zu geben</translation>
+        <source>Press to name this face</source>
+        <translation>Drücken, um dieses Gesicht zu benennen</translation>
     </message>
     <message>
         <source>Who is face %1?</source>
@@ -410,12 +819,20 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Lässt das Gesicht, wie es ist.</translation>
     </message>
     <message>
-        <source>Its name is read as</source>
-        <translation>Der Name wird gelesen als</translation>
+        <source>Language of the name</source>
+        <translation>Sprache des Namens</translation>
     </message>
     <message>
-        <source>As the page</source>
+        <source>Same as the page</source>
         <translation>Wie die Seite</translation>
+    </message>
+    <message>
+        <source>Yes, %1</source>
+        <translation>Ja, %1</translation>
+    </message>
+    <message>
+        <source>Key: Y</source>
+        <translation>Taste: Y</translation>
     </message>
 </context>
 <context>
@@ -428,23 +845,73 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>FolderChooserView</name>
     <message>
-        <source>Take this folder</source>
-        <translation>Diesen Ordner wählen</translation>
+        <source>Choose this folder</source>
+        <translation>Diesen Ordner auswählen</translation>
     </message>
     <message>
-        <source>To the folder above</source>
+        <source>Up one folder</source>
         <translation>Zum übergeordneten Ordner</translation>
     </message>
     <message>
-        <source>Do not choose a folder</source>
-        <translation>Keinen Ordner auswählen</translation>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>GroupListPane</name>
+    <message>
+        <source>Back to the photographs</source>
+        <translation>Zurück zu den Fotos</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+</context>
+<context>
+    <name>GroupPane</name>
+    <message>
+        <source>Back to the people</source>
+        <translation>Zurück zu den Personen</translation>
+    </message>
+    <message>
+        <source>Yes, this is %1</source>
+        <translation>Ja, das ist %1</translation>
+    </message>
+    <message>
+        <source>Names all of these faces. Key: Y</source>
+        <translation>Benennt alle diese Gesichter. Taste: Y</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Gesichter</translation>
+    </message>
+    <message>
+        <source>Not this person</source>
+        <translation>Nicht diese Person</translation>
+    </message>
+    <message>
+        <source>For the face that was chosen below. Key: Delete</source>
+        <translation>Für das Gesicht, das unten ausgewählt ist. Taste: Entf</translation>
+    </message>
+    <message>
+        <source>Open the photograph</source>
+        <translation>Foto öffnen</translation>
+    </message>
+    <message>
+        <source>Choose somebody to say who it is.</source>
+        <translation>Wählen Sie jemanden aus, um zu sagen, wer das ist.</translation>
     </message>
 </context>
 <context>
     <name>ImportPart</name>
     <message>
         <source>Stop the import</source>
-        <translation>Den Import anhalten</translation>
+        <translation>Import anhalten</translation>
     </message>
     <message>
         <source>Import photographs…</source>
@@ -456,10 +923,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Import a folder…</source>
-        <translation>Einen Ordner importieren…</translation>
+        <translation>Ordner importieren…</translation>
     </message>
     <message>
-        <source>Into</source>
+        <source>Import into</source>
         <translation>Ziel</translation>
     </message>
     <message>
@@ -468,15 +935,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Continue the unfinished import</source>
-        <translation>Den unfertigen Import fortsetzen</translation>
+        <translation>Unfertigen Import fortsetzen</translation>
     </message>
     <message>
-        <source>Give up the unfinished import</source>
-        <translation>Den unfertigen Import aufgeben</translation>
+        <source>Discard the unfinished import</source>
+        <translation>Unfertigen Import verwerfen</translation>
     </message>
     <message>
-        <source>What it brought stays.</source>
-        <translation>Was er gebracht hat, bleibt.</translation>
+        <source>What was imported stays.</source>
+        <translation>Was schon importiert ist, bleibt.</translation>
     </message>
 </context>
 <context>
@@ -491,7 +958,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. N, Shift+N: next and previous photograph with a face. Enter: force on. Escape: stop. V: voice. O: open.</source>
-        <translation>Pfeiltasten, mit Umschalt schneller: die Hand bewegen. Tab: nächstes Merkmal. W: wo bin ich. Z, Umschalt+Z: vergrößern und verkleinern. Leertaste: Rundgang um das Merkmal. T: Rundgang durch das Gesicht. G: Führung. F: nächstes Gesicht. N, Umschalt+N: nächstes und voriges Foto mit einem Gesicht. Eingabetaste: Kraft ein. Escape: anhalten. V: Stimme. O: öffnen.</translation>
+        <translation>Pfeiltasten, mit Umschalt schneller: die Hand bewegen. Tab: nächstes Merkmal. W: wo bin ich. Z, Umschalt+Z: vergrößern und verkleinern. Leertaste: Rundgang um das Merkmal. T: Rundgang durch das Gesicht. G: Führung. F: nächstes Gesicht. N, Umschalt+N: nächstes und vorheriges Foto mit einem Gesicht. Eingabetaste: Kraft ein. Escape: anhalten. V: Stimme. O: öffnen.</translation>
     </message>
 </context>
 <context>
@@ -505,8 +972,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Szene</translation>
     </message>
     <message>
-        <source>Open a photograph…</source>
-        <translation>Ein Foto öffnen…</translation>
+        <source>Open photograph…</source>
+        <translation>Foto öffnen…</translation>
     </message>
     <message>
         <source>Key: O. One can be dropped on the page too</source>
@@ -546,7 +1013,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Strongest force</source>
-        <translation>Größte Kraft</translation>
+        <translation>Maximale Kraft</translation>
     </message>
     <message>
         <source>Damping across a line</source>
@@ -566,7 +1033,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Look for devices again</source>
-        <translation>Geräte erneut suchen</translation>
+        <translation>Erneut nach Geräten suchen</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -601,7 +1068,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Fehler des simulierten Geräts</translation>
     </message>
     <message>
-        <source>Readings that do not come</source>
+        <source>Missing readings</source>
         <translation>Ausbleibende Messwerte</translation>
     </message>
     <message>
@@ -609,16 +1076,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Gar keine Messwerte</translation>
     </message>
     <message>
-        <source>Takes no force</source>
+        <source>Accepts no force</source>
         <translation>Nimmt keine Kraft an</translation>
     </message>
     <message>
-        <source>Motors off by themselves</source>
+        <source>Motors switch themselves off</source>
         <translation>Motoren schalten sich selbst ab</translation>
     </message>
     <message>
         <source>Unplugged</source>
-        <translation>Ausgesteckt</translation>
+        <translation>Abgezogen</translation>
     </message>
     <message>
         <source>Hang for 200 milliseconds</source>
@@ -637,16 +1104,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Rückgängig: %1</translation>
     </message>
     <message>
-        <source>Key: Control Z</source>
-        <translation>Tasten: Strg Z</translation>
+        <source>Key: Control+Z</source>
+        <translation>Tasten: Strg+Z</translation>
     </message>
     <message>
-        <source>As they were at first</source>
-        <translation>Alles wie am Anfang</translation>
+        <source>Reset all parameters</source>
+        <translation>Alle Parameter zurücksetzen</translation>
     </message>
     <message>
-        <source>It can be undone</source>
-        <translation>Kann zurückgenommen werden</translation>
+        <source>Can be undone</source>
+        <translation>Kann rückgängig gemacht werden</translation>
     </message>
     <message>
         <source>Files</source>
@@ -657,8 +1124,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>In %1</translation>
     </message>
     <message>
-        <source>Write the plots as a table</source>
-        <translation>Die Diagramme als Tabelle schreiben</translation>
+        <source>Save the plots as a table</source>
+        <translation>Diagramme als Tabelle speichern</translation>
     </message>
     <message>
         <source>CSV, with the parameters as JSON beside it</source>
@@ -677,12 +1144,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Führung</translation>
     </message>
     <message>
-        <source>The strongest force of real devices</source>
-        <translation>Die größte Kraft echter Geräte</translation>
+        <source>Set the strongest force of real devices</source>
+        <translation>Maximale Kraft echter Geräte einstellen</translation>
     </message>
     <message>
-        <source>Goes to the settings</source>
-        <translation>Führt zu den Einstellungen</translation>
+        <source>Opens the settings</source>
+        <translation>Öffnet die Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -704,7 +1171,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <name>LabPage</name>
     <message>
         <source>Start the servo</source>
-        <translation>Den Servo starten</translation>
+        <translation>Servo starten</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -715,8 +1182,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Taste: Leertaste auf der Tastfläche; Escape hält an</translation>
     </message>
     <message>
-        <source>End the recording</source>
-        <translation>Die Aufnahme beenden</translation>
+        <source>Stop recording</source>
+        <translation>Aufnahme beenden</translation>
     </message>
     <message>
         <source>Record</source>
@@ -735,16 +1202,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Taste: W</translation>
     </message>
     <message>
-        <source>Read the plots</source>
-        <translation>Die Diagramme vorlesen</translation>
+        <source>Read out the plots</source>
+        <translation>Diagramme vorlesen</translation>
     </message>
     <message>
         <source>Key: P</source>
         <translation>Taste: P</translation>
     </message>
     <message>
-        <source>On the surface arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads the plots, O opens a photograph, Control Z undoes a change. Escape stops what runs.</source>
-        <translation>Auf der Tastfläche bewegen die Pfeiltasten die Hand, die Leertaste startet und stoppt den Servo. R nimmt auf, W sagt, wo der Finger ist, P liest die Diagramme vor, O öffnet ein Foto, Strg Z nimmt eine Änderung zurück. Escape hält an, was läuft.</translation>
+        <source>On the surface, arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads out the plots, O opens a photograph, Control+Z undoes a change. Escape stops whatever is running.</source>
+        <translation>Auf der Tastfläche bewegen die Pfeiltasten die Hand, die Leertaste startet und stoppt den Servo. R nimmt auf, W sagt, wo der Finger ist, P liest die Diagramme vor, O öffnet ein Foto, Strg+Z macht eine Änderung rückgängig. Escape hält an, was läuft.</translation>
     </message>
 </context>
 <context>
@@ -849,11 +1316,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Its parameters are not beside it, so it was not computed again.</source>
-        <translation>Die Parameter liegen nicht daneben, deshalb wurde sie nicht neu berechnet.</translation>
+        <translation>Ihre Parameter liegen nicht daneben, deshalb wurde sie nicht neu berechnet.</translation>
     </message>
     <message>
         <source>Its end was cut short and is left out.</source>
-        <translation>Das Ende war abgeschnitten und wird weggelassen.</translation>
+        <translation>Ihr Ende war abgeschnitten und wird weggelassen.</translation>
     </message>
 </context>
 <context>
@@ -863,19 +1330,19 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Art</translation>
     </message>
     <message>
-        <source>About whom</source>
+        <source>Who it is about</source>
         <translation>Über wen</translation>
     </message>
     <message>
         <source>About nobody in particular</source>
-        <translation>Über niemand Bestimmten</translation>
+        <translation>Über niemand Bestimmtes</translation>
     </message>
     <message>
         <source>Who speaks</source>
         <translation>Wer spricht</translation>
     </message>
     <message>
-        <source>Speaker not said</source>
+        <source>Speaker not given</source>
         <translation>Keine Angabe, wer spricht</translation>
     </message>
     <message>
@@ -887,7 +1354,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <name>MeasuringView</name>
     <message>
         <source>Measuring the stick</source>
-        <translation>Den Kraftstick messen</translation>
+        <translation>Kraftstick messen</translation>
     </message>
     <message>
         <source>Grams on the scale</source>
@@ -906,12 +1373,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 Gramm</translation>
     </message>
     <message>
-        <source>The scale shows this</source>
-        <translation>Das zeigt die Waage</translation>
+        <source>Use this weight</source>
+        <translation>Dieses Gewicht verwenden</translation>
     </message>
     <message>
-        <source>End the measurement</source>
-        <translation>Messung beenden</translation>
+        <source>Cancel the measurement</source>
+        <translation>Messung abbrechen</translation>
     </message>
     <message>
         <source>Nothing is changed. Key: Escape</source>
@@ -921,8 +1388,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>MendPage</name>
     <message>
-        <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z undoes the last step, Control S saves; leaving the page saves too.</source>
-        <translation>Tab geht von Punkt zu Punkt der Linien auf dem Foto, Bild auf und Bild ab von Merkmal zu Merkmal. Pfeiltasten verschieben einen Punkt um ein Pixel, mit Umschalt um zehn, mit Strg um ein Fünftel. A fügt einen Punkt hinzu, Entf entfernt ihn, C macht aus einer Ecke einen glatten Punkt. Strg Z nimmt den letzten Schritt zurück, Strg S speichert; auch beim Verlassen der Seite wird gespeichert.</translation>
+        <source>Tab goes from point to point of the photograph&apos;s lines, Page Up and Page Down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete deletes it, C turns a corner into a smooth point. Control+Z undoes the last step, Control+S saves; leaving the page saves too.</source>
+        <translation>Tab geht von Punkt zu Punkt der Linien auf dem Foto, Bild auf und Bild ab von Merkmal zu Merkmal. Pfeiltasten verschieben einen Punkt um ein Pixel, mit Umschalt um zehn, mit Strg um ein Fünftel. A fügt einen Punkt hinzu, Entf löscht ihn, C macht aus einer Ecke einen glatten Punkt. Strg+Z macht den letzten Schritt rückgängig, Strg+S speichert; auch beim Verlassen der Seite wird gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -952,12 +1419,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Merkmal</translation>
     </message>
     <message>
-        <source>In hand</source>
+        <source>Selected</source>
         <translation>Ausgewählt</translation>
     </message>
     <message>
-        <source>%1: not there</source>
-        <translation>%1: nicht da</translation>
+        <source>%1: missing</source>
+        <translation>%1: fehlt</translation>
     </message>
     <message>
         <source>%1 of the %2: %3</source>
@@ -965,7 +1432,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Previous point</source>
-        <translation>Voriger Punkt</translation>
+        <translation>Vorheriger Punkt</translation>
     </message>
     <message>
         <source>Key: Shift+Tab on the photograph</source>
@@ -1001,19 +1468,19 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Move the whole feature</source>
-        <translation>Das ganze Merkmal verschieben</translation>
+        <translation>Ganzes Merkmal verschieben</translation>
     </message>
     <message>
         <source>Add a point</source>
-        <translation>Einen Punkt hinzufügen</translation>
+        <translation>Punkt hinzufügen</translation>
     </message>
     <message>
-        <source>Behind the one in hand. Key: A. Or double-click beside a line</source>
+        <source>After the selected one. Key: A. Or double-click beside a line</source>
         <translation>Hinter dem ausgewählten. Taste: A. Oder Doppelklick neben eine Linie</translation>
     </message>
     <message>
         <source>Delete the point</source>
-        <translation>Den Punkt löschen</translation>
+        <translation>Punkt löschen</translation>
     </message>
     <message>
         <source>Key: Delete</source>
@@ -1032,36 +1499,36 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Taste: C</translation>
     </message>
     <message>
-        <source>As it was found</source>
-        <translation>Wie gefunden</translation>
+        <source>Reset the feature</source>
+        <translation>Merkmal zurücksetzen</translation>
     </message>
     <message>
-        <source>Undoes what was done to this feature alone</source>
-        <translation>Nimmt nur die Änderungen an diesem Merkmal zurück</translation>
+        <source>Undoes the changes to this feature only</source>
+        <translation>Macht nur die Änderungen an diesem Merkmal rückgängig</translation>
     </message>
     <message>
         <source>Remove the feature</source>
-        <translation>Das Merkmal entfernen</translation>
+        <translation>Merkmal entfernen</translation>
     </message>
     <message>
         <source>It will not be felt</source>
-        <translation>Es ist dann nicht zu fühlen</translation>
+        <translation>Es ist dann nicht mehr zu fühlen</translation>
     </message>
     <message>
         <source>Add the %1</source>
         <translation>Hinzufügen: %1</translation>
     </message>
     <message>
-        <source>Larger</source>
-        <translation>Größer</translation>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
     </message>
     <message>
         <source>Key: Plus</source>
         <translation>Taste: Plus</translation>
     </message>
     <message>
-        <source>Smaller</source>
-        <translation>Kleiner</translation>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
     </message>
     <message>
         <source>Key: Minus</source>
@@ -1085,11 +1552,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Show the force</source>
-        <translation>Die Kraft zeigen</translation>
+        <translation>Kraft zeigen</translation>
     </message>
     <message>
-        <source>What is felt</source>
-        <translation>Was zu fühlen ist</translation>
+        <source>Shows what is felt</source>
+        <translation>Zeigt, was zu fühlen ist</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -1101,10 +1568,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Add a face</source>
-        <translation>Ein Gesicht hinzufügen</translation>
+        <translation>Gesicht hinzufügen</translation>
     </message>
     <message>
-        <source>One of usual shape, to be put in place</source>
+        <source>One of the usual shape, for you to move into place</source>
         <translation>Eines in üblicher Form, zum Zurechtrücken</translation>
     </message>
     <message>
@@ -1112,11 +1579,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Alle Änderungen verwerfen</translation>
     </message>
     <message>
-        <source>The contours as they were opened. Can be undone</source>
+        <source>The contours as they were when opened. Can be undone</source>
         <translation>Die Konturen wie beim Öffnen. Kann rückgängig gemacht werden</translation>
     </message>
     <message>
-        <source>Keys on the photograph: Tab and Shift+Tab go from point to point; arrows move it by one pixel, with Shift by ten, with Control by a fifth; Page up and Page down change the feature; A adds a point, Delete deletes it, C turns a corner, M moves the whole feature, F shows the force, plus and minus zoom, 0 shows all, Z this feature, W says where one is.</source>
+        <source>Keys on the photograph: Tab and Shift+Tab go from point to point; arrow keys move it by one pixel, with Shift by ten, with Control by a fifth; Page Up and Page Down change the feature; A adds a point, Delete deletes it, C makes it a corner or smooth, M moves the whole feature, F shows the force, plus and minus zoom, 0 shows all, Z this feature, W says where you are.</source>
         <translation>Tasten auf dem Foto: Tab und Umschalt+Tab gehen von Punkt zu Punkt; die Pfeiltasten verschieben ihn um ein Pixel, mit Umschalt um zehn, mit Strg um ein Fünftel; Bild auf und Bild ab wechseln das Merkmal; A fügt einen Punkt hinzu, Entf löscht ihn, C macht ihn zur Ecke oder glatt, M verschiebt das ganze Merkmal, F zeigt die Kraft, Plus und Minus zoomen, 0 zeigt alles, Z dieses Merkmal, W sagt, wo Sie sind.</translation>
     </message>
 </context>
@@ -1127,7 +1594,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Konturen</translation>
     </message>
     <message>
-        <source>Tab goes from point to point. Arrow keys move it by one pixel of the photograph, with Shift by ten, with Control by a fifth. Page up and page down change the feature.</source>
+        <source>Tab goes from point to point. Arrow keys move it by one pixel of the photograph, with Shift by ten, with Control by a fifth. Page Up and Page Down change the feature.</source>
         <translation>Tab geht von Punkt zu Punkt. Die Pfeiltasten verschieben ihn um ein Pixel des Fotos, mit Umschalt um zehn, mit Strg um ein Fünftel. Bild auf und Bild ab wechseln das Merkmal.</translation>
     </message>
     <message>
@@ -1163,12 +1630,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Es fühlt sich an, wie das Programm es gefunden hat.</translation>
     </message>
     <message>
-        <source>A finger will not notice the difference to what the program found.</source>
-        <translation>Ein Finger wird den Unterschied zu dem, was das Programm gefunden hat, nicht bemerken.</translation>
+        <source>A finger will not notice the difference from what the program found.</source>
+        <translation>Ein Finger wird den Unterschied zur gefundenen Kontur nicht bemerken.</translation>
     </message>
     <message>
-        <source>A finger notices the difference to what the program found on %1 % of the surface; there the force differs by up to %2 N.</source>
-        <translation>Ein Finger bemerkt den Unterschied zu dem, was das Programm gefunden hat, auf %1 % der Fläche; dort weicht die Kraft um bis zu %2 N ab.</translation>
+        <source>A finger notices the difference from what the program found on %1 % of the surface; there the force differs by up to %2 N.</source>
+        <translation>Ein Finger bemerkt den Unterschied zur gefundenen Kontur auf %1 % der Fläche; dort weicht die Kraft um bis zu %2 N ab.</translation>
     </message>
 </context>
 <context>
@@ -1198,7 +1665,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>To the previous row. Key: up arrow</source>
-        <translation>Zur vorigen Zeile. Taste: Pfeil nach oben</translation>
+        <translation>Zur vorherigen Zeile. Taste: Pfeil nach oben</translation>
     </message>
     <message>
         <source>Down</source>
@@ -1213,16 +1680,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Auswählen</translation>
     </message>
     <message>
-        <source>The row that was told last. Key: Return</source>
-        <translation>Die zuletzt genannte Zeile. Taste: Eingabetaste</translation>
+        <source>The row read out last. Key: Enter</source>
+        <translation>Die zuletzt vorgelesene Zeile. Taste: Eingabetaste</translation>
     </message>
     <message>
-        <source>Letters to spell with</source>
-        <translation>Buchstaben zum Buchstabieren</translation>
+        <source>Letters to type with</source>
+        <translation>Buchstabenfeld</translation>
     </message>
     <message>
-        <source>Take the last letter back</source>
-        <translation>Letzten Buchstaben zurücknehmen</translation>
+        <source>Delete the last letter</source>
+        <translation>Letzten Buchstaben löschen</translation>
     </message>
 </context>
 <context>
@@ -1259,19 +1726,27 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Auffällige zuerst</translation>
     </message>
     <message numerus="yes">
-        <source>Looking at faces, %n photograph(s) left…</source>
+        <source>Checking faces, %n photograph(s) left…</source>
         <translation>
             <numerusform>Gesichter werden geprüft, noch %n Foto…</numerusform>
             <numerusform>Gesichter werden geprüft, noch %n Fotos…</numerusform>
         </translation>
     </message>
     <message>
-        <source>No photograph is in the album yet.</source>
-        <translation>Noch ist kein Foto im Album.</translation>
+        <source>There are no photographs in the album yet.</source>
+        <translation>Im Album sind noch keine Fotos.</translation>
     </message>
     <message>
-        <source>The album has no folder yet. You are asked for one when you import.</source>
+        <source>The album has no folder yet. You will be asked for one when you import.</source>
         <translation>Das Album hat noch keinen Ordner. Beim Importieren werden Sie nach einem gefragt.</translation>
+    </message>
+    <message>
+        <source>People…</source>
+        <translation>Personen …</translation>
+    </message>
+    <message>
+        <source>Says once who somebody is, for all photographs.</source>
+        <translation>Einmal sagen, wer jemand ist, für alle Fotos.</translation>
     </message>
 </context>
 <context>
@@ -1281,8 +1756,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Left and right arrow: other photographs. Up and down: what is known. Return: recordings.</source>
-        <translation>Pfeil links und rechts: andere Fotos. Nach oben und unten: was bekannt ist. Eingabetaste: Aufnahmen.</translation>
+        <source>Left and right arrow: other photographs. Up and down: details. Enter: recordings.</source>
+        <translation>Pfeil links und rechts: andere Fotos. Auf und ab: Details. Eingabetaste: Aufnahmen.</translation>
     </message>
     <message>
         <source>Back to the photographs</source>
@@ -1293,23 +1768,23 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Foto</translation>
     </message>
     <message>
-        <source>Mend the contours…</source>
-        <translation>Die Konturen korrigieren…</translation>
+        <source>Mend contours…</source>
+        <translation>Konturen korrigieren…</translation>
     </message>
     <message>
         <source>Print a tactile sheet…</source>
-        <translation>Ein Tastblatt drucken…</translation>
+        <translation>Tastblatt drucken…</translation>
     </message>
     <message>
         <source>Delete the photograph</source>
-        <translation>Das Foto löschen</translation>
+        <translation>Foto löschen</translation>
     </message>
     <message>
-        <source>With everything that is its own. Undo brings it back.</source>
+        <source>With everything that belongs to it. Undo brings it back.</source>
         <translation>Mit allem, was dazugehört. „Rückgängig“ bringt es zurück.</translation>
     </message>
     <message>
-        <source>Choose a photograph to care for it.</source>
+        <source>Choose a photograph to look after it.</source>
         <translation>Wählen Sie ein Foto aus, um es zu pflegen.</translation>
     </message>
 </context>
@@ -1422,8 +1897,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Geschichte von %1</translation>
     </message>
     <message>
-        <source>sounds around the camera</source>
-        <translation>Geräusche rund um die Kamera</translation>
+        <source>background sounds</source>
+        <translation>Umgebungsgeräusche</translation>
     </message>
     <message numerus="yes">
         <source>%n hour(s)</source>
@@ -1456,6 +1931,22 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <comment>a day and a time</comment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>No recordings yet.</source>
+        <translation>Noch keine Aufnahmen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s).</source>
+        <translation>
+            <numerusform>%n Aufnahme.</numerusform>
+            <numerusform>%n Aufnahmen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>two sentences</comment>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>PhotosDialog</name>
@@ -1475,7 +1966,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>PrintPage</name>
     <message>
-        <source>Choose the paper and the face, then store the sheet as PDF for a printer or as SVG for a drawing program. Swell paper and embossers raise its black lines and dots.</source>
+        <source>Choose the paper and the face, then save the sheet as PDF for a printer or as SVG for a drawing program. Swell paper and embossers raise its black lines and dots.</source>
         <translation>Wählen Sie Papier und Gesicht; speichern Sie das Tastblatt dann als PDF für einen Drucker oder als SVG für ein Zeichenprogramm. Schwellpapier und Punktschriftdrucker lassen die schwarzen Linien und Punkte hervortreten.</translation>
     </message>
     <message>
@@ -1499,23 +1990,23 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Papier</translation>
     </message>
     <message>
-        <source>Turned by a quarter</source>
-        <translation>Um ein Viertel gedreht</translation>
+        <source>Turn by 90 degrees</source>
+        <translation>Um 90 Grad drehen</translation>
     </message>
     <message>
         <source>Who</source>
         <translation>Wer</translation>
     </message>
     <message>
-        <source>Its name in print</source>
+        <source>Name in print</source>
         <translation>Name in Schwarzschrift</translation>
     </message>
     <message>
-        <source>Store as PDF</source>
+        <source>Save as PDF</source>
         <translation>Als PDF speichern</translation>
     </message>
     <message>
-        <source>Store as SVG</source>
+        <source>Save as SVG</source>
         <translation>Als SVG speichern</translation>
     </message>
 </context>
@@ -1526,11 +2017,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Aufnahmen</translation>
     </message>
     <message>
-        <source>No recording yet.</source>
-        <translation>Noch keine Aufnahme.</translation>
+        <source>No recordings yet.</source>
+        <translation>Noch keine Aufnahmen.</translation>
     </message>
     <message>
-        <source>Chosen: %1</source>
+        <source>Selected: %1</source>
         <translation>Ausgewählt: %1</translation>
     </message>
     <message>
@@ -1567,7 +2058,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Close the label</source>
-        <translation>Die Angaben schließen</translation>
+        <translation>Angaben schließen</translation>
     </message>
     <message>
         <source>Label…</source>
@@ -1579,7 +2070,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Delete the recording</source>
-        <translation>Die Aufnahme löschen</translation>
+        <translation>Aufnahme löschen</translation>
     </message>
     <message>
         <source>Undo brings it back.</source>
@@ -1617,8 +2108,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>„%1“ kann nicht zurückgebracht werden, weil jetzt eine andere Datei an der Stelle liegt. Verschieben Sie zuerst diese.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be taken in: %2</source>
-        <translation>„%1“ kann nicht aufgenommen werden: %2</translation>
+        <source>&quot;%1&quot; cannot be added: %2</source>
+        <translation>„%1“ kann nicht hinzugefügt werden: %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be trimmed: %2</source>
@@ -1657,12 +2148,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>„%1“ ist nicht im Album „%2“.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is there already, so nothing was moved.</source>
-        <translation>„%1“ ist schon da, deshalb wurde nichts verschoben.</translation>
+        <source>&quot;%1&quot; already exists, so nothing was moved.</source>
+        <translation>„%1“ gibt es schon, deshalb wurde nichts verschoben.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is there, so it stays on the list.</source>
-        <translation>„%1“ ist da und bleibt deshalb auf der Liste.</translation>
+        <source>&quot;%1&quot; exists, so it stays on the list.</source>
+        <translation>„%1“ gibt es und bleibt deshalb auf der Liste.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was not deleted, because it is not in the album &quot;%2&quot;.</source>
@@ -1706,14 +2197,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>%1 is being made.</source>
-        <translation>%1 entsteht gerade.</translation>
+        <translation>%1 wird gerade angelegt.</translation>
     </message>
     <message>
         <source>%1 is moved by its style, which is not understood; give it a transform attribute instead.</source>
         <translation>%1 wird durch seinen Stil verschoben; das wird nicht verstanden. Geben Sie stattdessen ein transform-Attribut an.</translation>
     </message>
     <message>
-        <source>%1 is not from %2 to %3.</source>
+        <source>%1 is not between %2 and %3.</source>
         <translation>%1 liegt nicht zwischen %2 und %3.</translation>
     </message>
     <message>
@@ -1761,15 +2252,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
-        <translation>Ein Motor des Kraftpads zog zu viel Strom. Sehen Sie nach, ob etwas den Knopf blockiert.</translation>
+        <source>A motor of the force pad took too much current. Check that nothing blocks the knob.</source>
+        <translation>Ein Motor des Kraftpads zog zu viel Strom. Prüfen Sie, ob etwas den Knopf blockiert.</translation>
     </message>
     <message>
         <source>A person needs a name before it can be recorded.</source>
         <translation>Eine Person braucht einen Namen, bevor er aufgenommen werden kann.</translation>
     </message>
     <message>
-        <source>A person needs a name, and another one than before.</source>
+        <source>A person needs a name, and a different one than before.</source>
         <translation>Eine Person braucht einen Namen, und einen anderen als bisher.</translation>
     </message>
     <message>
@@ -1777,7 +2268,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Bild und Tastfläche brauchen beide eine Breite und eine Höhe über null.</translation>
     </message>
     <message>
-        <source>A recording is listed as %1, which is no file name; it is left out.</source>
+        <source>A recording is listed as %1, which is not a file name; it is left out.</source>
         <translation>Eine Aufnahme ist als %1 aufgeführt, was kein Dateiname ist; sie wird ausgelassen.</translation>
     </message>
     <message>
@@ -1790,15 +2281,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Another driver of the system holds the %1 and does not let go of it. Unplug the device, unload that driver and plug the device in again.</source>
-        <translation>Ein anderer Treiber des Systems belegt dieses Gerät und gibt es nicht frei: %1. Ziehen Sie das Gerät ab, entladen Sie den Treiber und stecken Sie das Gerät wieder an.</translation>
+        <translation>Ein anderer Treiber des Systems belegt dieses Gerät und gibt es nicht frei: %1. Ziehen Sie das Gerät ab, entladen Sie den Treiber und schließen Sie das Gerät wieder an.</translation>
     </message>
     <message>
         <source>Another driver of the system holds the %1. Unplug the device and plug it in again; if that does not help, its kernel must have the hidraw driver.</source>
-        <translation>Ein anderer Treiber des Systems belegt dieses Gerät: %1. Ziehen Sie das Gerät ab und stecken Sie es wieder an; hilft das nicht, braucht der Systemkern den Treiber hidraw.</translation>
+        <translation>Ein anderer Treiber des Systems belegt dieses Gerät: %1. Ziehen Sie das Gerät ab und schließen Sie es wieder an; hilft das nicht, braucht der Systemkern den Treiber hidraw.</translation>
     </message>
     <message>
-        <source>Another program is at work on &quot;%1&quot;; try again.</source>
-        <translation>Ein anderes Programm arbeitet an „%1“; versuchen Sie es noch einmal.</translation>
+        <source>Another program is using &quot;%1&quot;; try again.</source>
+        <translation>Ein anderes Programm benutzt gerade „%1“; versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>Another program uses the %1. Close that program and try again.</source>
@@ -1810,11 +2301,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Hysteresis and blending are two answers to the same jump; choose one of them.</source>
-        <translation>Hysterese und Überblenden sind zwei Antworten auf denselben Sprung; wählen Sie eine davon.</translation>
+        <translation>Hysterese und Überblendung sind zwei Antworten auf denselben Sprung; wählen Sie eine davon.</translation>
     </message>
     <message>
         <source>Hysteresis, blending and corner cue belong to the exact law, not to the published one.</source>
-        <translation>Hysterese, Überblenden und Eckenhinweis gehören zum exakten Gesetz, nicht zum veröffentlichten.</translation>
+        <translation>Hysterese, Überblendung und Eckenhinweis gehören zum exakten Führungsgesetz, nicht zum veröffentlichten.</translation>
     </message>
     <message>
         <source>It is damaged; only the first %1 of %2 could be read.</source>
@@ -1826,10 +2317,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>No face was found in this picture.</source>
-        <translation>In diesem Bild wurde kein Gesicht gefunden.</translation>
+        <translation>Auf diesem Bild wurde kein Gesicht gefunden.</translation>
     </message>
     <message>
-        <source>Nothing was deleted, because the trash cannot be made: %1</source>
+        <source>Nothing was deleted, because the trash cannot be created: %1</source>
         <translation>Es wurde nichts gelöscht, weil der Papierkorb nicht angelegt werden kann: %1</translation>
     </message>
     <message>
@@ -1845,7 +2336,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Es wurde nichts genannt, was gelöscht werden könnte.</translation>
     </message>
     <message>
-        <source>Pictures other than JPEG need the library %1 (Debian: libopencv-imgcodecs406), which is not here: install it or save the picture as JPEG.</source>
+        <source>Pictures other than JPEG need the library %1 (Debian: libopencv-imgcodecs406), which is not installed: install it or save the picture as JPEG.</source>
         <translation>Andere Bilder als JPEG brauchen die Bibliothek %1 (Debian: libopencv-imgcodecs406), die hier fehlt: Installieren Sie sie, oder speichern Sie das Bild als JPEG.</translation>
     </message>
     <message>
@@ -1862,7 +2353,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The %1 could not be opened. Unplug it, plug it in again and try once more.</source>
-        <translation>Dieses Gerät konnte nicht geöffnet werden: %1. Ziehen Sie es ab, stecken Sie es wieder an und versuchen Sie es noch einmal.</translation>
+        <translation>Dieses Gerät konnte nicht geöffnet werden: %1. Ziehen Sie es ab, schließen Sie es wieder an und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The %1 file is damaged.</source>
@@ -1882,7 +2373,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The %1 was unplugged. Plug it in again.</source>
-        <translation>Dieses Gerät wurde abgezogen: %1. Stecken Sie es wieder an.</translation>
+        <translation>Dieses Gerät wurde abgezogen: %1. Schließen Sie es wieder an.</translation>
     </message>
     <message>
         <source>The %1 without an id</source>
@@ -1909,15 +2400,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die WebP-Datei ist abgeschnitten: Ein Teil des Bildes fehlt.</translation>
     </message>
     <message>
-        <source>The album&apos;s index %1; it was set aside as &quot;%2&quot; and is made anew. The photographs are not touched by this.</source>
-        <translation>Der Index des Albums %1; er wurde als „%2“ beiseitegelegt und wird neu angelegt. Die Fotos bleiben davon unberührt.</translation>
+        <source>The album&apos;s index %1; it was set aside as &quot;%2&quot; and is rebuilt. The photographs are not affected.</source>
+        <translation>Der Index des Albums %1; er wurde als „%2“ beiseitegelegt und wird neu aufgebaut. Die Fotos bleiben davon unberührt.</translation>
     </message>
     <message>
-        <source>The album&apos;s index cannot be kept in &quot;%1&quot;; it is held in memory and made anew at every start: %2</source>
-        <translation>Der Index des Albums kann nicht in „%1“ gehalten werden; er liegt im Arbeitsspeicher und wird bei jedem Start neu angelegt: %2</translation>
+        <source>The album&apos;s index cannot be kept in &quot;%1&quot;; it is held in memory and rebuilt at every start: %2</source>
+        <translation>Der Index des Albums kann nicht in „%1“ gehalten werden; er liegt im Arbeitsspeicher und wird bei jedem Start neu aufgebaut: %2</translation>
     </message>
     <message>
-        <source>The album&apos;s index cannot be made: %1.</source>
+        <source>The album&apos;s index cannot be created: %1.</source>
         <translation>Der Index des Albums kann nicht angelegt werden: %1.</translation>
     </message>
     <message>
@@ -1929,28 +2420,28 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Index des Albums kann nicht wachsen: Der Datenträger ist voll.</translation>
     </message>
     <message>
-        <source>The album&apos;s index is damaged; it is made anew when the album is opened next. The photographs are not touched by this.</source>
-        <translation>Der Index des Albums ist beschädigt; er wird neu angelegt, wenn das Album das nächste Mal geöffnet wird. Die Fotos bleiben davon unberührt.</translation>
+        <source>The album&apos;s index is damaged; it is rebuilt when the album is next opened. The photographs are not affected.</source>
+        <translation>Der Index des Albums ist beschädigt; er wird neu aufgebaut, wenn das Album das nächste Mal geöffnet wird. Die Fotos bleiben davon unberührt.</translation>
     </message>
     <message>
         <source>The braille table %1 was not found; names cannot be written in braille. Install the package liblouis-data.</source>
-        <translation>Die Brailletabelle %1 wurde nicht gefunden; Namen können nicht in Braille geschrieben werden. Installieren Sie das Paket liblouis-data.</translation>
+        <translation>Die Brailletabelle %1 wurde nicht gefunden; Namen können nicht in Punktschrift geschrieben werden. Installieren Sie das Paket liblouis-data.</translation>
     </message>
     <message>
         <source>The bundle &quot;%1&quot; cannot be used: %2</source>
-        <translation>Das Bündel „%1“ kann nicht verwendet werden: %2</translation>
+        <translation>Das Paket „%1“ kann nicht verwendet werden: %2</translation>
     </message>
     <message>
         <source>The bundle &quot;%1&quot; was not written: %2</source>
-        <translation>Das Bündel „%1“ wurde nicht geschrieben: %2</translation>
+        <translation>Das Paket „%1“ wurde nicht geschrieben: %2</translation>
     </message>
     <message>
         <source>The bundle cannot be unpacked, because &quot;%1&quot; is not empty.</source>
-        <translation>Das Bündel kann nicht ausgepackt werden, weil „%1“ nicht leer ist.</translation>
+        <translation>Das Paket kann nicht ausgepackt werden, weil „%1“ nicht leer ist.</translation>
     </message>
     <message>
         <source>The bundle cannot be unpacked: %1</source>
-        <translation>Das Bündel kann nicht ausgepackt werden: %1</translation>
+        <translation>Das Paket kann nicht ausgepackt werden: %1</translation>
     </message>
     <message>
         <source>The calibration misses its marks by %1 mm, more than the %2 mm allowed; touch them again.</source>
@@ -1977,12 +2468,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Gerät wurde abgeschaltet, weil es nicht mehr antwortet. Prüfen Sie sein Kabel und starten Sie es wieder.</translation>
     </message>
     <message>
-        <source>The device was switched off, because this computer stood still. Start it again when you are ready.</source>
-        <translation>Das Gerät wurde abgeschaltet, weil dieser Computer stillstand. Starten Sie es wieder, wenn Sie bereit sind.</translation>
+        <source>The device was switched off, because this computer stopped responding for a while. Start it again when you are ready.</source>
+        <translation>Das Gerät wurde abgeschaltet, weil dieser Computer eine Zeit lang nicht reagierte. Starten Sie es wieder, wenn Sie bereit sind.</translation>
     </message>
     <message>
-        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
-        <translation>Das Gerät mit der Kennung eines Kraftpads antwortet nicht wie ein Kraftpad. Ziehen Sie es ab und stecken Sie es wieder an; ist es kein Kraftpad, wählen Sie ein anderes Gerät.</translation>
+        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is not a force pad, choose another device.</source>
+        <translation>Das Gerät mit der Kennung eines Kraftpads antwortet nicht wie ein Kraftpad. Ziehen Sie es ab und schließen Sie es wieder an; ist es kein Kraftpad, wählen Sie ein anderes Gerät.</translation>
     </message>
     <message>
         <source>The drawing cannot be saved as &quot;%1&quot;: %2</source>
@@ -2073,7 +2564,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Datei „%1“ konnte nicht gelesen werden: Der Arbeitsspeicher reicht nicht.</translation>
     </message>
     <message>
-        <source>The file &quot;%1&quot; is called a photograph, but is none.</source>
+        <source>The file &quot;%1&quot; is named like a photograph, but is not one.</source>
         <translation>Die Datei „%1“ heißt wie ein Foto, ist aber keines.</translation>
     </message>
     <message>
@@ -2105,7 +2596,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Fingerabdruck des Fotos</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; cannot be made: %2</source>
+        <source>The folder &quot;%1&quot; cannot be created: %2</source>
         <translation>Der Ordner „%1“ kann nicht angelegt werden: %2</translation>
     </message>
     <message>
@@ -2113,12 +2604,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Ordner „%1“ kann nicht gelesen werden: %2</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; is not there.</source>
-        <translation>Der Ordner „%1“ ist nicht da.</translation>
+        <source>The folder &quot;%1&quot; is missing.</source>
+        <translation>Der Ordner „%1“ fehlt.</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; may not be opened by you.</source>
-        <translation>Den Ordner „%1“ dürfen Sie nicht öffnen.</translation>
+        <source>The folder &quot;%1&quot; cannot be opened: you are not allowed to.</source>
+        <translation>Sie dürfen den Ordner „%1“ nicht öffnen.</translation>
     </message>
     <message>
         <source>The force is off for a moment, because this computer was too busy to guide the finger.</source>
@@ -2141,16 +2632,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Kraft ist aus, weil der Finger sich zu schnell bewegt. Bewegen Sie ihn langsam, dann kommt sie zurück.</translation>
     </message>
     <message>
-        <source>The force pad %1 tells of itself what cannot be: %2. It needs another firmware.</source>
-        <translation>Das Kraftpad %1 sagt von sich, was nicht sein kann: %2. Es braucht eine andere Firmware.</translation>
+        <source>The force pad %1 reports values that cannot be right: %2. It needs different firmware.</source>
+        <translation>Das Kraftpad %1 meldet Werte, die nicht stimmen können: %2. Es braucht eine andere Firmware.</translation>
     </message>
     <message>
-        <source>The force pad could not be homed. See that it is plugged in, and try again.</source>
-        <translation>Der Nullpunkt des Kraftpads konnte nicht gesetzt werden. Sehen Sie nach, ob es angesteckt ist, und versuchen Sie es noch einmal.</translation>
+        <source>The force pad could not be homed. Check that it is plugged in, and try again.</source>
+        <translation>Der Nullpunkt des Kraftpads konnte nicht gesetzt werden. Prüfen Sie, ob es angeschlossen ist, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The force pad did not say which places it reaches. Unplug it and plug it in again.</source>
-        <translation>Das Kraftpad hat nicht gesagt, welche Stellen es erreicht. Ziehen Sie es ab und stecken Sie es wieder an.</translation>
+        <translation>Das Kraftpad hat nicht gesagt, welche Stellen es erreicht. Ziehen Sie es ab und schließen Sie es wieder an.</translation>
     </message>
     <message>
         <source>The force pad does not know where its knob is. Put the knob on its mark and home the pad.</source>
@@ -2205,11 +2696,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Liste des Gelöschten in „%1“ kann nicht gelesen werden; die Dateien sind noch da.</translation>
     </message>
     <message>
-        <source>The map between two frames cannot be turned round, because it flattens the plane to a line.</source>
+        <source>The map between two frames cannot be inverted, because it flattens the plane to a line.</source>
         <translation>Die Abbildung zwischen zwei Flächen kann nicht umgekehrt werden, weil sie die Ebene zu einer Linie plattdrückt.</translation>
     </message>
     <message>
-        <source>The mended contours &quot;%1&quot; cannot be taken away: %2</source>
+        <source>The mended contours &quot;%1&quot; cannot be removed: %2</source>
         <translation>Die korrigierten Konturen „%1“ können nicht entfernt werden: %2</translation>
     </message>
     <message>
@@ -2217,7 +2708,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die korrigierten Konturen können nicht als „%1“ gespeichert werden: %2</translation>
     </message>
     <message>
-        <source>The mended contours in %1 cannot be used, and the program&apos;s own are taken: %2</source>
+        <source>The mended contours in %1 cannot be used, so the program&apos;s own are used: %2</source>
         <translation>Die korrigierten Konturen in %1 können nicht verwendet werden, es gelten die des Programms: %2</translation>
     </message>
     <message>
@@ -2225,8 +2716,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die korrigierten Konturen in %1 können nicht verwendet werden: %2</translation>
     </message>
     <message>
-        <source>The name cannot be kept: %1</source>
-        <translation>Der Name kann nicht aufbewahrt werden: %1</translation>
+        <source>The name cannot be saved: %1</source>
+        <translation>Der Name kann nicht gespeichert werden: %1</translation>
     </message>
     <message>
         <source>The name of a face</source>
@@ -2253,8 +2744,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Foto „%1“ heißt jetzt „%2“, aber was dazugehört, blieb zurück: %3</translation>
     </message>
     <message>
-        <source>The photograph &quot;%1&quot; says more of itself than any program writes; it was not read.</source>
-        <translation>Das Foto „%1“ sagt mehr von sich, als ein Programm schreibt; es wurde nicht gelesen.</translation>
+        <source>The photograph &quot;%1&quot; holds more metadata than any program writes; it was not read.</source>
+        <translation>Das Foto „%1“ enthält mehr Metadaten, als ein Programm schreibt; es wurde nicht gelesen.</translation>
     </message>
     <message>
         <source>The photograph&apos;s EXIF is damaged.</source>
@@ -2273,12 +2764,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die XMP-Daten des Fotos sind beschädigt.</translation>
     </message>
     <message>
-        <source>The photograph&apos;s own metadata is damaged; what could be read of it counts.</source>
-        <translation>Die eigenen Angaben des Fotos sind beschädigt; es gilt, was davon gelesen werden konnte.</translation>
+        <source>The photograph&apos;s own metadata is damaged; what could be read of it is used.</source>
+        <translation>Die Metadaten des Fotos sind beschädigt; verwendet wird, was davon gelesen werden konnte.</translation>
     </message>
     <message>
         <source>The picture cannot be decoded.</source>
-        <translation>Das Bild kann nicht entschlüsselt werden.</translation>
+        <translation>Das Bild kann nicht decodiert werden.</translation>
     </message>
     <message>
         <source>The picture is empty.</source>
@@ -2309,7 +2800,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Stelle des Gesichts muss im Bild liegen, 0 bis 1 vom linken und oberen Rand.</translation>
     </message>
     <message>
-        <source>The position is no place on Earth and is left out.</source>
+        <source>The position is not a place on Earth and is left out.</source>
         <translation>Die Position ist kein Ort auf der Erde und wird ausgelassen.</translation>
     </message>
     <message>
@@ -2325,8 +2816,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Aufnahme „%1“ kann nicht zweimal aufgeführt werden.</translation>
     </message>
     <message>
-        <source>The recording &quot;%1&quot; cannot be listed: that is no name of a file that XML can hold.</source>
-        <translation>Die Aufnahme „%1“ kann nicht aufgeführt werden: Das ist kein Dateiname, den XML fassen kann.</translation>
+        <source>The recording &quot;%1&quot; cannot be listed: XML cannot hold such a file name.</source>
+        <translation>Die Aufnahme „%1“ kann nicht aufgeführt werden: XML kann so einen Dateinamen nicht fassen.</translation>
     </message>
     <message>
         <source>The recording &quot;%1&quot; cannot be played: %2</source>
@@ -2345,7 +2836,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Aufzeichnung %1 konnte nicht geschrieben werden. Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
-        <source>The recording %1 is listed twice; the first counts.</source>
+        <source>The recording %1 is listed twice; the first is used.</source>
         <translation>Die Aufnahme %1 ist zweimal aufgeführt; die erste gilt.</translation>
     </message>
     <message>
@@ -2389,12 +2880,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Ton von „%1“ ist nicht vollständig. %2</translation>
     </message>
     <message>
-        <source>The sound of the video &quot;%1&quot; does not come along: %2</source>
-        <translation>Der Ton des Videos „%1“ kommt nicht mit: %2</translation>
+        <source>The sound of the video &quot;%1&quot; is not imported: %2</source>
+        <translation>Der Ton des Videos „%1“ wird nicht importiert: %2</translation>
     </message>
     <message>
-        <source>The sound of the video in &quot;%1&quot; does not come along: %2</source>
-        <translation>Der Ton des Videos in „%1“ kommt nicht mit: %2</translation>
+        <source>The sound of the video in &quot;%1&quot; is not imported: %2</source>
+        <translation>Der Ton des Videos in „%1“ wird nicht importiert: %2</translation>
     </message>
     <message>
         <source>The speaker %1</source>
@@ -2402,7 +2893,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The system gives this program no thread to work on; close other programs.</source>
-        <translation>Das System gibt diesem Programm keinen Arbeitsfaden; schließen Sie andere Programme.</translation>
+        <translation>Das System stellt diesem Programm keinen Thread bereit; schließen Sie andere Programme.</translation>
     </message>
     <message>
         <source>The system watches only a part of the album&apos;s folders; changes by other programs in the others are noticed %1 seconds later.</source>
@@ -2426,19 +2917,19 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The widths of hysteresis and blending are from 0 to 5 mm.</source>
-        <translation>Die Breiten von Hysterese und Überblenden liegen zwischen 0 und 5 mm.</translation>
+        <translation>Die Breiten von Hysterese und Überblendung liegen zwischen 0 und 5 mm.</translation>
     </message>
     <message>
         <source>There is a file %1 already. Choose another name for the recording.</source>
         <translation>Es gibt schon eine Datei %1. Wählen Sie einen anderen Namen für die Aufzeichnung.</translation>
     </message>
     <message>
-        <source>There is no braille for the language &quot;%1&quot;; en, de and ko there is.</source>
-        <translation>Für die Sprache „%1“ gibt es keine Braille; es gibt en, de und ko.</translation>
+        <source>There is no braille for the language &quot;%1&quot;; there is for en, de and ko.</source>
+        <translation>Für die Sprache „%1“ gibt es keine Punktschrift; es gibt sie für en, de und ko.</translation>
     </message>
     <message>
-        <source>There is no device &quot;%1&quot; now. See that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
-        <translation>Das Gerät „%1“ gibt es jetzt nicht. Sehen Sie nach, ob es angesteckt ist; „touchphoto-lab devices“ zählt auf, was da ist.</translation>
+        <source>There is no device &quot;%1&quot; now. Check that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
+        <translation>Das Gerät „%1“ gibt es jetzt nicht. Prüfen Sie, ob es angeschlossen ist; „touchphoto-lab devices“ zählt auf, was da ist.</translation>
     </message>
     <message>
         <source>There is no face %1 in this picture; it has %2.</source>
@@ -2505,8 +2996,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das ist ein Ordner, kein Bild.</translation>
     </message>
     <message>
-        <source>This is no recording of a force device, or one of a later version of TouchPhoto.</source>
-        <translation>Das ist keine Aufzeichnung eines Kraftgeräts, oder eine von einer späteren Version von TouchPhoto.</translation>
+        <source>This is not a recording of a force device, or it is from a later version of TouchPhoto.</source>
+        <translation>Das ist keine Aufzeichnung eines Kraftgeräts, oder sie stammt von einer späteren Version von TouchPhoto.</translation>
     </message>
     <message>
         <source>This is not an SVG drawing: it begins with &lt;%1&gt; where &lt;svg&gt; is expected.</source>
@@ -2533,28 +3024,28 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Dieses Bild konnte nicht bearbeitet werden. Vielleicht ist es für diesen Computer zu groß.</translation>
     </message>
     <message>
-        <source>What another program wrote cannot be kept: %1</source>
-        <translation>Was ein anderes Programm geschrieben hat, kann nicht aufbewahrt werden: %1</translation>
+        <source>What another program wrote cannot be saved: %1</source>
+        <translation>Was ein anderes Programm geschrieben hat, kann nicht gespeichert werden: %1</translation>
     </message>
     <message>
         <source>What other programs wrote differs in: %1. The other version is in the copy.</source>
         <translation>Was andere Programme geschrieben haben, unterscheidet sich in: %1. Die andere Fassung ist in der Kopie.</translation>
     </message>
     <message>
-        <source>What the photograph &quot;%1&quot; says of itself cannot be read.</source>
-        <translation>Was das Foto „%1“ von sich sagt, kann nicht gelesen werden.</translation>
+        <source>The metadata of the photograph &quot;%1&quot; cannot be read.</source>
+        <translation>Die Metadaten des Fotos „%1“ können nicht gelesen werden.</translation>
     </message>
     <message>
         <source>Windows does not let this program use the %1. Unplug it and plug it in again; if that does not help, close other programs that use it.</source>
-        <translation>Windows lässt dieses Programm das Gerät nicht benutzen: %1. Ziehen Sie es ab und stecken Sie es wieder an; hilft das nicht, schließen Sie andere Programme, die es benutzen.</translation>
+        <translation>Windows lässt dieses Programm das Gerät nicht benutzen: %1. Ziehen Sie es ab und schließen Sie es wieder an; hilft das nicht, schließen Sie andere Programme, die es benutzen.</translation>
     </message>
     <message>
         <source>You are not allowed to read the photograph &quot;%1&quot;.</source>
         <translation>Sie dürfen das Foto „%1“ nicht lesen.</translation>
     </message>
     <message>
-        <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
-        <translation>Sie dürfen dieses Gerät noch nicht benutzen: %1. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie dann das Gerät ab und stecken Sie es wieder an.</translation>
+        <source>You are not allowed to use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
+        <translation>Sie dürfen dieses Gerät noch nicht benutzen: %1. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie dann das Gerät ab und schließen Sie es wieder an.</translation>
     </message>
     <message>
         <source>a face</source>
@@ -2581,8 +3072,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Eine Aufnahme ist mono oder stereo, mit 8000 bis 192000 Abtastwerten in der Sekunde.</translation>
     </message>
     <message>
-        <source>another program holds it.</source>
-        <translation>Ein anderes Programm hält sie fest.</translation>
+        <source>another program is using it.</source>
+        <translation>Ein anderes Programm benutzt sie.</translation>
     </message>
     <message>
         <source>another program is writing to it.</source>
@@ -2701,11 +3192,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Datei ist beschädigt und kann nicht bis zu ihrem Ende gelesen werden.</translation>
     </message>
     <message>
-        <source>it is damaged, or no sound file that can be read here.</source>
+        <source>it is damaged, or not a sound file that can be read here.</source>
         <translation>Die Datei ist beschädigt, oder keine Tondatei, die hier gelesen werden kann.</translation>
     </message>
     <message>
-        <source>it is damaged, or no video that can be read here.</source>
+        <source>it is damaged, or not a video that can be read here.</source>
         <translation>Die Datei ist beschädigt, oder kein Video, das hier gelesen werden kann.</translation>
     </message>
     <message>
@@ -2722,7 +3213,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>it is locked with a password.</source>
-        <translation>Es ist mit einem Passwort verschlossen.</translation>
+        <translation>Es ist mit einem Passwort geschützt.</translation>
     </message>
     <message>
         <source>it is longer than %1 hours, or claims to be.</source>
@@ -2745,11 +3236,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Datei ist tiefer verschachtelt, als ein Programm schreibt.</translation>
     </message>
     <message>
-        <source>it is no setup of the lab of version 1.</source>
-        <translation>Das ist keine Einstellung des Labors der Version 1.</translation>
+        <source>it is not a lab setup of version 1.</source>
+        <translation>Das ist keine Laboreinstellung der Version 1.</translation>
     </message>
     <message>
-        <source>it is no sound file that can be read here.</source>
+        <source>it is not a sound file that can be read here.</source>
         <translation>Das ist keine Tondatei, die hier gelesen werden kann.</translation>
     </message>
     <message>
@@ -2762,15 +3253,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>it is not a bundle, or it is damaged.</source>
-        <translation>Das ist kein Bündel, oder es ist beschädigt.</translation>
+        <translation>Das ist kein Paket, oder es ist beschädigt.</translation>
     </message>
     <message>
         <source>it is not a file.</source>
         <translation>Das ist keine Datei.</translation>
     </message>
     <message>
-        <source>it is not there.</source>
-        <translation>Die Datei ist nicht da.</translation>
+        <source>it does not exist.</source>
+        <translation>Die Datei gibt es nicht.</translation>
     </message>
     <message>
         <source>it is not whole XML.</source>
@@ -2778,7 +3269,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>it names a law that is unknown.</source>
-        <translation>Ein unbekanntes Gesetz ist genannt.</translation>
+        <translation>Ein unbekanntes Führungsgesetz ist genannt.</translation>
     </message>
     <message>
         <source>it reaches farther than two metres</source>
@@ -2821,12 +3312,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Kopf der Datei ist beschädigt.</translation>
     </message>
     <message>
-        <source>its largest force is none or above 20 newtons</source>
-        <translation>Seine größte Kraft ist null oder über 20 Newton</translation>
+        <source>its strongest force is zero or above 20 newtons</source>
+        <translation>Seine maximale Kraft ist null oder über 20 Newton</translation>
     </message>
     <message>
         <source>its letters are in an encoding that XMP does not allow.</source>
-        <translation>Die Buchstaben haben eine Kodierung, die XMP nicht erlaubt.</translation>
+        <translation>Der Text hat eine Kodierung, die XMP nicht erlaubt.</translation>
     </message>
     <message>
         <source>its name is too long.</source>
@@ -2837,8 +3328,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Sein Takt liegt unter 50 oder über 8000 Hertz</translation>
     </message>
     <message>
-        <source>its sample rate is none of a recording.</source>
-        <translation>Das ist keine Abtastrate einer Aufnahme.</translation>
+        <source>recordings do not have its sample rate.</source>
+        <translation>Aufnahmen haben keine solche Abtastrate.</translation>
     </message>
     <message>
         <source>its samples are not of 16 bit.</source>
@@ -2846,7 +3337,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>its sound cannot be decoded.</source>
-        <translation>Der Ton kann nicht entschlüsselt werden.</translation>
+        <translation>Der Ton kann nicht decodiert werden.</translation>
     </message>
     <message>
         <source>its sound has %1 channels; at most %2 can be read.</source>
@@ -2854,7 +3345,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>its sound is of a kind that cannot be decoded here (%1).</source>
-        <translation>Der Ton ist von einer Art, die hier nicht entschlüsselt werden kann (%1).</translation>
+        <translation>Der Ton ist von einer Art, die hier nicht decodiert werden kann (%1).</translation>
     </message>
     <message>
         <source>its texts are too long.</source>
@@ -2918,7 +3409,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>nothing of its sound can be decoded.</source>
-        <translation>Nichts von dem Ton kann entschlüsselt werden.</translation>
+        <translation>Nichts von dem Ton kann decodiert werden.</translation>
     </message>
     <message>
         <source>of the recording &quot;%1&quot;</source>
@@ -2929,8 +3420,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>des Gesichtsumrisses</translation>
     </message>
     <message>
-        <source>reading it needs the library %1 of FFmpeg (Debian: libavformat59), which is not here.</source>
-        <translation>Zum Lesen fehlt hier die Bibliothek %1 von FFmpeg (Debian: libavformat59).</translation>
+        <source>reading it needs the library %1 of FFmpeg (Debian: libavformat59), which is not installed.</source>
+        <translation>Zum Lesen fehlt die Bibliothek %1 von FFmpeg (Debian: libavformat59).</translation>
     </message>
     <message>
         <source>right and bottom edges</source>
@@ -2961,14 +3452,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der FLAC-Kodierer meldet einen Fehler.</translation>
     </message>
     <message>
-        <source>the ambient</source>
-        <translation>die Geräuschaufnahme</translation>
-    </message>
-    <message>
-        <source>the ambient about %1</source>
-        <translation>die Geräuschaufnahme über %1</translation>
-    </message>
-    <message>
         <source>the disk is full.</source>
         <translation>Der Datenträger ist voll.</translation>
     </message>
@@ -2995,22 +3478,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>the name of %1 was recorded</source>
         <translation>der Name von %1 wurde aufgenommen</translation>
-    </message>
-    <message>
-        <source>the person</source>
-        <translation>die Aufnahme, wer es ist</translation>
-    </message>
-    <message>
-        <source>the person about %1</source>
-        <translation>die Aufnahme, wer %1 ist</translation>
-    </message>
-    <message>
-        <source>the place</source>
-        <translation>die Ortsaufnahme</translation>
-    </message>
-    <message>
-        <source>the place about %1</source>
-        <translation>die Ortsaufnahme über %1</translation>
     </message>
     <message>
         <source>the recorded name of %1 became that of %2</source>
@@ -3093,7 +3560,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>wurde von einer neueren Version dieses Programms geschrieben</translation>
     </message>
     <message>
-        <source>what was written is not what was to be written; the disk or the memory may be faulty.</source>
+        <source>what was written is not what should have been written; the disk or the memory may be faulty.</source>
         <translation>Was geschrieben wurde, ist nicht, was geschrieben werden sollte; Datenträger oder Arbeitsspeicher sind vielleicht fehlerhaft.</translation>
     </message>
     <message>
@@ -3105,11 +3572,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Sie dürfen dort nicht schreiben.</translation>
     </message>
     <message>
-        <source>A calibration sample is no place; touch the marks again.</source>
-        <translation>Ein Messwert der Kalibrierung ist keine Stelle; berühren Sie die Marken noch einmal.</translation>
+        <source>A calibration sample is not a valid place; touch the marks again.</source>
+        <translation>Ein Messwert der Kalibrierung ist keine gültige Stelle; berühren Sie die Marken noch einmal.</translation>
     </message>
     <message>
-        <source>The calibration could not be kept: %1</source>
+        <source>The calibration could not be saved: %1</source>
         <translation>Die Kalibrierung konnte nicht gespeichert werden: %1</translation>
     </message>
     <message>
@@ -3130,7 +3597,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The force stick does not take up a force. Unplug it and plug it in again.</source>
-        <translation>Der Kraftstick nimmt keine Kraft an. Ziehen Sie ihn ab und stecken Sie ihn wieder an.</translation>
+        <translation>Der Kraftstick nimmt keine Kraft an. Ziehen Sie ihn ab und schließen Sie ihn wieder an.</translation>
     </message>
     <message>
         <source>The force stick does not take what this computer sends. It goes on by itself when it does.</source>
@@ -3138,11 +3605,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The force stick has no room for a force. Close other programs that use it, unplug it and plug it in again.</source>
-        <translation>Der Kraftstick hat keinen Platz für eine Kraft. Schließen Sie andere Programme, die ihn benutzen, ziehen Sie ihn ab und stecken Sie ihn wieder an.</translation>
+        <translation>Der Kraftstick hat keinen Platz für eine Kraft. Schließen Sie andere Programme, die ihn benutzen, ziehen Sie ihn ab und schließen Sie ihn wieder an.</translation>
     </message>
     <message>
-        <source>The force stick has switched its motors off. See that its power supply is plugged in and that no other program uses it.</source>
-        <translation>Der Kraftstick hat seine Motoren abgeschaltet. Sehen Sie nach, ob sein Netzteil angesteckt ist und dass kein anderes Programm ihn benutzt.</translation>
+        <source>The force stick has switched its motors off. Check that its power supply is plugged in and that no other program uses it.</source>
+        <translation>Der Kraftstick hat seine Motoren abgeschaltet. Prüfen Sie, ob sein Netzteil angeschlossen ist und ob kein anderes Programm ihn benutzt.</translation>
     </message>
     <message>
         <source>The force stick&apos;s safety switch keeps its motors off. Hold the grip as its maker says, or release the switch.</source>
@@ -3181,31 +3648,31 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>seine Berichte sind zu lang</translation>
     </message>
     <message>
-        <source>what it says of itself makes no sense</source>
-        <translation>was er von sich sagt, ergibt keinen Sinn</translation>
+        <source>what it reports of itself makes no sense</source>
+        <translation>was er von sich meldet, ergibt keinen Sinn</translation>
     </message>
     <message>
         <source>&quot;%1&quot; does not say in what language a name is read: %2 Move it away, then choose the language again.</source>
         <translation>„%1“ sagt nicht, in welcher Sprache ein Name gelesen wird: %2 Verschieben Sie die Datei und wählen Sie die Sprache dann neu.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no tag of a language, such as de or pt-BR.</source>
+        <source>&quot;%1&quot; is not a language tag, such as de or pt-BR.</source>
         <translation>„%1“ ist kein Kürzel einer Sprache wie de oder pt-BR.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; says how the name of %2 is read, and does not have its place.</source>
-        <translation>„%1“ sagt, wie der Name von %2 gelesen wird, und liegt nicht an seinem Platz.</translation>
+        <source>&quot;%1&quot; says how the name of %2 is read, but is not in its place.</source>
+        <translation>„%1“ sagt, wie der Name von %2 gelesen wird, liegt aber nicht an seinem Platz.</translation>
     </message>
     <message>
         <source>A person needs a name before its language can be chosen.</source>
         <translation>Eine Person braucht einen Namen, bevor dessen Sprache gewählt werden kann.</translation>
     </message>
     <message>
-        <source>The language of the name cannot be kept: %1</source>
+        <source>The language of the name cannot be saved: %1</source>
         <translation>Die Sprache des Namens kann nicht gespeichert werden: %1</translation>
     </message>
     <message>
-        <source>its first line is no tag of a language, such as de or pt-BR.</source>
+        <source>its first line is not a language tag, such as de or pt-BR.</source>
         <translation>die erste Zeile ist kein Kürzel einer Sprache wie de oder pt-BR.</translation>
     </message>
     <message>
@@ -3234,15 +3701,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The Falcon did not take its firmware, though it was tried again and again. Plug its USB cable into this computer itself, not into a hub, and try once more.</source>
-        <translation>Der Falcon hat seine Firmware nicht angenommen, obwohl es immer wieder versucht wurde. Stecken Sie das USB-Kabel direkt in diesen Computer, nicht in einen Verteiler, und versuchen Sie es noch einmal.</translation>
+        <translation>Der Falcon hat seine Firmware nicht angenommen, obwohl es immer wieder versucht wurde. Schließen Sie das USB-Kabel direkt an diesen Computer an, nicht an einen Hub, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>The Falcon does not answer. See that it is plugged in and has power, and try again.</source>
-        <translation>Der Falcon antwortet nicht. Sehen Sie nach, ob er angesteckt ist und Strom hat, und versuchen Sie es noch einmal.</translation>
+        <source>The Falcon does not answer. Check that it is plugged in and has power, and try again.</source>
+        <translation>Der Falcon antwortet nicht. Prüfen Sie, ob er angeschlossen ist und Strom hat, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>The Falcon does not answer. See that its power supply is plugged in, unplug its USB cable, plug it in again and try once more.</source>
-        <translation>Der Falcon antwortet nicht. Sehen Sie nach, ob sein Netzteil angesteckt ist, stecken Sie das USB-Kabel ab und wieder an, und versuchen Sie es noch einmal.</translation>
+        <source>The Falcon does not answer. Check that its power supply is plugged in, unplug its USB cable, plug it in again and try once more.</source>
+        <translation>Der Falcon antwortet nicht. Prüfen Sie, ob sein Netzteil angeschlossen ist, ziehen Sie das USB-Kabel ab und schließen Sie es wieder an, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The Falcon does not know where its grip is. Home it: pull the grip out as far as it goes, then push it in.</source>
@@ -3253,7 +3720,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Nullpunkt des Falcon ist noch nicht gesetzt. Setzen Sie ihn noch einmal, und ziehen Sie, solange das Licht blau ist, den Griff heraus, so weit er geht, und schieben Sie ihn dann hinein.</translation>
     </message>
     <message>
-        <source>The Falcon needs its firmware, which its maker does not let this program bring along. Copy the firmware file of its maker&apos;s software to %1.</source>
+        <source>The Falcon needs its firmware, which its maker does not let this program include. Copy the firmware file of its maker&apos;s software to %1.</source>
         <translation>Der Falcon braucht seine Firmware, die dieses Programm nicht mitbringen darf. Kopieren Sie die Firmware-Datei aus der Software des Herstellers nach %1.</translation>
     </message>
     <message>
@@ -3262,11 +3729,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The Falcon was unplugged while it was started. Plug it in again.</source>
-        <translation>Der Falcon wurde beim Starten abgesteckt. Stecken Sie ihn wieder an.</translation>
+        <translation>Der Falcon wurde beim Starten abgezogen. Schließen Sie ihn wieder an.</translation>
     </message>
     <message>
         <source>Another program or the system keeps the %1 from this one. Close other programs that use it, unplug it and plug it in again.</source>
-        <translation>Ein anderes Programm oder das System gibt das Gerät „%1“ nicht frei. Schließen Sie andere Programme, die es benutzen, ziehen Sie es ab und stecken Sie es wieder an.</translation>
+        <translation>Ein anderes Programm oder das System gibt das Gerät „%1“ nicht frei. Schließen Sie andere Programme, die es benutzen, ziehen Sie es ab und schließen Sie es wieder an.</translation>
     </message>
     <message>
         <source>Arduino board: a Haply 2diy of the first generation?</source>
@@ -3277,8 +3744,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Arduino-Platine: ein Haply 2diy der dritten Generation?</translation>
     </message>
     <message>
-        <source>The Haply 2diy could not be homed. See that it is plugged in and switched on, and try again.</source>
-        <translation>Der Nullpunkt des Haply 2diy konnte nicht gesetzt werden. Sehen Sie nach, ob er angesteckt und eingeschaltet ist, und versuchen Sie es noch einmal.</translation>
+        <source>The Haply 2diy could not be homed. Check that it is plugged in and switched on, and try again.</source>
+        <translation>Der Nullpunkt des Haply 2diy konnte nicht gesetzt werden. Prüfen Sie, ob er angeschlossen und eingeschaltet ist, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The Haply 2diy does not know where its arms are. Put both arms on their marks and home it.</source>
@@ -3289,8 +3756,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Haply 2diy weiß nicht mehr, wo seine Arme sind. Stellen Sie beide Arme auf ihre Marken, und setzen Sie dann den Nullpunkt des Geräts.</translation>
     </message>
     <message>
-        <source>The device at the serial port does not answer like a Haply 2diy. Switch it on, unplug it and plug it in again; if it is no Haply 2diy, choose another device.</source>
-        <translation>Das Gerät am seriellen Anschluss antwortet nicht wie ein Haply 2diy. Schalten Sie es ein, ziehen Sie es ab und stecken Sie es wieder an; wenn es kein Haply 2diy ist, wählen Sie ein anderes Gerät.</translation>
+        <source>The device at the serial port does not answer like a Haply 2diy. Switch it on, unplug it and plug it in again; if it is not a Haply 2diy, choose another device.</source>
+        <translation>Das Gerät am seriellen Anschluss antwortet nicht wie ein Haply 2diy. Schalten Sie es ein, ziehen Sie es ab und schließen Sie es wieder an; wenn es kein Haply 2diy ist, wählen Sie ein anderes Gerät.</translation>
     </message>
     <message>
         <source>The device stays off, because nothing would watch over its motors on this system.</source>
@@ -3306,22 +3773,22 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The program that watches over the motors of the Haply 2diy has ended, so they stay off. Start the device again.</source>
-        <translation>Das Programm, das über die Motoren des Haply 2diy wacht, hat geendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
+        <translation>Das Programm, das über die Motoren des Haply 2diy wacht, wurde beendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
     </message>
     <message>
         <source>This computer has no room for the program that watches over the motors. Close other programs and try again.</source>
         <translation>Auf diesem Computer ist kein Platz für das Programm, das über die Motoren wacht. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again; or have yourself added to the group dialout and log in again.</source>
-        <translation>Sie dürfen das Gerät „%1“ noch nicht benutzen. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie das Gerät dann ab und stecken Sie es wieder an; oder lassen Sie sich in die Gruppe dialout aufnehmen und melden Sie sich neu an.</translation>
+        <source>You are not allowed to use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again; or have yourself added to the group dialout and log in again.</source>
+        <translation>Sie dürfen das Gerät „%1“ noch nicht benutzen. Kopieren Sie resources/udev/70-touchphoto.rules nach /etc/udev/rules.d, ziehen Sie das Gerät dann ab und schließen Sie es wieder an; oder lassen Sie sich in die Gruppe dialout aufnehmen und melden Sie sich neu an.</translation>
     </message>
     <message>
         <source>it holds &quot;%1&quot;, which is packed in an unusual way. Pack it again as an ordinary ZIP file.</source>
         <translation>Es enthält „%1“, das auf ungewöhnliche Weise gepackt ist. Packen Sie es noch einmal als gewöhnliche ZIP-Datei.</translation>
     </message>
     <message>
-        <source>A stick cannot be as strong or as weak as that. See that the scale shows grams and pulls straight towards you, and weigh again.</source>
+        <source>A stick cannot be as strong or as weak as that. Check that the scale shows grams and pulls straight towards you, and weigh again.</source>
         <translation>So stark oder so schwach kann ein Kraftstick nicht sein. Achten Sie darauf, dass die Waage Gramm zeigt und gerade auf Sie zu zieht, und wiegen Sie noch einmal.</translation>
     </message>
     <message>
@@ -3333,7 +3800,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Was die Waage zeigt, muss eine Zahl von 0 bis 100000 Gramm sein.</translation>
     </message>
     <message>
-        <source>What was measured of the stick could not be kept: %1</source>
+        <source>What was measured of the stick could not be saved: %1</source>
         <translation>Was am Kraftstick gemessen wurde, konnte nicht gespeichert werden: %1</translation>
     </message>
     <message>
@@ -3346,19 +3813,19 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The program that watches over the motors of the force stick has ended, so they stay off. Start the device again.</source>
-        <translation>Das Programm, das über die Motoren des Kraftsticks wacht, hat geendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
+        <translation>Das Programm, das über die Motoren des Kraftsticks wacht, wurde beendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
     </message>
     <message>
         <source>The program that watches over the motors of the Falcon has ended, so they stay off. Start the device again.</source>
-        <translation>Das Programm, das über die Motoren des Falcon wacht, hat geendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
+        <translation>Das Programm, das über die Motoren des Falcon wacht, wurde beendet, darum bleiben sie aus. Starten Sie das Gerät neu.</translation>
     </message>
     <message>
-        <source>Pictures in the formats HEIC and AVIF need the library libheif (Debian: libheif1), which is not here: install it or save the picture as JPEG.</source>
+        <source>Pictures in the formats HEIC and AVIF need the library libheif (Debian: libheif1), which is not installed: install it or save the picture as JPEG.</source>
         <translation>Für Bilder in den Formaten HEIC und AVIF fehlt die Bibliothek libheif (Debian: libheif1): Installieren Sie sie oder speichern Sie das Bild als JPEG.</translation>
     </message>
     <message>
         <source>The %1 file holds a kind of picture that cannot be decoded here: save it as JPEG.</source>
-        <translation>Die %1-Datei enthält eine Art von Bild, die hier nicht entschlüsselt werden kann: Speichern Sie es als JPEG.</translation>
+        <translation>Die %1-Datei enthält eine Art von Bild, die hier nicht decodiert werden kann: Speichern Sie es als JPEG.</translation>
     </message>
     <message>
         <source>The %1 file is cut short: a part of the picture is missing.</source>
@@ -3405,8 +3872,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Bild ist leer, oder seine Endung ist weder png noch jpg.</translation>
     </message>
     <message>
-        <source>That is more at once than an import takes: import the folder that the files are in.</source>
-        <translation>Das ist mehr auf einmal, als ein Import annimmt: Importieren Sie den Ordner, in dem die Dateien liegen.</translation>
+        <source>That is more than can be imported at once: import the folder that the files are in.</source>
+        <translation>Das ist mehr, als auf einmal importiert werden kann: Importieren Sie den Ordner, in dem die Dateien liegen.</translation>
     </message>
     <message>
         <source>it lists more people, words or recordings than any photograph has.</source>
@@ -3414,38 +3881,106 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Such files are decoded in a process that can do nothing else, and this system does not allow that (%1): save the picture as JPEG.</source>
-        <translation>Solche Dateien werden in einem Prozess entschlüsselt, der sonst nichts kann, und dieses System lässt das nicht zu (%1): Speichern Sie das Bild als JPEG.</translation>
+        <translation>Solche Dateien werden in einem Prozess decodiert, der sonst nichts kann, und dieses System lässt das nicht zu (%1): Speichern Sie das Bild als JPEG.</translation>
     </message>
     <message>
         <source>The picture cannot be decoded: decoding it broke off. The file may be damaged.</source>
-        <translation>Das Bild kann nicht entschlüsselt werden: Das Entschlüsseln brach ab. Die Datei ist vielleicht beschädigt.</translation>
+        <translation>Das Bild kann nicht decodiert werden: Das Decodieren brach ab. Die Datei ist vielleicht beschädigt.</translation>
     </message>
     <message>
         <source>The picture takes too long to decode; it was not read.</source>
-        <translation>Das Entschlüsseln des Bildes dauert zu lange; es wurde nicht gelesen.</translation>
+        <translation>Das Decodieren des Bildes dauert zu lange; es wurde nicht gelesen.</translation>
     </message>
     <message>
-        <source>The program %1, which decodes such files, cannot be started: install TouchPhoto anew.</source>
-        <translation>Das Programm %1, das solche Dateien entschlüsselt, lässt sich nicht starten: Installieren Sie TouchPhoto neu.</translation>
+        <source>The program %1, which decodes such files, cannot be started: install TouchPhoto again.</source>
+        <translation>Das Programm %1, das solche Dateien decodiert, lässt sich nicht starten: Installieren Sie TouchPhoto neu.</translation>
     </message>
     <message>
         <source>its sound cannot be decoded: decoding it broke off. It may be damaged.</source>
-        <translation>Der Ton kann nicht entschlüsselt werden: Das Entschlüsseln brach ab. Vielleicht ist er beschädigt.</translation>
+        <translation>Der Ton kann nicht decodiert werden: Das Decodieren brach ab. Vielleicht ist er beschädigt.</translation>
     </message>
     <message>
         <source>its sound takes too long to decode.</source>
-        <translation>Das Entschlüsseln des Tons dauert zu lange.</translation>
+        <translation>Das Decodieren des Tons dauert zu lange.</translation>
     </message>
     <message>
         <source>it is not a photograph of a kind that can be read here.</source>
         <translation>es ist kein Foto, das hier gelesen werden kann.</translation>
     </message>
+    <message>
+        <source>%1 faces were named %2</source>
+        <translation>%1 Gesichter heißen jetzt %2</translation>
+    </message>
+    <message>
+        <source>Since then the groups of faces have changed, so this cannot be undone.</source>
+        <translation>Seitdem haben sich die Gruppen der Gesichter geändert, daher lässt sich das nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>These faces are not grouped so any more.</source>
+        <translation>Diese Gesichter sind nicht mehr so gruppiert.</translation>
+    </message>
+    <message>
+        <source>a face is not that of %1</source>
+        <translation>ein Gesicht ist nicht das von %1</translation>
+    </message>
+    <message>
+        <source>a face was taken out of its group</source>
+        <translation>ein Gesicht wurde aus seiner Gruppe genommen</translation>
+    </message>
+    <message>
+        <source>Another program is using the camera. Close it and try again.</source>
+        <translation>Ein anderes Programm benutzt die Kamera. Schließen Sie es und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>No camera was found on this computer.</source>
+        <translation>Auf diesem Computer wurde keine Kamera gefunden.</translation>
+    </message>
+    <message>
+        <source>The camera gives no pictures.</source>
+        <translation>Die Kamera liefert keine Bilder.</translation>
+    </message>
+    <message>
+        <source>The camera gives pictures that TouchPhoto cannot read.</source>
+        <translation>Die Kamera liefert Bilder, die TouchPhoto nicht lesen kann.</translation>
+    </message>
+    <message>
+        <source>The camera was unplugged.</source>
+        <translation>Die Kamera wurde abgezogen.</translation>
+    </message>
+    <message>
+        <source>The system does not let TouchPhoto use the camera.</source>
+        <translation>Das System lässt TouchPhoto die Kamera nicht benutzen.</translation>
+    </message>
+    <message>
+        <source>the recording of background sounds</source>
+        <translation>die Aufnahme der Umgebungsgeräusche</translation>
+    </message>
+    <message>
+        <source>the recording of background sounds (%1)</source>
+        <translation>die Aufnahme der Umgebungsgeräusche (%1)</translation>
+    </message>
+    <message>
+        <source>the recording of the place</source>
+        <translation>die Ortsaufnahme</translation>
+    </message>
+    <message>
+        <source>the recording of the place (%1)</source>
+        <translation>die Ortsaufnahme (%1)</translation>
+    </message>
+    <message>
+        <source>the recording of who %1 is</source>
+        <translation>die Aufnahme zu %1</translation>
+    </message>
+    <message>
+        <source>the recording of who it is</source>
+        <translation>die Aufnahme zur Person</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
     <message>
-        <source>Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. Control Z undoes the last change. Each change is kept at once.</source>
-        <translation>Tab geht von Einstellung zu Einstellung, Leertaste oder Eingabetaste ändert eine, die Pfeiltasten bewegen einen Regler. Strg Z nimmt die letzte Änderung zurück. Jede Änderung wird sofort gespeichert.</translation>
+        <source>Tab moves from setting to setting, Space or Enter changes one, the arrow keys move a slider. Control+Z undoes the last change. Every change is saved at once.</source>
+        <translation>Mit Tab gehen Sie von Einstellung zu Einstellung, Leertaste oder Eingabetaste ändert eine, die Pfeiltasten bewegen einen Regler. Strg+Z macht die letzte Änderung rückgängig. Jede Änderung wird sofort gespeichert.</translation>
     </message>
     <message>
         <source>Speech and sound</source>
@@ -3472,19 +4007,19 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1-fach</translation>
     </message>
     <message>
-        <source>Sounds for what happens</source>
-        <translation>Töne bei Ereignissen</translation>
+        <source>Sound effects</source>
+        <translation>Signaltöne</translation>
     </message>
     <message>
-        <source>What it looks like</source>
-        <translation>Wie es aussieht</translation>
+        <source>Appearance</source>
+        <translation>Darstellung</translation>
     </message>
     <message>
         <source>Colours</source>
         <translation>Farben</translation>
     </message>
     <message>
-        <source>Size of text</source>
+        <source>Text size</source>
         <translation>Textgröße</translation>
     </message>
     <message>
@@ -3492,12 +4027,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 Prozent</translation>
     </message>
     <message>
-        <source>Pictures may move</source>
-        <translation>Bilder dürfen sich bewegen</translation>
+        <source>Animations</source>
+        <translation>Animationen</translation>
     </message>
     <message>
         <source>Who uses the tablet most</source>
-        <translation>Wer das Tablet meistens benutzt</translation>
+        <translation>Wer das Tablet am meisten benutzt</translation>
     </message>
     <message>
         <source>What is felt</source>
@@ -3505,7 +4040,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Strongest force</source>
-        <translation>Größte Kraft</translation>
+        <translation>Maximale Kraft</translation>
     </message>
     <message>
         <source>%1 newtons</source>
@@ -3513,11 +4048,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Try the force on a face</source>
-        <translation>Die Kraft an einem Gesicht ausprobieren</translation>
+        <translation>Kraft an einem Gesicht ausprobieren</translation>
     </message>
     <message>
-        <source>What guides the finger where no force does</source>
-        <translation>Was den Finger führt, wo keine Kraft es tut</translation>
+        <source>Guide when there is no force</source>
+        <translation>Führung, wenn keine Kraft wirkt</translation>
     </message>
     <message>
         <source>Brows</source>
@@ -3541,7 +4076,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Remove %1 from the album</source>
-        <translation>%1 aus dem Album nehmen</translation>
+        <translation>%1 aus dem Album entfernen</translation>
     </message>
     <message>
         <source>The photographs stay where they are</source>
@@ -3549,15 +4084,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Add a folder</source>
-        <translation>Einen Ordner hinzufügen</translation>
+        <translation>Ordner hinzufügen</translation>
     </message>
     <message>
         <source>What is stored about me</source>
         <translation>Was über mich gespeichert ist</translation>
     </message>
     <message>
-        <source>Throw the index away and make it anew</source>
-        <translation>Den Index verwerfen und neu anlegen</translation>
+        <source>Rebuild the index</source>
+        <translation>Index neu aufbauen</translation>
     </message>
     <message>
         <source>All settings</source>
@@ -3572,20 +4107,20 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Rückgängig: %1</translation>
     </message>
     <message>
-        <source>Key: Control Z</source>
-        <translation>Tasten: Strg Z</translation>
+        <source>Key: Control+Z</source>
+        <translation>Tasten: Strg+Z</translation>
     </message>
     <message>
         <source>Ask me the five questions again</source>
-        <translation>Mir die fünf Fragen noch einmal stellen</translation>
+        <translation>Die fünf Fragen noch einmal stellen</translation>
     </message>
     <message>
-        <source>Everything as it was at first</source>
-        <translation>Alles wie am Anfang</translation>
+        <source>Reset all settings</source>
+        <translation>Alle Einstellungen zurücksetzen</translation>
     </message>
     <message>
-        <source>The album&apos;s folders stay; it can be undone</source>
-        <translation>Die Ordner des Albums bleiben; es kann zurückgenommen werden</translation>
+        <source>The album&apos;s folders stay. Can be undone</source>
+        <translation>Die Ordner des Albums bleiben. Kann rückgängig gemacht werden</translation>
     </message>
     <message>
         <source>Force device</source>
@@ -3597,15 +4132,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Calibrate the device on this screen</source>
-        <translation>Das Gerät auf diesem Bildschirm kalibrieren</translation>
+        <translation>Gerät auf diesem Bildschirm kalibrieren</translation>
     </message>
     <message>
-        <source>The four corners of the screen are touched with the device</source>
-        <translation>Die vier Ecken des Bildschirms werden mit dem Gerät berührt</translation>
+        <source>You touch the four corners of the screen with the device</source>
+        <translation>Sie berühren mit dem Gerät die vier Ecken des Bildschirms</translation>
     </message>
     <message>
         <source>Try the strongest force</source>
-        <translation>Die größte Kraft ausprobieren</translation>
+        <translation>Maximale Kraft ausprobieren</translation>
     </message>
     <message>
         <source>The device pulls to the right and to the left for less than three seconds. Escape ends it</source>
@@ -3621,11 +4156,23 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Measure the stick</source>
-        <translation>Den Kraftstick messen</translation>
+        <translation>Kraftstick messen</translation>
     </message>
     <message>
         <source>How strong it is and which way it pulls. You need a kitchen scale or a luggage scale</source>
         <translation>Wie stark er ist und wohin er zieht. Sie brauchen eine Küchenwaage oder eine Kofferwaage</translation>
+    </message>
+    <message>
+        <source>Descriptions of photographs</source>
+        <translation>Beschreibungen von Fotos</translation>
+    </message>
+    <message>
+        <source>What is said first</source>
+        <translation>Was zuerst genannt wird</translation>
+    </message>
+    <message>
+        <source>Compare faces, to offer names</source>
+        <translation>Gesichter vergleichen, um Namen vorzuschlagen</translation>
     </message>
 </context>
 <context>
@@ -3643,12 +4190,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>Says what can be done here. Key: F1</source>
+        <source>Says what you can do here. Key: F1</source>
         <translation>Sagt, was man hier tun kann. Taste: F1</translation>
     </message>
     <message>
-        <source>Said last</source>
-        <translation>Zuletzt gesagt</translation>
+        <source>Last sentence</source>
+        <translation>Letzter Satz</translation>
     </message>
 </context>
 <context>
@@ -3667,7 +4214,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>End the tour</source>
-        <translation>Den Rundgang beenden</translation>
+        <translation>Rundgang beenden</translation>
     </message>
     <message>
         <source>Guided tour</source>
@@ -3682,7 +4229,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Rundgang durch das Gesicht</translation>
     </message>
     <message>
-        <source>Leads the finger round every feature, each named before. Key: T</source>
+        <source>Leads the finger round every feature, naming each one first. Key: T</source>
         <translation>Führt den Finger um jedes Merkmal und nennt es vorher. Taste: T</translation>
     </message>
     <message>
@@ -3690,7 +4237,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Wo bin ich?</translation>
     </message>
     <message>
-        <source>Tells face, feature, direction and distance. Key: W</source>
+        <source>Says which face and feature, the direction and the distance. Key: W</source>
         <translation>Nennt Gesicht, Merkmal, Richtung und Abstand. Taste: W</translation>
     </message>
     <message>
@@ -3699,10 +4246,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Force on</source>
-        <translation>Kraft ein</translation>
+        <translation>Kraft einschalten</translation>
     </message>
     <message>
-        <source>Ends tour, speech and force. Key: Escape</source>
+        <source>Stops tour, speech and force. Key: Escape</source>
         <translation>Beendet Rundgang, Sprache und Kraft. Taste: Escape</translation>
     </message>
     <message>
@@ -3722,15 +4269,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Verkleinern</translation>
     </message>
     <message>
-        <source>Key: Shift and Z</source>
-        <translation>Tasten: Umschalt und Z</translation>
+        <source>Key: Shift+Z</source>
+        <translation>Tasten: Umschalt+Z</translation>
     </message>
     <message>
         <source>Next feature</source>
         <translation>Nächstes Merkmal</translation>
     </message>
     <message>
-        <source>Sets the finger down on it. Key: Tab</source>
+        <source>Puts the finger on it. Key: Tab</source>
         <translation>Setzt den Finger darauf. Taste: Tab</translation>
     </message>
     <message>
@@ -3738,7 +4285,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Nächstes Gesicht</translation>
     </message>
     <message>
-        <source>Fits one face after the other into the surface. Key: F</source>
+        <source>Fits one face after another into the touch surface. Key: F</source>
         <translation>Passt ein Gesicht nach dem anderen in die Tastfläche ein. Taste: F</translation>
     </message>
     <message>
@@ -3747,7 +4294,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Strongest force</source>
-        <translation>Größte Kraft</translation>
+        <translation>Maximale Kraft</translation>
     </message>
     <message>
         <source>%1 newtons</source>
@@ -3774,16 +4321,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Nächstes Foto</translation>
     </message>
     <message>
-        <source>The next one of the album with a face. Key: N</source>
+        <source>The next one in the album with a face. Key: N</source>
         <translation>Das nächste im Album mit einem Gesicht. Taste: N</translation>
     </message>
     <message>
         <source>Previous photograph</source>
-        <translation>Voriges Foto</translation>
+        <translation>Vorheriges Foto</translation>
     </message>
     <message>
-        <source>Key: Shift and N</source>
-        <translation>Tasten: Umschalt und N</translation>
+        <source>Key: Shift+N</source>
+        <translation>Tasten: Umschalt+N</translation>
     </message>
 </context>
 <context>
@@ -3805,7 +4352,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <name>StartPage</name>
     <message>
         <source>Press the number of an answer, or the answer itself. 0 or Backspace: previous question. R: repeat the question.</source>
-        <translation>Drücken Sie die Nummer einer Antwort oder die Antwort selbst. 0 oder Rücktaste: vorige Frage. R: die Frage noch einmal hören.</translation>
+        <translation>Drücken Sie die Nummer einer Antwort oder die Antwort selbst. 0 oder Rücktaste: vorherige Frage. R: die Frage noch einmal hören.</translation>
     </message>
     <message>
         <source>Press the number of what you want to do, or go through the buttons with Tab. R: repeat this page.</source>
@@ -3829,7 +4376,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Previous question</source>
-        <translation>Vorige Frage</translation>
+        <translation>Vorherige Frage</translation>
     </message>
     <message>
         <source>Key: 0</source>
@@ -3843,27 +4390,27 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Kraftstick bewegt sich gleich von selbst, ein wenig nach rechts und zurück, dann ein wenig von Ihnen weg und zurück. Lassen Sie ihn frei stehen und nehmen Sie die Hände von ihm.</translation>
     </message>
     <message>
-        <source>It is known now which way it pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.</source>
-        <translation>Wohin er zieht, ist jetzt bekannt. Halten Sie seinen Griff mit einer Küchenwaage oder einer Kofferwaage gerade auf Sie zu: Der Kraftstick zieht von Ihnen weg. Wenn der Griff still steht, geben Sie ein, wie viel Gramm die Waage zeigt.</translation>
+        <source>Now it is clear which way the stick pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.</source>
+        <translation>Wohin der Kraftstick zieht, ist jetzt bekannt. Halten Sie seinen Griff mit einer Küchenwaage oder einer Kofferwaage gerade auf Sie zu: Der Kraftstick zieht von Ihnen weg. Wenn der Griff still steht, geben Sie ein, wie viel Gramm die Waage zeigt.</translation>
     </message>
     <message>
         <source>The stick is measured.</source>
         <translation>Der Kraftstick ist gemessen.</translation>
     </message>
     <message>
-        <source>The stick did not stand still. Let go of it, see that nothing touches it, and measure again.</source>
+        <source>The stick did not stand still. Let go of it, check that nothing touches it, and measure again.</source>
         <translation>Der Kraftstick stand nicht still. Lassen Sie ihn los, achten Sie darauf, dass nichts ihn berührt, und messen Sie noch einmal.</translation>
     </message>
     <message>
-        <source>The stick did not move. See that its power supply is plugged in, keep your hands off it, and measure again.</source>
-        <translation>Der Kraftstick hat sich nicht bewegt. Sehen Sie nach, ob sein Netzteil angesteckt ist, nehmen Sie die Hände von ihm, und messen Sie noch einmal.</translation>
+        <source>The stick did not move. Check that its power supply is plugged in, keep your hands off it, and measure again.</source>
+        <translation>Der Kraftstick hat sich nicht bewegt. Prüfen Sie, ob sein Netzteil angeschlossen ist, nehmen Sie die Hände von ihm, und messen Sie noch einmal.</translation>
     </message>
     <message>
-        <source>The stick moved to the side of where it was to move. It cannot be measured so: see that nothing touches it and that it stands straight, and measure again.</source>
-        <translation>Der Kraftstick hat sich neben die Richtung bewegt, in die er sollte. So kann er nicht gemessen werden: Achten Sie darauf, dass nichts ihn berührt und dass er gerade steht, und messen Sie noch einmal.</translation>
+        <source>The stick moved to one side of where it should have gone. It cannot be measured like that: check that nothing touches it and that it stands straight, and measure again.</source>
+        <translation>Der Kraftstick ist von der Richtung abgewichen, in die er sich bewegen sollte. So kann er nicht gemessen werden: Achten Sie darauf, dass nichts ihn berührt und dass er gerade steht, und messen Sie noch einmal.</translation>
     </message>
     <message>
-        <source>The stick did not come back as it went. See that nothing touches it, and measure again.</source>
+        <source>The stick did not come back the way it went. Check that nothing touches it, and measure again.</source>
         <translation>Der Kraftstick kam nicht so zurück, wie er gegangen war. Achten Sie darauf, dass nichts ihn berührt, und messen Sie noch einmal.</translation>
     </message>
     <message>
@@ -3896,7 +4443,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         </translation>
     </message>
     <message numerus="yes">
-        <source>The name %1 is cut after %n line(s) of braille.</source>
+        <source>The name %1 is cut off after %n line(s) of braille.</source>
         <translation>
             <numerusform>Der Name %1 wird nach %n Punktschriftzeile abgeschnitten.</numerusform>
             <numerusform>Der Name %1 wird nach %n Punktschriftzeilen abgeschnitten.</numerusform>
@@ -3927,22 +4474,22 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Finish the recording</source>
-        <translation>Die Aufnahme beenden</translation>
+        <translation>Aufnahme beenden</translation>
     </message>
     <message>
         <source>Record</source>
         <translation>Aufnehmen</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Throw away…</source>
+        <source>Discard…</source>
         <translation>Verwerfen…</translation>
     </message>
     <message>
@@ -3950,12 +4497,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Behalten</translation>
     </message>
     <message>
-        <source>Yes, throw it away</source>
+        <source>Yes, discard it</source>
         <translation>Ja, verwerfen</translation>
     </message>
     <message>
         <source>Add a sound file…</source>
-        <translation>Eine Tondatei hinzufügen…</translation>
+        <translation>Tondatei hinzufügen…</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -4025,16 +4572,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Rückgängig: %1</translation>
     </message>
     <message>
-        <source>Key: Control Z</source>
-        <translation>Tasten: Strg Z</translation>
+        <source>Key: Control+Z</source>
+        <translation>Tasten: Strg+Z</translation>
     </message>
     <message>
         <source>Redo: %1</source>
         <translation>Wiederholen: %1</translation>
     </message>
     <message>
-        <source>Key: Control Shift Z</source>
-        <translation>Tasten: Strg Umschalt Z</translation>
+        <source>Key: Control+Shift+Z</source>
+        <translation>Tasten: Strg+Umschalt+Z</translation>
     </message>
 </context>
 <context>
@@ -4045,22 +4592,22 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Detail</source>
-        <translation>Einzelheit</translation>
+        <translation>Detail</translation>
     </message>
 </context>
 <context>
     <name>tp::BrowseAlbum</name>
     <message>
         <source>There is no album yet. Choose the folders of your photographs on the settings page, or import photographs.</source>
-        <translation>Es gibt noch kein Album. Wählen Sie auf der Seite Einstellungen die Ordner Ihrer Fotos aus oder importieren Sie Fotos.</translation>
+        <translation>Es gibt noch kein Album. Wählen Sie auf der Seite „Einstellungen“ die Ordner Ihrer Fotos aus oder importieren Sie Fotos.</translation>
     </message>
     <message>
         <source>Looking for photographs in your folders.</source>
         <translation>Fotos werden in Ihren Ordnern gesucht.</translation>
     </message>
     <message>
-        <source>There is no photograph in your folders yet. Import some, or choose other folders on the settings page.</source>
-        <translation>In Ihren Ordnern ist noch kein Foto. Importieren Sie welche oder wählen Sie auf der Seite Einstellungen andere Ordner aus.</translation>
+        <source>There are no photographs in your folders yet. Import some, or choose other folders on the settings page.</source>
+        <translation>In Ihren Ordnern sind noch keine Fotos. Importieren Sie welche oder wählen Sie auf der Seite „Einstellungen“ andere Ordner aus.</translation>
     </message>
     <message>
         <source>Looking for what is new in your folders</source>
@@ -4079,7 +4626,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::BrowseDetails</name>
     <message>
-        <source>%1 is gone from this list. Now: %2</source>
+        <source>%1 is no longer in this list. Now: %2</source>
         <translation>%1 ist nicht mehr in dieser Liste. Jetzt: %2</translation>
     </message>
 </context>
@@ -4106,8 +4653,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Suche</translation>
     </message>
     <message>
-        <source>There is no photograph of that any more.</source>
-        <translation>Davon gibt es kein Foto mehr.</translation>
+        <source>There are no photographs of that any more.</source>
+        <translation>Davon gibt es keine Fotos mehr.</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
@@ -4115,7 +4662,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1, %2: %3</translation>
     </message>
     <message>
-        <source>These are all photographs; there is no list above them.</source>
+        <source>These are all the photographs; there is no list above them.</source>
         <translation>Das sind alle Fotos; darüber gibt es keine Liste.</translation>
     </message>
     <message numerus="yes">
@@ -4213,12 +4760,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1.</translation>
     </message>
     <message>
-        <source>There is no letter to take away.</source>
-        <translation>Es gibt keinen Buchstaben zum Wegnehmen.</translation>
+        <source>There is no letter to delete.</source>
+        <translation>Es gibt keinen Buchstaben zum Löschen.</translation>
     </message>
     <message>
-        <source>Nothing is typed any more.</source>
-        <translation>Es ist nichts mehr eingegeben.</translation>
+        <source>The search field is empty.</source>
+        <translation>Das Suchfeld ist leer.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
@@ -4239,7 +4786,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1: noch keine.</translation>
     </message>
     <message>
-        <source>%1: %2. Choose one with the arrow keys and Return.</source>
+        <source>%1: %2. Choose one with the arrow keys and Enter.</source>
         <comment>a list, how many</comment>
         <translation>%1: %2. Wählen Sie mit den Pfeiltasten und der Eingabetaste.</translation>
     </message>
@@ -4269,11 +4816,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1, %2: %3</translation>
     </message>
     <message>
-        <source>Swipe or use the arrow keys to go on; double tap or press Return to hear.</source>
+        <source>Swipe or use the arrow keys to move on; double tap or press Enter to listen.</source>
         <translation>Wischen Sie oder drücken Sie die Pfeiltasten, um weiterzugehen; zum Anhören tippen Sie doppelt oder drücken Sie die Eingabetaste.</translation>
     </message>
     <message>
-        <source>Swipe or use the arrow keys to go on.</source>
+        <source>Swipe or use the arrow keys to move on.</source>
         <translation>Wischen Sie oder drücken Sie die Pfeiltasten, um weiterzugehen.</translation>
     </message>
     <message>
@@ -4284,11 +4831,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>%1 Paused: %2, at %3.</source>
         <comment>where one is; the recording and the time in it</comment>
-        <translation>%1 Pause: %2, bei %3.</translation>
+        <translation>%1 Angehalten: %2, bei %3.</translation>
     </message>
     <message>
-        <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two fingers goes back, three fingers tell where you are.</source>
-        <translation>Links und rechts: voriges und nächstes Foto. Auf und ab: was darüber bekannt ist. Eingabetaste: Aufnahmen hören oder anhalten. Escape: Stopp. Plus und Minus: schneller und langsamer. Pos1 und Ende: erstes und letztes Foto. S: Suche. P: Personen. Y: Jahre. L: Orte. K: Stichwörter. R: ein beliebiges Foto. A: alle Fotos. Rücktaste: zurück. E: das Gesicht fühlen. C: dieses Foto pflegen. W: wo bin ich. H: diese Tasten. Ein Wischen wirkt wie seine Pfeiltaste, doppeltes Tippen spielt ab, zwei Finger halten an, ein Z mit zwei Fingern geht zurück, drei Finger sagen, wo Sie sind.</translation>
+        <source>Left and right: previous and next photograph. Up and down: its details. Enter: play the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe does what its arrow key does, a double tap plays, a two-finger tap stops, a Z drawn with two fingers goes back, a three-finger tap says where you are.</source>
+        <translation>Links und rechts: vorheriges und nächstes Foto. Auf und ab: seine Details. Eingabetaste: Aufnahmen abspielen oder anhalten. Escape: anhalten. Plus und Minus: schneller und langsamer. Pos1 und Ende: erstes und letztes Foto. S: Suche. P: Personen. Y: Jahre. L: Orte. K: Stichwörter. R: ein zufälliges Foto. A: alle Fotos. Rücktaste: zurück. E: das Gesicht fühlen. C: dieses Foto pflegen. W: wo bin ich. H: diese Tasten. Wischen wirkt wie die Pfeiltaste in dieser Richtung, Doppeltippen spielt ab, Tippen mit zwei Fingern hält an, ein Z mit zwei Fingern geht zurück, Tippen mit drei Fingern sagt, wo Sie sind.</translation>
     </message>
     <message>
         <source>Your photographs.</source>
@@ -4316,30 +4863,129 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
-    <name>tp::CareSession</name>
+    <name>tp::CaptureCamera</name>
     <message>
-        <source>Care for the album. It has no folder yet. Import photographs, and choose where they are kept.</source>
-        <translation>Album pflegen. Es hat noch keinen Ordner. Importieren Sie Fotos und wählen Sie, wo sie aufbewahrt werden.</translation>
+        <source>The camera has ended.</source>
+        <translation>Die Kamera hat aufgehört.</translation>
     </message>
+</context>
+<context>
+    <name>tp::CaptureChoices</name>
     <message>
-        <source>Care for the album. %1 is open: its faces, recordings and description.</source>
-        <translation>Album pflegen. %1 ist geöffnet: Gesichter, Aufnahmen und Beschreibung.</translation>
-    </message>
-    <message>
-        <source>Care for the album. %1 Choose one, or import more.</source>
-        <translation>Album pflegen. %1 Wählen Sie eines aus oder importieren Sie weitere.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n photograph(s).</source>
-        <translation>
-            <numerusform>%n Foto.</numerusform>
-            <numerusform>%n Fotos.</numerusform>
-        </translation>
+        <source>%1.</source>
+        <translation>%1.</translation>
     </message>
     <message>
-        <source>Deleted: %1. Undo brings it back.</source>
-        <translation>Gelöscht: %1. „Rückgängig“ bringt es zurück.</translation>
+        <source>The photograph is taken by itself when all is well.</source>
+        <translation>Das Foto wird von selbst aufgenommen, wenn alles stimmt.</translation>
     </message>
+    <message>
+        <source>The photograph is taken when you press Space or touch the screen.</source>
+        <translation>Das Foto wird aufgenommen, wenn Sie die Leertaste drücken oder den Bildschirm berühren.</translation>
+    </message>
+    <message>
+        <source>The microphone is on. The sound from five seconds before a photograph to five seconds after it is kept with it.</source>
+        <translation>Das Mikrofon ist an. Der Klang von fünf Sekunden vor bis fünf Sekunden nach einem Foto wird mit ihm behalten.</translation>
+    </message>
+    <message>
+        <source>The microphone is off. Photographs are kept without sound.</source>
+        <translation>Das Mikrofon ist aus. Fotos werden ohne Klang behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CaptureMemo</name>
+    <message>
+        <source>The recorder is still busy. Try again in a moment.</source>
+        <translation>Das Aufnehmen ist noch nicht abgeschlossen. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 Saved.</source>
+        <translation>%1 Gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CaptureSession</name>
+    <message>
+        <source>Press I to import photographs of another camera.</source>
+        <translation>Drücken Sie I, um Fotos einer anderen Kamera zu importieren.</translation>
+    </message>
+    <message>
+        <source>Take a photograph. %1.</source>
+        <translation>Ein Foto machen. %1.</translation>
+    </message>
+    <message>
+        <source>Take a photograph. Point the camera at somebody, and listen where to move it. When all is well, the photograph is taken by itself; press S if you do not want that. Space takes it at once.</source>
+        <translation>Ein Foto machen. Richten Sie die Kamera auf jemanden und hören Sie, wohin sie soll. Wenn alles stimmt, wird das Foto von selbst aufgenommen; drücken Sie S, wenn Sie das nicht möchten. Die Leertaste nimmt es sofort auf.</translation>
+    </message>
+    <message>
+        <source>The camera is starting.</source>
+        <translation>Die Kamera startet.</translation>
+    </message>
+    <message>
+        <source>There is only one camera.</source>
+        <translation>Es gibt nur eine Kamera.</translation>
+    </message>
+    <message>
+        <source>Front camera.</source>
+        <translation>Frontkamera.</translation>
+    </message>
+    <message>
+        <source>Back camera.</source>
+        <translation>Rückkamera.</translation>
+    </message>
+    <message>
+        <source>This camera has no light.</source>
+        <translation>Diese Kamera hat kein Licht.</translation>
+    </message>
+    <message>
+        <source>Light on.</source>
+        <translation>Licht an.</translation>
+    </message>
+    <message>
+        <source>Light off.</source>
+        <translation>Licht aus.</translation>
+    </message>
+    <message>
+        <source>Take a photograph first; then a memo can be spoken for it.</source>
+        <translation>Nehmen Sie zuerst ein Foto auf; dann kann ein Memo dazu gesprochen werden.</translation>
+    </message>
+    <message>
+        <source>The microphone is on.</source>
+        <translation>Das Mikrofon ist an.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CaptureShutter</name>
+    <message>
+        <source>There is nothing to look through.</source>
+        <translation>Es gibt nichts durchzugehen.</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2: %3.</source>
+        <translation>Bild %1 von %2: %3.</translation>
+    </message>
+    <message>
+        <source>This one is kept too.</source>
+        <translation>Dieses ist auch behalten.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>Es gibt nichts rückgängig zu machen.</translation>
+    </message>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>Rückgängig gemacht: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CareFolders</name>
+    <message>
+        <source>No folder was chosen.</source>
+        <translation>Es wurde kein Ordner ausgewählt.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CareHistory</name>
     <message>
         <source>Undone: %1.</source>
         <translation>Rückgängig gemacht: %1.</translation>
@@ -4349,12 +4995,30 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Wiederholt: %1.</translation>
     </message>
     <message>
-        <source>No folder was chosen.</source>
-        <translation>Es wurde kein Ordner gewählt.</translation>
+        <source>Deleted: %1. Undo brings it back.</source>
+        <translation>Gelöscht: %1. „Rückgängig“ bringt es zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CareSession</name>
+    <message>
+        <source>Look after the album. It has no folder yet. Import photographs, and choose where to keep them.</source>
+        <translation>Album pflegen. Es hat noch keinen Ordner. Importieren Sie Fotos und wählen Sie, wo sie aufbewahrt werden.</translation>
     </message>
     <message>
-        <source>A recording is being made. Finish it first.</source>
-        <translation>Es wird gerade aufgenommen. Beenden Sie erst die Aufnahme.</translation>
+        <source>Look after the album. %1 is open: its faces, recordings and description.</source>
+        <translation>Album pflegen. %1 ist geöffnet: Gesichter, Aufnahmen und Beschreibung.</translation>
+    </message>
+    <message>
+        <source>Look after the album. %1 Choose one, or import more.</source>
+        <translation>Album pflegen. %1 Wählen Sie eines aus oder importieren Sie weitere.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s).</source>
+        <translation>
+            <numerusform>%n Foto.</numerusform>
+            <numerusform>%n Fotos.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4380,7 +5044,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>%1, not plugged in</source>
-        <translation>%1, nicht eingesteckt</translation>
+        <translation>%1, nicht angeschlossen</translation>
     </message>
     <message>
         <source>Calibrated: misses by %1 millimetres on average.</source>
@@ -4391,24 +5055,24 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Nicht kalibriert. Es darf neben dem Bildschirm stehen; um darauf zu liegen, muss es kalibriert werden.</translation>
     </message>
     <message>
-        <source>No force device is plugged in. Plug one in; it is found by itself.</source>
-        <translation>Kein Kraftgerät ist eingesteckt. Stecken Sie eines ein; es wird von selbst gefunden.</translation>
+        <source>No force device is plugged in. Plug one in; it is found automatically.</source>
+        <translation>Kein Kraftgerät ist angeschlossen. Schließen Sie eines an; es wird automatisch gefunden.</translation>
     </message>
     <message>
         <source>No force device is chosen. Choose one above.</source>
-        <translation>Kein Kraftgerät ist gewählt. Wählen Sie oben eines.</translation>
+        <translation>Kein Kraftgerät ist ausgewählt. Wählen Sie oben eines aus.</translation>
     </message>
     <message>
         <source>The strongest force, %1 newtons: to the right, then to the left. Escape ends it.</source>
-        <translation>Die größte Kraft, %1 Newton: nach rechts, dann nach links. Escape beendet es.</translation>
+        <translation>Die maximale Kraft, %1 Newton: nach rechts, dann nach links. Escape beendet es.</translation>
     </message>
     <message>
         <source>Calibration. The device lies on the screen; put a finger into it, so that it touches the screen. Escape ends it. %1</source>
-        <translation>Kalibrierung. Das Gerät liegt auf dem Bildschirm; stecken Sie einen Finger hinein, so dass er den Bildschirm berührt. Escape beendet sie. %1</translation>
+        <translation>Kalibrierung. Das Gerät liegt auf dem Bildschirm; stecken Sie einen Finger hinein, sodass er den Bildschirm berührt. Escape beendet sie. %1</translation>
     </message>
     <message>
         <source>That was the strongest force.</source>
-        <translation>Das war die größte Kraft.</translation>
+        <translation>Das war die maximale Kraft.</translation>
     </message>
     <message>
         <source>Touch the top left corner and keep still until I speak.</source>
@@ -4431,7 +5095,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Nichts wurde geändert.</translation>
     </message>
     <message>
-        <source>The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that the device does not slip on the screen, keep still at each corner, and calibrate again.</source>
+        <source>The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. Make sure that the device does not slip on the screen, keep still at each corner, and calibrate again.</source>
         <translation>Die Kalibrierung liegt im Mittel %1 Millimeter neben Ihren Berührungen, erlaubt sind höchstens %2. Achten Sie darauf, dass das Gerät nicht auf dem Bildschirm rutscht, halten Sie an jeder Ecke still und kalibrieren Sie noch einmal.</translation>
     </message>
     <message>
@@ -4439,12 +5103,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Gerät und Bildschirm bewegen sich nicht gleich. Kalibrieren Sie noch einmal mit dem Finger im Gerät und keinem anderen auf dem Bildschirm.</translation>
     </message>
     <message>
-        <source>Calibrated. It misses by %1 millimetres on average, and is kept for this device.</source>
+        <source>Calibrated. It misses by %1 millimetres on average, and is saved for this device.</source>
         <translation>Kalibriert. Im Mittel liegt es %1 Millimeter daneben; das ist für dieses Gerät gespeichert.</translation>
     </message>
     <message>
-        <source>Calibration ended. Nothing was changed.</source>
-        <translation>Kalibrierung beendet. Nichts wurde geändert.</translation>
+        <source>Calibration cancelled. Nothing was changed.</source>
+        <translation>Kalibrierung abgebrochen. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>Stopped. The force is off.</source>
@@ -4455,8 +5119,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Der Nullpunkt ist gesetzt: Das Gerät weiß jetzt, wo sein Griff ist.</translation>
     </message>
     <message>
-        <source>This device knows its newtons itself; only force sticks are measured.</source>
-        <translation>Dieses Gerät kennt seine Newton selbst; nur Kraftsticks werden gemessen.</translation>
+        <source>This device knows its own force; only force sticks need measuring.</source>
+        <translation>Dieses Gerät kennt seine Kraft selbst; nur Kraftsticks müssen gemessen werden.</translation>
     </message>
     <message>
         <source>%1 Escape ends it.</source>
@@ -4467,12 +5131,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das ist zu wenig, um es gut abzulesen. Der Kraftstick zieht jetzt doppelt so stark: Wiegen Sie noch einmal.</translation>
     </message>
     <message>
-        <source>The stick is measured: %1 newtons at most. That is kept for this stick.</source>
+        <source>The stick is measured: %1 newtons at most. That is saved for this stick.</source>
         <translation>Der Kraftstick ist gemessen: höchstens %1 Newton. Das ist für diesen Stick gespeichert.</translation>
     </message>
     <message>
-        <source>Measurement ended. The force is off. Nothing was changed.</source>
-        <translation>Messung beendet. Die Kraft ist aus. Nichts wurde geändert.</translation>
+        <source>Measurement cancelled. The force is off. Nothing was changed.</source>
+        <translation>Messung abgebrochen. Die Kraft ist aus. Nichts wurde geändert.</translation>
     </message>
 </context>
 <context>
@@ -4482,11 +5146,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Keine</translation>
     </message>
     <message>
-        <source>Sonar</source>
-        <translation>Sonar</translation>
+        <source>Beeps</source>
+        <translation>Pieptöne</translation>
     </message>
     <message>
-        <source>Clock voice</source>
+        <source>Clock directions</source>
         <translation>Uhrzeitansage</translation>
     </message>
     <message>
@@ -4502,7 +5166,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <name>tp::ExploreDevice</name>
     <message>
         <source>The force is on.</source>
-        <translation>Die Kraft ist ein.</translation>
+        <translation>Die Kraft ist an.</translation>
     </message>
     <message>
         <source>The device is ready. Its force is on.</source>
@@ -4563,7 +5227,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::ExploreSession</name>
     <message>
-        <source>Explore. %1 Move a finger over the picture; W tells where it is.</source>
+        <source>Explore. %1 Move a finger over the picture; W says where it is.</source>
         <translation>Erkunden. %1 Bewegen Sie einen Finger über das Bild; W sagt, wo er ist.</translation>
     </message>
     <message>
@@ -4632,15 +5296,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Stopped looking. Press O to open a photograph.</source>
+        <source>Search stopped. Press O to open a photograph.</source>
         <translation>Suche abgebrochen. Drücken Sie O, um ein Foto zu öffnen.</translation>
     </message>
     <message>
-        <source>Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.</source>
+        <source>Search stopped. %1 is open again. The force is off. Press Enter to switch it on.</source>
         <translation>Suche abgebrochen. %1 ist wieder geöffnet. Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
     </message>
     <message>
-        <source>Stopped looking. %1 is open again.</source>
+        <source>Search stopped. %1 is open again.</source>
         <translation>Suche abgebrochen. %1 ist wieder geöffnet.</translation>
     </message>
     <message>
@@ -4655,10 +5319,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Ihr neuestes Foto mit einem Gesicht.</translation>
     </message>
     <message numerus="yes">
-        <source>%n photograph(s) without a face passed over.</source>
+        <source>Skipped %n photograph(s) without a face.</source>
         <translation>
-            <numerusform>%n Foto ohne Gesicht übergangen.</numerusform>
-            <numerusform>%n Fotos ohne Gesicht übergangen.</numerusform>
+            <numerusform>%n Foto ohne Gesicht übersprungen.</numerusform>
+            <numerusform>%n Fotos ohne Gesicht übersprungen.</numerusform>
         </translation>
     </message>
     <message>
@@ -4667,23 +5331,23 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1.</translation>
     </message>
     <message numerus="yes">
-        <source>Looking further: %n photograph(s) without a face so far.</source>
+        <source>Still looking: %n photograph(s) without a face so far.</source>
         <translation>
             <numerusform>Es wird weitergesucht: bisher %n Foto ohne Gesicht.</numerusform>
             <numerusform>Es wird weitergesucht: bisher %n Fotos ohne Gesicht.</numerusform>
         </translation>
     </message>
     <message>
-        <source>There is no face on any photograph of the album.</source>
+        <source>There is no face on any photograph in the album.</source>
         <translation>Auf keinem Foto des Albums ist ein Gesicht.</translation>
     </message>
     <message>
         <source>No photograph with a face comes after this one.</source>
-        <translation>Nach diesem kommt kein Foto mit einem Gesicht mehr.</translation>
+        <translation>Danach kommt kein Foto mit einem Gesicht mehr.</translation>
     </message>
     <message>
         <source>No photograph with a face comes before this one.</source>
-        <translation>Vor diesem gibt es kein Foto mit einem Gesicht.</translation>
+        <translation>Davor gibt es kein Foto mit einem Gesicht.</translation>
     </message>
 </context>
 <context>
@@ -4748,7 +5412,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das ist das ganze Bild.</translation>
     </message>
     <message>
-        <source>There is nothing nearer to zoom to here.</source>
+        <source>There is nothing more to zoom in to here.</source>
         <translation>Hier lässt sich nichts weiter vergrößern.</translation>
     </message>
 </context>
@@ -4877,12 +5541,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 Wer ist das nächste Gesicht?</translation>
     </message>
     <message>
-        <source>Saved: %1 is read as the page is.</source>
-        <translation>Gespeichert: %1 wird gelesen wie die Seite.</translation>
+        <source>Saved: %1 is read in the page&apos;s language.</source>
+        <translation>Gespeichert: %1 wird in der Sprache der Seite gelesen.</translation>
     </message>
     <message>
-        <source>Saved: %1. The name is read as %2.</source>
-        <translation>Gespeichert: %1. Der Name wird gelesen als %2.</translation>
+        <source>Saved: %1. Language of the name: %2.</source>
+        <translation>Gespeichert: %1. Sprache des Namens: %2.</translation>
     </message>
     <message>
         <source>One face, with a name.</source>
@@ -4891,6 +5555,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>One face, without a name.</source>
         <translation>Ein Gesicht, ohne Namen.</translation>
+    </message>
+    <message>
+        <source>Perhaps %1</source>
+        <translation>Vielleicht %1</translation>
+    </message>
+    <message>
+        <source>%1 %2?</source>
+        <translation>%1 %2?</translation>
     </message>
 </context>
 <context>
@@ -4949,28 +5621,28 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::FeelingSettings</name>
     <message>
-        <source>Nothing</source>
-        <translation>Nichts</translation>
+        <source>None</source>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>Beeps</source>
         <translation>Pieptöne</translation>
     </message>
     <message>
-        <source>Spoken clock directions</source>
-        <translation>Gesprochene Richtungen als Uhrzeit</translation>
+        <source>Clock directions</source>
+        <translation>Uhrzeitansage</translation>
     </message>
     <message>
         <source>Both</source>
         <translation>Beides</translation>
     </message>
     <message>
-        <source>what guides the finger</source>
-        <translation>was den Finger führt</translation>
+        <source>the guide</source>
+        <translation>die Führung</translation>
     </message>
     <message>
         <source>the strongest force</source>
-        <translation>die größte Kraft</translation>
+        <translation>die maximale Kraft</translation>
     </message>
     <message>
         <source>At most %1 newtons.</source>
@@ -5052,21 +5724,21 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>aus</translation>
     </message>
     <message>
-        <source>chosen</source>
-        <translation>gewählt</translation>
+        <source>selected</source>
+        <translation>ausgewählt</translation>
     </message>
 </context>
 <context>
     <name>tp::FolderChooser</name>
     <message>
         <source>no photographs in this folder itself</source>
-        <translation>keine Fotos in diesem Ordner selbst</translation>
+        <translation>keine Fotos direkt in diesem Ordner</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s) in this folder itself</source>
         <translation>
-            <numerusform>%n Foto in diesem Ordner selbst</numerusform>
-            <numerusform>%n Fotos in diesem Ordner selbst</numerusform>
+            <numerusform>%n Foto direkt in diesem Ordner</numerusform>
+            <numerusform>%n Fotos direkt in diesem Ordner</numerusform>
         </translation>
     </message>
     <message>
@@ -5078,19 +5750,69 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>der ganze Computer</translation>
     </message>
     <message>
-        <source>no folders below it</source>
-        <translation>keine Ordner darunter</translation>
+        <source>no subfolders</source>
+        <translation>keine Unterordner</translation>
     </message>
     <message numerus="yes">
-        <source>%n folder(s) below it</source>
+        <source>%n subfolder(s)</source>
         <translation>
-            <numerusform>%n Ordner darunter</numerusform>
-            <numerusform>%n Ordner darunter</numerusform>
+            <numerusform>%n Unterordner</numerusform>
+            <numerusform>%n Unterordner</numerusform>
         </translation>
     </message>
     <message>
         <source>Folder %1: %2, %3.</source>
         <translation>Ordner %1: %2, %3.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::GroupCare</name>
+    <message>
+        <source>Looking for people…</source>
+        <translation>Personen werden gesucht …</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2.</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1. %2.</translation>
+    </message>
+    <message>
+        <source>Saved: %1, on %2.</source>
+        <translation>Gespeichert: %1, auf %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s)</source>
+        <translation>
+            <numerusform>%n Foto</numerusform>
+            <numerusform>%n Fotos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Who is the next? %2.</source>
+        <translation>%1 Wer ist die nächste Person? %2.</translation>
+    </message>
+    <message>
+        <source>%1 Nobody is left without a name.</source>
+        <translation>%1 Niemand ist mehr ohne Namen.</translation>
+    </message>
+    <message>
+        <source>This face is somebody else&apos;s.</source>
+        <translation>Dieses Gesicht gehört jemand anderem.</translation>
+    </message>
+    <message>
+        <source>This face is not that of %1.</source>
+        <translation>Dieses Gesicht ist nicht das von %1.</translation>
+    </message>
+    <message>
+        <source>Selected: %1.</source>
+        <translation>Ausgewählt: %1.</translation>
     </message>
 </context>
 <context>
@@ -5100,7 +5822,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Fotos werden gesucht…</translation>
     </message>
     <message>
-        <source>An import is under way. Wait for its end, or stop it first.</source>
+        <source>An import is running. Wait until it ends, or stop it first.</source>
         <translation>Ein Import läuft gerade. Warten Sie sein Ende ab oder halten Sie ihn zuerst an.</translation>
     </message>
     <message>
@@ -5108,7 +5830,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Nur Fotos und Ordner auf diesem Computer können importiert werden.</translation>
     </message>
     <message>
-        <source>Choose the folder in which the album is to lie. The photographs are copied into it.</source>
+        <source>Choose the folder to keep the album in. The photographs are copied into it.</source>
         <translation>Wählen Sie den Ordner, in dem das Album liegen soll. Die Fotos werden dorthin kopiert.</translation>
     </message>
     <message>
@@ -5120,20 +5842,20 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Album braucht einen Ordner auf diesem Computer.</translation>
     </message>
     <message>
-        <source>The album has the folder %1 now.</source>
-        <translation>Das Album hat jetzt den Ordner %1.</translation>
+        <source>The folder %1 now belongs to the album.</source>
+        <translation>Der Ordner %1 gehört jetzt zum Album.</translation>
     </message>
     <message>
         <source>Stopping after this photograph.</source>
         <translation>Nach diesem Foto wird angehalten.</translation>
     </message>
     <message>
-        <source>The import goes on.</source>
-        <translation>Der Import geht weiter.</translation>
+        <source>The import continues.</source>
+        <translation>Der Import wird fortgesetzt.</translation>
     </message>
     <message>
-        <source>The import is not gone on with. What it brought stays.</source>
-        <translation>Der Import wird nicht fortgesetzt. Was er gebracht hat, bleibt.</translation>
+        <source>The import is discarded. What was imported stays.</source>
+        <translation>Der Import ist verworfen. Was schon importiert ist, bleibt.</translation>
     </message>
 </context>
 <context>
@@ -5161,11 +5883,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::LabArchive</name>
     <message>
-        <source>The folder %1 cannot be made: %2</source>
+        <source>The folder %1 cannot be created: %2</source>
         <translation>Der Ordner %1 kann nicht angelegt werden: %2</translation>
     </message>
     <message>
-        <source>The recording cannot be begun: %1</source>
+        <source>The recording cannot be started: %1</source>
         <translation>Die Aufnahme kann nicht begonnen werden: %1</translation>
     </message>
     <message>
@@ -5177,8 +5899,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Aufgenommen in %1; die Parameter liegen daneben.</translation>
     </message>
     <message>
-        <source>There is nothing to write yet. Start the servo first.</source>
-        <translation>Es gibt noch nichts zu schreiben. Starten Sie zuerst den Servo.</translation>
+        <source>There is nothing to save yet. Start the servo first.</source>
+        <translation>Es gibt noch nichts zu speichern. Starten Sie zuerst den Servo.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
@@ -5225,7 +5947,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 wird gelesen.</translation>
     </message>
     <message>
-        <source>%1 holds nothing.</source>
+        <source>%1 is empty.</source>
         <translation>%1 ist leer.</translation>
     </message>
     <message>
@@ -5245,14 +5967,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Recording: %1. Escape ends it.</source>
-        <translation>Aufzeichnung: %1. Escape beendet sie.</translation>
+        <translation>Aufnahme läuft: %1. Escape beendet sie.</translation>
     </message>
     <message>
-        <source>The servo runs: %1. Escape stops it.</source>
-        <translation>Die Regelung läuft: %1. Escape hält sie an.</translation>
+        <source>The servo is running: %1. Escape stops it.</source>
+        <translation>Der Servo läuft: %1. Escape hält ihn an.</translation>
     </message>
     <message>
-        <source>Only a simulated device that runs can be made to hang.</source>
+        <source>Only a simulated device that is running can be made to hang.</source>
         <translation>Hängen kann nur ein simuliertes Gerät, das läuft.</translation>
     </message>
     <message>
@@ -5283,7 +6005,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Gebogener Pfad, 200 mm breit</translation>
     </message>
     <message>
-        <source>Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.</source>
+        <source>Force field of %1: colours and arrows from 0 to %2 newtons. The scale bar is 20 mm long.</source>
         <translation>Kraftfeld, %1: Farben und Pfeile von 0 bis %2 Newton. Der Maßstab ist 20 mm lang.</translation>
     </message>
     <message>
@@ -5313,7 +6035,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::LabSession</name>
     <message>
-        <source>The lab. A finger on a simulated device, a force field, and everything that can be turned. Space on the surface starts the servo, Escape stops it.</source>
+        <source>The lab. A finger on a simulated device, a force field, and everything that can be adjusted. Space on the surface starts the servo, Escape stops it.</source>
         <translation>Das Labor. Ein Finger auf einem simulierten Gerät, ein Kraftfeld und alles, was sich einstellen lässt. Die Leertaste auf der Tastfläche startet den Servo, Escape hält ihn an.</translation>
     </message>
     <message>
@@ -5324,7 +6046,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::LabTeller</name>
     <message>
-        <source>Nothing runs.</source>
+        <source>Nothing is running.</source>
         <translation>Nichts läuft.</translation>
     </message>
 </context>
@@ -5359,8 +6081,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>das Zurücksetzen</translation>
     </message>
     <message>
-        <source>Law, servo, device and faults are as they were at first.</source>
-        <translation>Führungsgesetz, Servo, Gerät und Fehler sind wie am Anfang.</translation>
+        <source>Law, servo, device and faults are reset.</source>
+        <translation>Führungsgesetz, Servo, Gerät und Fehler sind zurückgesetzt.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
@@ -5402,24 +6124,24 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>die Farben</translation>
     </message>
     <message>
-        <source>the size of text</source>
+        <source>the text size</source>
         <translation>die Textgröße</translation>
     </message>
     <message>
-        <source>Text at %1 percent.</source>
-        <translation>Text mit %1 Prozent.</translation>
+        <source>Text size: %1 percent.</source>
+        <translation>Textgröße: %1 Prozent.</translation>
     </message>
     <message>
-        <source>motion</source>
-        <translation>Bewegung</translation>
+        <source>animations</source>
+        <translation>Animationen</translation>
     </message>
     <message>
-        <source>Pictures may move.</source>
-        <translation>Bilder dürfen sich bewegen.</translation>
+        <source>Animations on.</source>
+        <translation>Animationen an.</translation>
     </message>
     <message>
-        <source>Nothing moves by itself.</source>
-        <translation>Nichts bewegt sich von selbst.</translation>
+        <source>Animations off.</source>
+        <translation>Animationen aus.</translation>
     </message>
 </context>
 <context>
@@ -5460,7 +6182,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1.</translation>
     </message>
     <message>
-        <source>No point is in hand. Tab goes from point to point.</source>
+        <source>No point is selected. Tab goes from point to point.</source>
         <translation>Kein Punkt ist ausgewählt. Tab geht von Punkt zu Punkt.</translation>
     </message>
     <message>
@@ -5480,15 +6202,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Punkt gelöscht, %1</translation>
     </message>
     <message>
-        <source>Deleted. In hand: %1.</source>
+        <source>Deleted. Selected: %1.</source>
         <translation>Gelöscht. Ausgewählt: %1.</translation>
     </message>
     <message>
-        <source>This point can be no corner.</source>
+        <source>This point cannot be a corner.</source>
         <translation>Dieser Punkt kann keine Ecke sein.</translation>
     </message>
     <message>
-        <source>a point of the %1 was turned</source>
+        <source>a point of the %1 was converted</source>
         <translation>Punkt umgewandelt, %1</translation>
     </message>
     <message>
@@ -5512,7 +6234,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Wieder so, wie das Programm es gefunden hat: %1.</translation>
     </message>
     <message>
-        <source>The %1 is gone again: the program did not find it.</source>
+        <source>The %1 is gone again, because the program did not find it.</source>
         <translation>Wieder weg, weil das Programm es nicht gefunden hat: %1.</translation>
     </message>
     <message>
@@ -5536,15 +6258,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 entfernt</translation>
     </message>
     <message>
-        <source>The %1 is removed. It will not be felt.</source>
-        <translation>Entfernt: %1. Das Merkmal ist dann nicht zu fühlen.</translation>
+        <source>The %1 was removed. It will not be felt.</source>
+        <translation>Entfernt: %1. Das Merkmal ist dann nicht mehr zu fühlen.</translation>
     </message>
     <message>
         <source>a face was added</source>
         <translation>ein Gesicht hinzugefügt</translation>
     </message>
     <message>
-        <source>A face of usual shape was added. Move its features into place.</source>
+        <source>A face of the usual shape was added. Move its features into place.</source>
         <translation>Ein Gesicht in üblicher Form wurde hinzugefügt. Rücken Sie seine Merkmale zurecht.</translation>
     </message>
 </context>
@@ -5590,7 +6312,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The contours are saved. Another program had changed them; what it wrote is kept as %1.</source>
-        <translation>Die Konturen sind gespeichert. Ein anderes Programm hatte sie geändert; was es geschrieben hat, ist als %1 aufbewahrt.</translation>
+        <translation>Die Konturen sind gespeichert. Ein anderes Programm hatte sie geändert; seine Fassung ist als %1 aufbewahrt.</translation>
     </message>
     <message>
         <source>Nothing was changed.</source>
@@ -5601,7 +6323,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>alle Änderungen verworfen</translation>
     </message>
     <message>
-        <source>All changes are discarded: the contours are as they were opened.</source>
+        <source>All changes are discarded: the contours are as they were when opened.</source>
         <translation>Alle Änderungen sind verworfen: Die Konturen sind wie beim Öffnen.</translation>
     </message>
 </context>
@@ -5615,8 +6337,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         </translation>
     </message>
     <message>
-        <source>%1: not there. It can be added.</source>
-        <translation>%1: nicht da, kann aber hinzugefügt werden.</translation>
+        <source>%1: missing. It can be added.</source>
+        <translation>%1: fehlt, kann aber hinzugefügt werden.</translation>
     </message>
     <message>
         <source>The whole feature moves.</source>
@@ -5631,7 +6353,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1: %2.</translation>
     </message>
     <message numerus="yes">
-        <source>%1, %n point(s), none in hand.</source>
+        <source>%1, %n point(s), none selected.</source>
         <translation>
             <numerusform>%1, %n Punkt, keiner ausgewählt.</numerusform>
             <numerusform>%1, %n Punkte, keiner ausgewählt.</numerusform>
@@ -5653,8 +6375,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Gesichter werden gesucht…</translation>
     </message>
     <message>
-        <source>Here the contours of a photograph are mended. There is no photograph yet.</source>
-        <translation>Hier werden die Konturen eines Fotos korrigiert. Noch ist kein Foto da.</translation>
+        <source>This page mends the contours of a photograph. There is no photograph yet.</source>
+        <translation>Auf dieser Seite werden die Konturen eines Fotos korrigiert. Noch ist kein Foto da.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -5662,11 +6384,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>No face was found in %1. One of usual shape can be added and put in place.</source>
-        <translation>In %1 wurde kein Gesicht gefunden. Eines in üblicher Form kann hinzugefügt und zurechtgerückt werden.</translation>
+        <source>No face was found in %1. You can add one of the usual shape and move it into place.</source>
+        <translation>In %1 wurde kein Gesicht gefunden. Sie können eines in üblicher Form hinzufügen und zurechtrücken.</translation>
     </message>
     <message>
-        <source>Contours of %1. In hand: %2. Tab goes from point to point, the arrow keys move it.</source>
+        <source>Contours of %1. Selected: %2. Tab goes from point to point, the arrow keys move it.</source>
         <translation>Konturen von %1. Ausgewählt: %2. Tab geht von Punkt zu Punkt, die Pfeiltasten verschieben ihn.</translation>
     </message>
 </context>
@@ -5674,31 +6396,31 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <name>tp::Narrator</name>
     <message>
         <source>Voice on.</source>
-        <translation>Stimme ein.</translation>
+        <translation>Stimme an.</translation>
     </message>
     <message>
         <source>Voice off.</source>
         <translation>Stimme aus.</translation>
     </message>
     <message>
-        <source>No speech engine was found on this computer, so nothing is spoken here. A screen reader is told instead.</source>
-        <translation>Auf diesem Computer wurde keine Sprachausgabe gefunden, deshalb wird hier nichts gesprochen. Stattdessen erhält ein Screenreader die Texte.</translation>
+        <source>No speech engine was found on this computer, so TouchPhoto cannot speak. It tells a screen reader instead.</source>
+        <translation>Auf diesem Computer wurde keine Sprachausgabe gefunden, deshalb kann TouchPhoto nicht sprechen. Stattdessen erhält ein Screenreader die Texte.</translation>
     </message>
 </context>
 <context>
     <name>tp::OpenAlbum</name>
     <message numerus="yes">
-        <source>%n more thing(s) in the album need a look.</source>
+        <source>%n more thing(s) in the album need checking.</source>
         <translation>
-            <numerusform>Im Album sollten Sie noch %n weitere Sache ansehen.</numerusform>
-            <numerusform>Im Album sollten Sie noch %n weitere Sachen ansehen.</numerusform>
+            <numerusform>Im Album sollten Sie noch %n Sache prüfen.</numerusform>
+            <numerusform>Im Album sollten Sie noch %n Sachen prüfen.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>tp::PhotoRows</name>
     <message>
-        <source>Not looked at yet.</source>
+        <source>Not checked yet.</source>
         <translation>Noch nicht geprüft.</translation>
     </message>
     <message>
@@ -5752,22 +6474,22 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::Preferences</name>
     <message>
-        <source>Your settings could not be read. The usual ones are used until that is mended.</source>
-        <translation>Ihre Einstellungen konnten nicht gelesen werden. Bis das behoben ist, gelten die üblichen.</translation>
+        <source>Your settings could not be read. The default settings are used until that is put right.</source>
+        <translation>Ihre Einstellungen konnten nicht gelesen werden. Bis das behoben ist, gelten die Standardeinstellungen.</translation>
     </message>
     <message>
-        <source>Your settings could not be read and were set aside. The usual ones are used; you can choose anew on the settings page.</source>
-        <translation>Ihre Einstellungen konnten nicht gelesen werden und wurden beiseitegelegt. Es gelten die üblichen; auf der Seite Einstellungen können Sie neu wählen.</translation>
+        <source>Your settings could not be read and were set aside. The default settings are used; you can choose again on the settings page.</source>
+        <translation>Ihre Einstellungen konnten nicht gelesen werden und wurden beiseitegelegt. Es gelten die Standardeinstellungen; auf der Seite „Einstellungen“ können Sie neu wählen.</translation>
     </message>
     <message>
-        <source>Your settings could not be kept: %1</source>
+        <source>Your settings could not be saved: %1</source>
         <translation>Ihre Einstellungen konnten nicht gespeichert werden: %1</translation>
     </message>
 </context>
 <context>
     <name>tp::PrintSession</name>
     <message>
-        <source>Print. Choose a photograph on the page for looking after the album.</source>
+        <source>Print. Choose a photograph on the page &quot;Look after the album&quot;.</source>
         <translation>Drucken. Wählen Sie ein Foto auf der Seite „Album pflegen“.</translation>
     </message>
     <message>
@@ -5780,14 +6502,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>There is no sheet yet.</source>
-        <translation>Noch gibt es kein Tastblatt.</translation>
+        <translation>Es gibt noch kein Tastblatt.</translation>
     </message>
     <message>
-        <source>The folder %1 could not be made: %2</source>
+        <source>The folder %1 could not be created: %2</source>
         <translation>Der Ordner %1 konnte nicht angelegt werden: %2</translation>
     </message>
     <message>
-        <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
+        <source>The sheet is saved as %1. Print it at 100 percent, unscaled.</source>
         <translation>Das Tastblatt ist als %1 gespeichert. Drucken Sie es mit 100 Prozent, nicht skaliert.</translation>
     </message>
 </context>
@@ -5829,11 +6551,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 mal %2 Millimeter</translation>
     </message>
     <message>
-        <source>With its name in print.</source>
+        <source>With the name in print.</source>
         <translation>Mit Namen in Schwarzschrift.</translation>
     </message>
     <message>
-        <source>Without a name in print.</source>
+        <source>Without the name in print.</source>
         <translation>Ohne Namen in Schwarzschrift.</translation>
     </message>
 </context>
@@ -5865,11 +6587,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Print a tactile sheet</source>
-        <translation>Ein Tastblatt drucken</translation>
+        <translation>Tastblatt drucken</translation>
     </message>
     <message>
         <source>Lab</source>
         <translation>Labor</translation>
+    </message>
+    <message>
+        <source>Take a photograph</source>
+        <translation>Ein Foto machen</translation>
     </message>
 </context>
 <context>
@@ -5884,7 +6610,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Who uses this tablet most?</source>
-        <translation>Wer benutzt dieses Tablet meistens?</translation>
+        <translation>Wer benutzt dieses Tablet am meisten?</translation>
     </message>
     <message>
         <source>Looking for a force device.</source>
@@ -5943,11 +6669,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Jemand, der das Album pflegt</translation>
     </message>
     <message>
-        <source>Go on without a device</source>
-        <translation>Ohne Gerät weitermachen</translation>
+        <source>Continue without a device</source>
+        <translation>Ohne Gerät fortfahren</translation>
     </message>
     <message>
-        <source>Use it</source>
+        <source>Use this device</source>
         <translation>Dieses Gerät benutzen</translation>
     </message>
     <message>
@@ -6022,8 +6748,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Aufnahme wurde beendet: %1</translation>
     </message>
     <message>
-        <source>The microphone hears nothing. It may be switched off or covered.</source>
-        <translation>Das Mikrofon hört nichts. Vielleicht ist es ausgeschaltet oder verdeckt.</translation>
+        <source>The microphone picks up nothing. It may be switched off or covered.</source>
+        <translation>Das Mikrofon nimmt nichts auf. Vielleicht ist es ausgeschaltet oder verdeckt.</translation>
     </message>
     <message>
         <source>The disk is almost full, so the recording has ended.</source>
@@ -6042,7 +6768,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 können noch aufgenommen werden.</translation>
     </message>
     <message>
-        <source>What was recorded is kept as &quot;%1&quot; and will be stored later, because %2</source>
+        <source>What was recorded is kept as &quot;%1&quot; and will be saved later, because %2</source>
         <translation>Was aufgenommen wurde, ist als „%1“ aufbewahrt und wird später gespeichert: %2</translation>
     </message>
     <message>
@@ -6057,7 +6783,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::RecordingList</name>
     <message>
-        <source>Not said</source>
+        <source>Not given</source>
         <translation>Keine Angabe</translation>
     </message>
     <message>
@@ -6065,15 +6791,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1, %2, %3 von %4</translation>
     </message>
     <message>
-        <source>It is the first one.</source>
-        <translation>Es ist die erste.</translation>
+        <source>This is the first one.</source>
+        <translation>Das ist die erste.</translation>
     </message>
     <message>
-        <source>It is the last one.</source>
-        <translation>Es ist die letzte.</translation>
+        <source>This is the last one.</source>
+        <translation>Das ist die letzte.</translation>
     </message>
     <message>
-        <source>%1 is number %2 of %3 now.</source>
+        <source>%1 is now number %2 of %3.</source>
         <translation>%1 ist jetzt Nummer %2 von %3.</translation>
     </message>
     <message>
@@ -6094,14 +6820,21 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>tp::RecordingWait</name>
+    <message>
+        <source>A recording is being made. Finish it first.</source>
+        <translation>Es wird gerade aufgenommen. Beenden Sie erst die Aufnahme.</translation>
+    </message>
+</context>
+<context>
     <name>tp::SettingSteps</name>
     <message>
         <source>the reset</source>
         <translation>das Zurücksetzen</translation>
     </message>
     <message>
-        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
-        <translation>Alle Einstellungen sind wie am Anfang. Die Ordner des Albums bleiben.</translation>
+        <source>All settings are reset. The album&apos;s folders stay.</source>
+        <translation>Alle Einstellungen sind zurückgesetzt. Die Ordner des Albums bleiben.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
@@ -6115,15 +6848,15 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::SettingsSession</name>
     <message>
-        <source>Settings. Go through them by Tab; each change is kept at once. Control Z undoes the last one.</source>
-        <translation>Einstellungen. Gehen Sie mit Tab hindurch; jede Änderung wird sofort gespeichert. Strg Z nimmt die letzte zurück.</translation>
+        <source>Settings. Go through them with Tab; every change is saved at once. Control+Z undoes the last one.</source>
+        <translation>Einstellungen. Gehen Sie mit Tab hindurch; jede Änderung wird sofort gespeichert. Strg+Z macht die letzte rückgängig.</translation>
     </message>
 </context>
 <context>
     <name>tp::Shell</name>
     <message>
-        <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the previous page.</source>
-        <translation>Überall: Escape hält an, was klingt oder sich bewegt, und führt dann zur Startseite. F1: diese Hilfe. F2: der letzte Satz noch einmal. F3: Stimme ein oder aus. Alt und Pfeil links: die vorige Seite.</translation>
+        <source>On every page: Escape stops whatever sounds or moves, then leads home. F1: this help. F2: repeat the last sentence. F3: voice on or off. Alt+Left: previous page.</source>
+        <translation>Auf jeder Seite: Escape hält an, was klingt oder sich bewegt, und führt dann zur Startseite. F1: diese Hilfe. F2: den letzten Satz wiederholen. F3: Stimme ein oder aus. Alt+Pfeil links: vorherige Seite.</translation>
     </message>
 </context>
 <context>
@@ -6161,7 +6894,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Sehr schnell</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>Same as the system</source>
         <translation>Wie das System</translation>
     </message>
     <message>
@@ -6185,20 +6918,68 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>das Tempo der Aufnahmen</translation>
     </message>
     <message>
-        <source>Recordings play at %1 times their speed.</source>
+        <source>Recordings play at %1 times normal speed.</source>
         <translation>Aufnahmen laufen mit %1-facher Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>sounds</source>
-        <translation>Töne</translation>
+        <source>sound effects</source>
+        <translation>Signaltöne</translation>
     </message>
     <message>
-        <source>Sounds on.</source>
-        <translation>Töne ein.</translation>
+        <source>Sound effects on.</source>
+        <translation>Signaltöne an.</translation>
     </message>
     <message>
-        <source>Sounds off.</source>
-        <translation>Töne aus.</translation>
+        <source>Sound effects off.</source>
+        <translation>Signaltöne aus.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Short</source>
+        <translation>Kurz</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Ausführlich</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Time and place</source>
+        <translation>Zeit und Ort</translation>
+    </message>
+    <message>
+        <source>Only what people wrote about a photograph is said.</source>
+        <translation>Von einem Foto wird nur gesagt, was Menschen dazu geschrieben haben.</translation>
+    </message>
+    <message>
+        <source>What a photograph shows is said briefly.</source>
+        <translation>Was auf einem Foto zu sehen ist, wird kurz gesagt.</translation>
+    </message>
+    <message>
+        <source>What a photograph shows is said in full.</source>
+        <translation>Was auf einem Foto zu sehen ist, wird ausführlich gesagt.</translation>
+    </message>
+    <message>
+        <source>descriptions</source>
+        <translation>Beschreibungen</translation>
+    </message>
+    <message>
+        <source>what is said first</source>
+        <translation>was zuerst genannt wird</translation>
+    </message>
+    <message>
+        <source>People come first.</source>
+        <translation>Personen werden zuerst genannt.</translation>
+    </message>
+    <message>
+        <source>Time and place come first.</source>
+        <translation>Zeit und Ort werden zuerst genannt.</translation>
     </message>
 </context>
 <context>
@@ -6217,7 +6998,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Your last photograph, under your finger</source>
-        <translation>Ihr letztes Foto, unter Ihrem Finger</translation>
+        <translation>Ihr letztes Foto unter Ihrem Finger</translation>
     </message>
     <message>
         <source>Look after the album</source>
@@ -6232,16 +7013,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Speech, colours, force, where photographs are</source>
-        <translation>Sprache, Farben, Kraft, wo die Fotos sind</translation>
+        <source>Speech, colours, force, where your photographs are</source>
+        <translation>Sprache, Farben, Kraft, wo Ihre Fotos sind</translation>
     </message>
     <message>
         <source>Take a photograph</source>
         <translation>Ein Foto machen</translation>
-    </message>
-    <message>
-        <source>Not available yet: photographs of any camera can be imported</source>
-        <translation>Noch nicht verfügbar: Fotos jeder Kamera können importiert werden</translation>
     </message>
     <message>
         <source>Studies</source>
@@ -6263,6 +7040,36 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>For researchers: guidance laws, their parameters, plots, recordings</source>
         <translation>Für die Forschung: Führungsgesetze, ihre Parameter, Diagramme, Aufnahmen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n new photograph(s)</source>
+        <translation>
+            <numerusform>%n neues Foto</numerusform>
+            <numerusform>%n neue Fotos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <translation>%1, %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n with people</source>
+        <translation>
+            <numerusform>%n mit Personen</numerusform>
+            <numerusform>%n mit Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>TouchPhoto, start page. %3 1: %1. 2: %2. More below; F1 for help.</source>
+        <translation>TouchPhoto, Startseite. %3 1: %1. 2: %2. Mehr darunter; F1 für Hilfe.</translation>
+    </message>
+    <message>
+        <source>The camera is led to a face by words and a tone</source>
+        <translation>Worte und ein Ton führen die Kamera zu einem Gesicht</translation>
+    </message>
 </context>
 <context>
     <name>tp::StorageSettings</name>
@@ -6271,27 +7078,27 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Es wurde kein Ordner ausgewählt.</translation>
     </message>
     <message>
-        <source>The album has this folder already.</source>
-        <translation>Das Album hat diesen Ordner schon.</translation>
+        <source>This folder is already in the album.</source>
+        <translation>Dieser Ordner ist schon im Album.</translation>
     </message>
     <message>
-        <source>the album&apos;s new folder</source>
-        <translation>der neue Ordner des Albums</translation>
+        <source>the added folder</source>
+        <translation>der hinzugefügte Ordner</translation>
     </message>
     <message>
-        <source>%1 belongs to the album now.</source>
+        <source>%1 now belongs to the album.</source>
         <translation>%1 gehört jetzt zum Album.</translation>
     </message>
     <message>
-        <source>the folder that left the album</source>
-        <translation>der Ordner, der aus dem Album genommen wurde</translation>
+        <source>the removed folder</source>
+        <translation>der entfernte Ordner</translation>
     </message>
     <message>
         <source>%1 no longer belongs to the album. Its photographs and recordings stay where they are.</source>
         <translation>%1 gehört nicht mehr zum Album. Die Fotos und Aufnahmen darin bleiben, wo sie sind.</translation>
     </message>
     <message>
-        <source>Nothing leaves this computer: TouchPhoto opens no connection to any other.</source>
+        <source>Nothing leaves this computer: TouchPhoto connects to no other.</source>
         <translation>Nichts verlässt diesen Computer: TouchPhoto stellt keine Verbindung zu einem anderen her.</translation>
     </message>
     <message>
@@ -6299,8 +7106,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Diese Einstellungen, in %1.</translation>
     </message>
     <message>
-        <source>An index of the album, in %1 (%2). It can be thrown away at any time.</source>
-        <translation>Ein Index des Albums, in %1 (%2). Er kann jederzeit verworfen werden.</translation>
+        <source>An index of the album, in %1 (%2). It can be deleted at any time.</source>
+        <translation>Ein Index des Albums, in %1 (%2). Er kann jederzeit gelöscht werden.</translation>
     </message>
     <message>
         <source>Where your force device lies on the screen, in %1.</source>
@@ -6311,12 +7118,28 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Namen, Beschreibungen und Aufnahmen, neben den Fotos in %1.</translation>
     </message>
     <message>
-        <source>The photograph that you were at last: %1.</source>
-        <translation>Das Foto, bei dem Sie zuletzt waren: %1.</translation>
+        <source>The photograph you opened last: %1.</source>
+        <translation>Das zuletzt geöffnete Foto: %1.</translation>
     </message>
     <message>
-        <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
-        <translation>Der Index wird verworfen, wenn TouchPhoto endet, und beim nächsten Start aus den Fotos neu angelegt.</translation>
+        <source>The index is deleted when TouchPhoto ends, and rebuilt from the photographs at the next start.</source>
+        <translation>Der Index wird gelöscht, wenn TouchPhoto endet, und beim nächsten Start aus den Fotos neu aufgebaut.</translation>
+    </message>
+    <message>
+        <source>In that index, for each face of the album, numbers by which it is known again.</source>
+        <translation>In diesem Index zu jedem Gesicht des Albums Zahlen, an denen es wiedererkannt wird.</translation>
+    </message>
+    <message>
+        <source>comparing faces</source>
+        <translation>der Vergleich von Gesichtern</translation>
+    </message>
+    <message>
+        <source>Faces are compared, so that names can be offered.</source>
+        <translation>Gesichter werden verglichen, damit Namen vorgeschlagen werden können.</translation>
+    </message>
+    <message>
+        <source>Faces are not compared. What was kept about them is deleted; names stay.</source>
+        <translation>Gesichter werden nicht verglichen. Was über sie gespeichert war, ist gelöscht; Namen bleiben.</translation>
     </message>
 </context>
 <context>
@@ -6334,10 +7157,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Paused</source>
-        <translation>Pause</translation>
+        <translation>Angehalten</translation>
     </message>
     <message>
-        <source>Being stored…</source>
+        <source>Saving…</source>
         <translation>Wird gespeichert…</translation>
     </message>
     <message>
@@ -6361,19 +7184,19 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>zu laut</translation>
     </message>
     <message>
-        <source>The recorder is still at work. Try again in a moment.</source>
+        <source>The recorder is still busy. Try again in a moment.</source>
         <translation>Das Aufnehmen ist noch nicht abgeschlossen. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
         <source>Paused.</source>
-        <translation>Pause.</translation>
+        <translation>Angehalten.</translation>
     </message>
     <message>
-        <source>Throw away what was recorded? It cannot be brought back.</source>
+        <source>Discard what was recorded? It cannot be brought back.</source>
         <translation>Das Aufgenommene verwerfen? Es kann nicht zurückgeholt werden.</translation>
     </message>
     <message>
-        <source>Thrown away. Nothing was changed.</source>
+        <source>Discarded. Nothing was changed.</source>
         <translation>Verworfen. Nichts wurde geändert.</translation>
     </message>
     <message>
@@ -6381,7 +7204,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Behalten. Die Aufnahme ist angehalten.</translation>
     </message>
     <message>
-        <source>%1 It is saved.</source>
+        <source>%1 Saved.</source>
         <translation>%1 Gespeichert.</translation>
     </message>
     <message>
@@ -6408,7 +7231,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Bis %1</translation>
     </message>
     <message>
-        <source>All of it stays, so there is nothing to cut off. Move the begin or the end first.</source>
+        <source>All of it stays, so there is nothing to cut off. Move the start or the end first.</source>
         <translation>Alles bleibt, es gibt also nichts abzuschneiden. Verschieben Sie zuerst den Anfang oder das Ende.</translation>
     </message>
     <message>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>AimWords</name>
+    <message numerus="yes">
+        <source>%n face(s).</source>
+        <translation>
+            <numerusform>%n face.</numerusform>
+            <numerusform>%n faces.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>CareWords</name>
     <message numerus="yes">
         <source>%n recording(s).</source>
@@ -18,10 +28,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them there already</source>
+        <source>%n of them already in the album</source>
         <translation>
-            <numerusform>%n of them there already</numerusform>
-            <numerusform>%n of them there already</numerusform>
+            <numerusform>%n of them already in the album</numerusform>
+            <numerusform>%n of them already in the album</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -29,6 +39,55 @@
         <translation>
             <numerusform>%n failed</numerusform>
             <numerusform>%n failed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s)</source>
+        <translation>
+            <numerusform>%n photograph</numerusform>
+            <numerusform>%n photographs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to confirm</source>
+        <translation>
+            <numerusform>%n to confirm</numerusform>
+            <numerusform>%n to confirm</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) without a name.</source>
+        <translation>
+            <numerusform>%n person without a name.</numerusform>
+            <numerusform>%n people without a name.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s) still to be looked at.</source>
+        <translation>
+            <numerusform>%n photograph still to be looked at.</numerusform>
+            <numerusform>%n photographs still to be looked at.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) on one photograph only.</source>
+        <translation>
+            <numerusform>%n face on one photograph only.</numerusform>
+            <numerusform>%n faces on one photograph only.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) too small, blurred, turned or covered to be compared.</source>
+        <translation>
+            <numerusform>%n face too small, blurred, turned or covered to be compared.</numerusform>
+            <numerusform>%n faces too small, blurred, turned or covered to be compared.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) to confirm.</source>
+        <translation>
+            <numerusform>%n face to confirm.</numerusform>
+            <numerusform>%n faces to confirm.</numerusform>
         </translation>
     </message>
 </context>
@@ -45,10 +104,10 @@
 <context>
     <name>PhotoListPane</name>
     <message numerus="yes">
-        <source>Looking at faces, %n photograph(s) left…</source>
+        <source>Checking faces, %n photograph(s) left…</source>
         <translation>
-            <numerusform>Looking at faces, %n photograph left…</numerusform>
-            <numerusform>Looking at faces, %n photographs left…</numerusform>
+            <numerusform>Checking faces, %n photograph left…</numerusform>
+            <numerusform>Checking faces, %n photographs left…</numerusform>
         </translation>
     </message>
 </context>
@@ -103,6 +162,13 @@
             <numerusform>%n seconds</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n recording(s).</source>
+        <translation>
+            <numerusform>%n recording.</numerusform>
+            <numerusform>%n recordings.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>TactileNotes</name>
@@ -114,10 +180,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The name %1 is cut after %n line(s) of braille.</source>
+        <source>The name %1 is cut off after %n line(s) of braille.</source>
         <translation>
-            <numerusform>The name %1 is cut after %n line of braille.</numerusform>
-            <numerusform>The name %1 is cut after %n lines of braille.</numerusform>
+            <numerusform>The name %1 is cut off after %n line of braille.</numerusform>
+            <numerusform>The name %1 is cut off after %n lines of braille.</numerusform>
         </translation>
     </message>
 </context>
@@ -216,17 +282,17 @@
 <context>
     <name>tp::ExploreWalk</name>
     <message numerus="yes">
-        <source>%n photograph(s) without a face passed over.</source>
+        <source>Skipped %n photograph(s) without a face.</source>
         <translation>
-            <numerusform>%n photograph without a face passed over.</numerusform>
-            <numerusform>%n photographs without a face passed over.</numerusform>
+            <numerusform>Skipped %n photograph without a face.</numerusform>
+            <numerusform>Skipped %n photographs without a face.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Looking further: %n photograph(s) without a face so far.</source>
+        <source>Still looking: %n photograph(s) without a face so far.</source>
         <translation>
-            <numerusform>Looking further: %n photograph without a face so far.</numerusform>
-            <numerusform>Looking further: %n photographs without a face so far.</numerusform>
+            <numerusform>Still looking: %n photograph without a face so far.</numerusform>
+            <numerusform>Still looking: %n photographs without a face so far.</numerusform>
         </translation>
     </message>
 </context>
@@ -277,10 +343,20 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n folder(s) below it</source>
+        <source>%n subfolder(s)</source>
         <translation>
-            <numerusform>%n folder below it</numerusform>
-            <numerusform>%n folders below it</numerusform>
+            <numerusform>%n subfolder</numerusform>
+            <numerusform>%n subfolders</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tp::GroupCare</name>
+    <message numerus="yes">
+        <source>%n photograph(s)</source>
+        <translation>
+            <numerusform>%n photograph</numerusform>
+            <numerusform>%n photographs</numerusform>
         </translation>
     </message>
 </context>
@@ -314,20 +390,20 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1, %n point(s), none in hand.</source>
+        <source>%1, %n point(s), none selected.</source>
         <translation>
-            <numerusform>%1, %n point, none in hand.</numerusform>
-            <numerusform>%1, %n points, none in hand.</numerusform>
+            <numerusform>%1, %n point, none selected.</numerusform>
+            <numerusform>%1, %n points, none selected.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>tp::OpenAlbum</name>
     <message numerus="yes">
-        <source>%n more thing(s) in the album need a look.</source>
+        <source>%n more thing(s) in the album need checking.</source>
         <translation>
-            <numerusform>%n more thing in the album needs a look.</numerusform>
-            <numerusform>%n more things in the album need a look.</numerusform>
+            <numerusform>%n more thing in the album needs checking.</numerusform>
+            <numerusform>%n more things in the album need checking.</numerusform>
         </translation>
     </message>
 </context>
@@ -352,6 +428,23 @@
         <translation>
             <numerusform>%1. %2 at %3 o&apos;clock, %n millimetre.</numerusform>
             <numerusform>%1. %2 at %3 o&apos;clock, %n millimetres.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tp::StartSession</name>
+    <message numerus="yes">
+        <source>%n new photograph(s)</source>
+        <translation>
+            <numerusform>%n new photograph</numerusform>
+            <numerusform>%n new photographs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n with people</source>
+        <translation>
+            <numerusform>%n with people</numerusform>
+            <numerusform>%n with people</numerusform>
         </translation>
     </message>
 </context>

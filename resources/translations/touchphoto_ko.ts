@@ -2,6 +2,187 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ko" sourcelanguage="en">
 <context>
+    <name>AimWords</name>
+    <message>
+        <source>Nobody is seen. Turn slowly to the left.</source>
+        <translation>아무도 보이지 않습니다. 천천히 왼쪽으로 도세요.</translation>
+    </message>
+    <message>
+        <source>Nobody is seen. Turn slowly to the right.</source>
+        <translation>아무도 보이지 않습니다. 천천히 오른쪽으로 도세요.</translation>
+    </message>
+    <message>
+        <source>Nobody is seen. Tilt slowly up.</source>
+        <translation>아무도 보이지 않습니다. 천천히 위로 기울이세요.</translation>
+    </message>
+    <message>
+        <source>Nobody is seen. Tilt slowly down.</source>
+        <translation>아무도 보이지 않습니다. 천천히 아래로 기울이세요.</translation>
+    </message>
+    <message>
+        <source>a little left</source>
+        <translation>조금 왼쪽</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>왼쪽</translation>
+    </message>
+    <message>
+        <source>far left</source>
+        <translation>많이 왼쪽</translation>
+    </message>
+    <message>
+        <source>a little right</source>
+        <translation>조금 오른쪽</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>오른쪽</translation>
+    </message>
+    <message>
+        <source>far right</source>
+        <translation>많이 오른쪽</translation>
+    </message>
+    <message>
+        <source>a little up</source>
+        <translation>조금 위로</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>위로</translation>
+    </message>
+    <message>
+        <source>far up</source>
+        <translation>많이 위로</translation>
+    </message>
+    <message>
+        <source>a little down</source>
+        <translation>조금 아래로</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>아래로</translation>
+    </message>
+    <message>
+        <source>far down</source>
+        <translation>많이 아래로</translation>
+    </message>
+    <message>
+        <source>a little closer</source>
+        <translation>조금 가까이</translation>
+    </message>
+    <message>
+        <source>closer</source>
+        <translation>가까이</translation>
+    </message>
+    <message>
+        <source>much closer</source>
+        <translation>많이 가까이</translation>
+    </message>
+    <message>
+        <source>a little back</source>
+        <translation>조금 뒤로</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>뒤로</translation>
+    </message>
+    <message>
+        <source>far back</source>
+        <translation>많이 뒤로</translation>
+    </message>
+    <message>
+        <source>a little clockwise</source>
+        <translation>조금 시계 방향</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>시계 방향</translation>
+    </message>
+    <message>
+        <source>far clockwise</source>
+        <translation>많이 시계 방향</translation>
+    </message>
+    <message>
+        <source>a little anticlockwise</source>
+        <translation>조금 반시계 방향</translation>
+    </message>
+    <message>
+        <source>anticlockwise</source>
+        <translation>반시계 방향</translation>
+    </message>
+    <message>
+        <source>far anticlockwise</source>
+        <translation>많이 반시계 방향</translation>
+    </message>
+    <message>
+        <source>Too dark. More light on the face.</source>
+        <translation>너무 어둡습니다. 얼굴에 빛이 더 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The light is behind them.</source>
+        <translation>빛이 뒤에서 옵니다.</translation>
+    </message>
+    <message>
+        <source>Keep still.</source>
+        <translation>움직이지 마세요.</translation>
+    </message>
+    <message>
+        <source>Eyes are shut.</source>
+        <translation>눈을 감았습니다.</translation>
+    </message>
+    <message>
+        <source>Good. Hold still.</source>
+        <translation>좋습니다. 그대로 계세요.</translation>
+    </message>
+    <message>
+        <source>Move the tablet: %1.</source>
+        <translation>태블릿을 움직이세요: %1.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s).</source>
+        <translation>
+            <numerusform>얼굴 %n개.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cut off at the left edge.</source>
+        <translation>왼쪽 가장자리에서 잘렸습니다.</translation>
+    </message>
+    <message>
+        <source>Cut off at the right edge.</source>
+        <translation>오른쪽 가장자리에서 잘렸습니다.</translation>
+    </message>
+    <message>
+        <source>Cut off at the upper edge.</source>
+        <translation>위쪽 가장자리에서 잘렸습니다.</translation>
+    </message>
+    <message>
+        <source>Cut off at the lower edge.</source>
+        <translation>아래쪽 가장자리에서 잘렸습니다.</translation>
+    </message>
+    <message>
+        <source>One face in the middle</source>
+        <translation>한 얼굴을 가운데에</translation>
+    </message>
+    <message>
+        <source>One face by thirds</source>
+        <translation>한 얼굴을 삼등분선에</translation>
+    </message>
+    <message>
+        <source>Head and shoulders</source>
+        <translation>머리와 어깨</translation>
+    </message>
+    <message>
+        <source>Everybody in</source>
+        <translation>모두 들어오게</translation>
+    </message>
+</context>
+<context>
     <name>BrowseButtons</name>
     <message>
         <source>Choose folders</source>
@@ -24,7 +205,7 @@
         <translation>녹음 재생</translation>
     </message>
     <message>
-        <source>On the detail of a recording: that one alone. Key: Return</source>
+        <source>On the detail of a recording: only that one. Key: Enter</source>
         <translation>녹음 정보 위에서는 그 녹음만 재생합니다. 엔터 키</translation>
     </message>
     <message>
@@ -96,7 +277,7 @@
         <translation>아무 사진이나 듣기</translation>
     </message>
     <message>
-        <source>Any photograph. Key: R</source>
+        <source>A random photograph. Key: R</source>
         <translation>무작위로 고른 사진. R 키</translation>
     </message>
     <message>
@@ -149,7 +330,7 @@
     </message>
     <message>
         <source>Where am I?</source>
-        <translation>여기는 어디인가요?</translation>
+        <translation>현재 위치</translation>
     </message>
     <message>
         <source>Key: W</source>
@@ -182,8 +363,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>보정</translation>
     </message>
     <message>
-        <source>End the calibration</source>
-        <translation>보정 끝내기</translation>
+        <source>Cancel the calibration</source>
+        <translation>보정 취소</translation>
     </message>
     <message>
         <source>Nothing is changed. Key: Escape</source>
@@ -191,10 +372,152 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>CapturePanel</name>
+    <message>
+        <source>What to do</source>
+        <translation>할 일</translation>
+    </message>
+    <message>
+        <source>Import photographs</source>
+        <translation>사진 가져오기</translation>
+    </message>
+    <message>
+        <source>Of another camera, into your album. Key: I</source>
+        <translation>다른 카메라의 사진을 앨범으로 가져옵니다. I 키</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>다시 시도</translation>
+    </message>
+    <message>
+        <source>Key: R</source>
+        <translation>R 키</translation>
+    </message>
+    <message>
+        <source>What is seen?</source>
+        <translation>무엇이 보이나요?</translation>
+    </message>
+    <message>
+        <source>Says who is in the picture and what to do. Key: W</source>
+        <translation>누가 보이고 무엇을 할지 말합니다. W 키</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>조준</translation>
+    </message>
+    <message>
+        <source>Take it by itself when all is well</source>
+        <translation>모두 좋으면 저절로 찍기</translation>
+    </message>
+    <message>
+        <source>Back camera</source>
+        <translation>후면 카메라</translation>
+    </message>
+    <message>
+        <source>Front camera</source>
+        <translation>전면 카메라</translation>
+    </message>
+    <message>
+        <source>Key: C</source>
+        <translation>C 키</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>조명</translation>
+    </message>
+    <message>
+        <source>Point the camera at somebody and do what is said. A tone says where to move the camera: faster is nearer, high is up, and it comes from the side to move to. It rises when all is well.</source>
+        <translation>카메라를 사람에게 향하고 들리는 대로 하세요. 소리가 카메라를 움직일 방향을 알려 줍니다. 빠를수록 가깝고, 높으면 위쪽이며, 움직일 쪽에서 들립니다. 모두 좋으면 소리가 올라갑니다.</translation>
+    </message>
+    <message>
+        <source>This camera is simulated. Arrow keys turn it, Page up and Page down move it closer and back, Shift with left and right tilts it.</source>
+        <translation>이 카메라는 모의 카메라입니다. 화살표 키로 돌리고, Page Up과 Page Down으로 가까이와 뒤로 움직이며, Shift와 왼쪽이나 오른쪽 화살표 키로 기울입니다.</translation>
+    </message>
+    <message>
+        <source>Last photograph</source>
+        <translation>마지막 사진</translation>
+    </message>
+    <message>
+        <source>Take the photograph</source>
+        <translation>사진 찍기</translation>
+    </message>
+    <message>
+        <source>Also by a touch on the camera view. Key: Space</source>
+        <translation>카메라 화면을 탭해도 됩니다. 스페이스바</translation>
+    </message>
+    <message>
+        <source>Finish the memo</source>
+        <translation>메모 끝내기</translation>
+    </message>
+    <message>
+        <source>Speak a memo</source>
+        <translation>메모 말하기</translation>
+    </message>
+    <message>
+        <source>For the photograph that was taken last. Key: M</source>
+        <translation>마지막으로 찍은 사진의 메모입니다. M 키</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>되돌리기</translation>
+    </message>
+    <message>
+        <source>Deletes the photograph again. Key: Control+Z</source>
+        <translation>찍은 사진을 다시 삭제합니다. Ctrl+Z 키</translation>
+    </message>
+    <message>
+        <source>Next of the burst</source>
+        <translation>연속 촬영의 다음</translation>
+    </message>
+    <message>
+        <source>Looks through what was seen round the shutter. Key: N; back: P</source>
+        <translation>찍을 때 앞뒤로 보인 것을 차례로 봅니다. N 키, 뒤로는 P 키</translation>
+    </message>
+    <message>
+        <source>Keep this one too</source>
+        <translation>이것도 저장</translation>
+    </message>
+    <message>
+        <source>Key: K</source>
+        <translation>K 키</translation>
+    </message>
+    <message>
+        <source>Space, or a touch on the camera view: take the photograph. Then M: speak a memo, and M again to finish it. N, P: look through the other frames; K: keep one. Control+Z: undo.</source>
+        <translation>스페이스바나 카메라 화면 탭: 사진 찍기. 그다음 M: 메모 말하기, 다시 M: 끝내기. N, P: 다른 장면 보기, K: 저장. Ctrl+Z: 되돌리기.</translation>
+    </message>
+    <message>
+        <source>Keep the sound of the moment</source>
+        <translation>그 순간의 소리 저장</translation>
+    </message>
+    <message>
+        <source>The microphone is on.</source>
+        <translation>마이크가 켜져 있습니다.</translation>
+    </message>
+    <message>
+        <source>1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it by itself or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence.</source>
+        <translation>1부터 4: 한 얼굴을 가운데에, 삼등분선에, 머리와 어깨, 모두. W: 보이는 것. S: 저절로 찍기 켜기와 끄기. A: 순간의 소리와 함께 또는 소리 없이. C: 다른 카메라. L: 조명. Escape 키: 조용히.</translation>
+    </message>
+</context>
+<context>
+    <name>CaptureSurface</name>
+    <message>
+        <source>Camera view</source>
+        <translation>카메라 화면</translation>
+    </message>
+    <message>
+        <source>The camera is starting.</source>
+        <translation>카메라를 켜는 중입니다.</translation>
+    </message>
+</context>
+<context>
     <name>CarePage</name>
     <message>
-        <source>Tab goes from control to control, the arrow keys from photograph to photograph, Return opens one. Control Z undoes the last step, Control Shift Z redoes it. Escape stops what plays, and ends a recording and keeps it.</source>
-        <translation>탭 키로 항목 사이를, 화살표 키로 사진 사이를 이동하고, 엔터 키로 사진을 엽니다. Ctrl Z는 마지막 작업을 되돌리고, Ctrl Shift Z는 다시 실행합니다. Escape 키는 재생을 멈추고, 녹음 중이면 녹음을 끝내고 보관합니다.</translation>
+        <source>Tab moves from control to control, the arrow keys from photograph to photograph, Enter opens one. Control+Z undoes the last step, Control+Shift+Z redoes it. Escape stops playback; it also ends a recording and keeps it.</source>
+        <translation>탭 키로 항목 사이를, 화살표 키로 사진 사이를 이동하고, 엔터 키로 사진을 엽니다. Ctrl+Z는 마지막 작업을 되돌리고, Ctrl+Shift+Z는 다시 실행합니다. Escape 키는 재생을 멈추고, 녹음 중이면 녹음을 끝내고 보관합니다.</translation>
+    </message>
+    <message>
+        <source>Each row is a person. Tab moves from control to control, the arrow keys from row to row, Enter opens one. Type who it is, or press Y where a name is offered. On a face, Delete says that it is somebody else&apos;s. Control+Z undoes the last step. Escape leads back.</source>
+        <translation>한 줄이 한 사람입니다. 탭 키로 항목 사이를, 화살표 키로 줄 사이를 이동하고, 엔터 키로 엽니다. 누구인지 입력하거나, 이름이 제안되면 Y 키를 누르세요. 얼굴에서 Delete 키를 누르면 다른 사람의 얼굴로 표시됩니다. Ctrl+Z는 마지막 작업을 되돌립니다. Escape 키를 누르면 돌아갑니다.</translation>
     </message>
 </context>
 <context>
@@ -216,7 +539,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이야기</translation>
     </message>
     <message>
-        <source>Sounds around</source>
+        <source>Background sounds</source>
         <translation>주변 소리</translation>
     </message>
     <message>
@@ -258,7 +581,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>첫 사진을 가져오기 전에 중단되었습니다.</translation>
     </message>
     <message>
-        <source>There is no photograph among what was chosen.</source>
+        <source>There is no photograph in what you chose.</source>
         <translation>선택한 것 가운데 사진이 없습니다.</translation>
     </message>
     <message numerus="yes">
@@ -268,9 +591,9 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them there already</source>
+        <source>%n of them already in the album</source>
         <translation>
-            <numerusform>이미 있는 사진 %n장</numerusform>
+            <numerusform>이미 앨범에 있는 사진 %n장</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -284,8 +607,74 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1 The import was stopped; it can go on later.</source>
+        <source>%1 The import was stopped; you can continue it later.</source>
         <translation>%1 가져오기가 중단되었습니다. 나중에 이어서 할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Who is this?</source>
+        <translation>누구인가요?</translation>
+    </message>
+    <message>
+        <source>Who is this? Perhaps %1.</source>
+        <translation>누구인가요? 아마 %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s)</source>
+        <translation>
+            <numerusform>사진 %n장</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to confirm</source>
+        <translation>
+            <numerusform>확인할 것 %n개</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody was seen on two photographs yet.</source>
+        <translation>아직 두 장 이상의 사진에 나온 사람이 없습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n person(s) without a name.</source>
+        <translation>
+            <numerusform>이름 없는 사람 %n명.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everybody here has a name.</source>
+        <translation>여기 있는 사람은 모두 이름이 있습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s) still to be looked at.</source>
+        <translation>
+            <numerusform>아직 살펴볼 사진 %n장.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) on one photograph only.</source>
+        <translation>
+            <numerusform>사진 한 장에만 나온 얼굴 %n개.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) too small, blurred, turned or covered to be compared.</source>
+        <translation>
+            <numerusform>너무 작거나 흐리거나 돌아서 있거나 가려져 비교할 수 없는 얼굴 %n개.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, to confirm</source>
+        <translation>%1, 확인 필요</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n face(s) to confirm.</source>
+        <translation>
+            <numerusform>확인할 얼굴 %n개.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -299,7 +688,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>한 문장으로 (%1)</translation>
     </message>
     <message>
-        <source>%1 characters; a screen reader reads up to 250 in one piece.</source>
+        <source>%1 characters; a screen reader reads up to 250 at once.</source>
         <translation>%1자입니다. 화면 낭독기는 한 번에 250자까지 읽습니다.</translation>
     </message>
     <message>
@@ -307,7 +696,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>250자 중 %1자</translation>
     </message>
     <message>
-        <source>In more words (%1)</source>
+        <source>In more detail (%1)</source>
         <translation>더 자세히 (%1)</translation>
     </message>
     <message>
@@ -323,8 +712,20 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>설명이 저장되었습니다</translation>
     </message>
     <message>
-        <source>It is saved too when a field is left.</source>
+        <source>It is also saved when you leave a field.</source>
         <translation>입력란을 벗어날 때에도 저장됩니다.</translation>
+    </message>
+    <message>
+        <source>Suggested: %1</source>
+        <translation>제안: %1</translation>
+    </message>
+    <message>
+        <source>Use the suggestion</source>
+        <translation>제안 사용</translation>
+    </message>
+    <message>
+        <source>It becomes the description in one sentence, which you can change.</source>
+        <translation>한 문장 설명이 되며, 고칠 수 있습니다.</translation>
     </message>
 </context>
 <context>
@@ -371,11 +772,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>FaceTargets</name>
     <message>
-        <source>Fits this face into the surface</source>
+        <source>Fits this face into the touch surface</source>
         <translation>이 얼굴을 터치 영역에 맞춥니다</translation>
     </message>
     <message>
-        <source>Sets the finger down there</source>
+        <source>Puts the finger there</source>
         <translation>그곳에 손가락을 놓습니다</translation>
     </message>
 </context>
@@ -386,7 +787,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴</translation>
     </message>
     <message>
-        <source>Press to name it</source>
+        <source>Press to name this face</source>
         <translation>누르면 이름을 붙일 수 있습니다</translation>
     </message>
     <message>
@@ -406,12 +807,20 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴을 그대로 둡니다.</translation>
     </message>
     <message>
-        <source>Its name is read as</source>
+        <source>Language of the name</source>
         <translation>이름을 읽는 언어</translation>
     </message>
     <message>
-        <source>As the page</source>
+        <source>Same as the page</source>
         <translation>페이지와 같게</translation>
+    </message>
+    <message>
+        <source>Yes, %1</source>
+        <translation>예, %1</translation>
+    </message>
+    <message>
+        <source>Key: Y</source>
+        <translation>키: Y</translation>
     </message>
 </context>
 <context>
@@ -424,16 +833,66 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>FolderChooserView</name>
     <message>
-        <source>Take this folder</source>
-        <translation>이 폴더로 정하기</translation>
+        <source>Choose this folder</source>
+        <translation>이 폴더 선택</translation>
     </message>
     <message>
-        <source>To the folder above</source>
+        <source>Up one folder</source>
         <translation>상위 폴더로</translation>
     </message>
     <message>
-        <source>Do not choose a folder</source>
-        <translation>폴더를 고르지 않기</translation>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+</context>
+<context>
+    <name>GroupListPane</name>
+    <message>
+        <source>Back to the photographs</source>
+        <translation>사진으로 돌아가기</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>사람</translation>
+    </message>
+</context>
+<context>
+    <name>GroupPane</name>
+    <message>
+        <source>Back to the people</source>
+        <translation>사람 목록으로 돌아가기</translation>
+    </message>
+    <message>
+        <source>Yes, this is %1</source>
+        <translation>예, %1 맞습니다</translation>
+    </message>
+    <message>
+        <source>Names all of these faces. Key: Y</source>
+        <translation>이 얼굴 모두에 이름을 붙입니다. 키: Y</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>이름</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>얼굴</translation>
+    </message>
+    <message>
+        <source>Not this person</source>
+        <translation>이 사람이 아님</translation>
+    </message>
+    <message>
+        <source>For the face that was chosen below. Key: Delete</source>
+        <translation>아래에서 고른 얼굴에 적용됩니다. 키: Delete</translation>
+    </message>
+    <message>
+        <source>Open the photograph</source>
+        <translation>사진 열기</translation>
+    </message>
+    <message>
+        <source>Choose somebody to say who it is.</source>
+        <translation>누구인지 말할 사람을 고르세요.</translation>
     </message>
 </context>
 <context>
@@ -455,7 +914,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>폴더 가져오기…</translation>
     </message>
     <message>
-        <source>Into</source>
+        <source>Import into</source>
         <translation>가져올 곳</translation>
     </message>
     <message>
@@ -467,11 +926,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>끝나지 않은 가져오기 계속하기</translation>
     </message>
     <message>
-        <source>Give up the unfinished import</source>
+        <source>Discard the unfinished import</source>
         <translation>끝나지 않은 가져오기 그만두기</translation>
     </message>
     <message>
-        <source>What it brought stays.</source>
+        <source>What was imported stays.</source>
         <translation>이미 가져온 사진은 남습니다.</translation>
     </message>
 </context>
@@ -479,7 +938,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <name>KeyHelp</name>
     <message>
         <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I.</source>
-        <translation>터치: 한 손가락으로 살펴보기. 두 번 두드리기: 현재 위치. 두 번 두드리고 누르고 있기: 그곳을 확대하거나 축소. 두 손가락으로 두드리기: 멈춤. 두 손가락으로 두 번 두드리기: 안내. 세 손가락으로 두드리기: 현재 위치.</translation>
+        <translation>터치: 한 손가락으로 살펴보기. 두 번 탭하기: 현재 위치. 두 번 탭하고 누르고 있기: 그곳을 확대하거나 축소. 두 손가락으로 탭하기: 멈춤. 두 손가락으로 두 번 탭하기: 안내. 세 손가락으로 탭하기: 현재 위치.</translation>
     </message>
     <message>
         <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line.</source>
@@ -494,14 +953,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <name>LabControls</name>
     <message>
         <source>What is felt</source>
-        <translation>만져지는 것</translation>
+        <translation>촉감</translation>
     </message>
     <message>
         <source>Scene</source>
         <translation>장면</translation>
     </message>
     <message>
-        <source>Open a photograph…</source>
+        <source>Open photograph…</source>
         <translation>사진 열기…</translation>
     </message>
     <message>
@@ -597,7 +1056,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모의 장치의 고장</translation>
     </message>
     <message>
-        <source>Readings that do not come</source>
+        <source>Missing readings</source>
         <translation>누락되는 측정값</translation>
     </message>
     <message>
@@ -605,11 +1064,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>측정값 전혀 없음</translation>
     </message>
     <message>
-        <source>Takes no force</source>
+        <source>Accepts no force</source>
         <translation>힘을 받지 않음</translation>
     </message>
     <message>
-        <source>Motors off by themselves</source>
+        <source>Motors switch themselves off</source>
         <translation>모터가 저절로 꺼짐</translation>
     </message>
     <message>
@@ -633,15 +1092,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>되돌리기: %1</translation>
     </message>
     <message>
-        <source>Key: Control Z</source>
-        <translation>Ctrl Z 키</translation>
+        <source>Key: Control+Z</source>
+        <translation>Ctrl+Z 키</translation>
     </message>
     <message>
-        <source>As they were at first</source>
-        <translation>처음 상태로</translation>
+        <source>Reset all parameters</source>
+        <translation>모든 매개변수 초기화</translation>
     </message>
     <message>
-        <source>It can be undone</source>
+        <source>Can be undone</source>
         <translation>되돌릴 수 있습니다</translation>
     </message>
     <message>
@@ -653,7 +1112,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>위치: %1</translation>
     </message>
     <message>
-        <source>Write the plots as a table</source>
+        <source>Save the plots as a table</source>
         <translation>그래프를 표로 저장</translation>
     </message>
     <message>
@@ -673,12 +1132,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>유도</translation>
     </message>
     <message>
-        <source>The strongest force of real devices</source>
-        <translation>실제 장치의 가장 강한 힘</translation>
+        <source>Set the strongest force of real devices</source>
+        <translation>실제 장치의 최대 힘 정하기</translation>
     </message>
     <message>
-        <source>Goes to the settings</source>
-        <translation>설정으로 갑니다</translation>
+        <source>Opens the settings</source>
+        <translation>설정을 엽니다</translation>
     </message>
 </context>
 <context>
@@ -711,7 +1170,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>터치 영역에서 스페이스바. Escape 키로 멈춥니다</translation>
     </message>
     <message>
-        <source>End the recording</source>
+        <source>Stop recording</source>
         <translation>기록 끝내기</translation>
     </message>
     <message>
@@ -724,14 +1183,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Where is the finger?</source>
-        <translation>손가락은 어디에 있나요?</translation>
+        <translation>손가락 위치</translation>
     </message>
     <message>
         <source>Key: W</source>
         <translation>W 키</translation>
     </message>
     <message>
-        <source>Read the plots</source>
+        <source>Read out the plots</source>
         <translation>그래프 읽기</translation>
     </message>
     <message>
@@ -739,8 +1198,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>P 키</translation>
     </message>
     <message>
-        <source>On the surface arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads the plots, O opens a photograph, Control Z undoes a change. Escape stops what runs.</source>
-        <translation>터치 영역에서 화살표 키는 손을 움직이고 스페이스바는 서보를 켜고 끕니다. R은 기록, W는 손가락의 위치, P는 그래프 읽기, O는 사진 열기이며, Ctrl Z는 변경을 되돌립니다. Escape 키는 실행 중인 것을 멈춥니다.</translation>
+        <source>On the surface, arrow keys move the hand and Space starts and stops the servo. R records, W says where the finger is, P reads out the plots, O opens a photograph, Control+Z undoes a change. Escape stops whatever is running.</source>
+        <translation>터치 영역에서 화살표 키는 손을 움직이고 스페이스바는 서보를 켜고 끕니다. R은 기록, W는 손가락의 위치, P는 그래프 읽기, O는 사진 열기이며, Ctrl+Z는 변경을 되돌립니다. Escape 키는 실행 중인 것을 멈춥니다.</translation>
     </message>
 </context>
 <context>
@@ -858,7 +1317,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>종류</translation>
     </message>
     <message>
-        <source>About whom</source>
+        <source>Who it is about</source>
         <translation>누구에 대한 녹음인지</translation>
     </message>
     <message>
@@ -870,7 +1329,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>말하는 사람</translation>
     </message>
     <message>
-        <source>Speaker not said</source>
+        <source>Speaker not given</source>
         <translation>말하는 사람 지정 안 함</translation>
     </message>
     <message>
@@ -882,7 +1341,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <name>MeasuringView</name>
     <message>
         <source>Measuring the stick</source>
-        <translation>힘 스틱 재기</translation>
+        <translation>힘 스틱 측정</translation>
     </message>
     <message>
         <source>Grams on the scale</source>
@@ -890,7 +1349,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Type, or use the slider below</source>
-        <translation>입력하거나 아래 슬라이더를 쓰십시오</translation>
+        <translation>입력하거나 아래 슬라이더를 움직이세요</translation>
     </message>
     <message>
         <source>Grams, in steps of five</source>
@@ -901,12 +1360,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1그램</translation>
     </message>
     <message>
-        <source>The scale shows this</source>
-        <translation>저울이 이렇게 보여 줍니다</translation>
+        <source>Use this weight</source>
+        <translation>이 무게 사용</translation>
     </message>
     <message>
-        <source>End the measurement</source>
-        <translation>재기 끝내기</translation>
+        <source>Cancel the measurement</source>
+        <translation>측정 취소</translation>
     </message>
     <message>
         <source>Nothing is changed. Key: Escape</source>
@@ -916,8 +1375,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>MendPage</name>
     <message>
-        <source>Tab goes from point to point of the photograph&apos;s lines, page up and page down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete takes it away, C turns a corner into a smooth point. Control Z undoes the last step, Control S saves; leaving the page saves too.</source>
-        <translation>탭 키는 사진 위 선의 점에서 점으로, 페이지 업과 페이지 다운 키는 부위에서 부위로 갑니다. 화살표 키는 점을 1픽셀씩, Shift와 함께 10픽셀씩, Ctrl과 함께 5분의 1픽셀씩 옮깁니다. A는 점을 더하고, Delete는 점을 지우고, C는 모서리를 매끄러운 점으로 바꿉니다. Ctrl Z는 마지막 단계를 되돌리고, Ctrl S는 저장합니다. 페이지를 떠날 때도 저장됩니다.</translation>
+        <source>Tab goes from point to point of the photograph&apos;s lines, Page Up and Page Down from feature to feature. Arrow keys move a point by one pixel, with Shift by ten, with Control by a fifth. A adds a point, Delete deletes it, C turns a corner into a smooth point. Control+Z undoes the last step, Control+S saves; leaving the page saves too.</source>
+        <translation>탭 키는 사진 위 선의 점에서 점으로, Page Up과 Page Down 키는 부위에서 부위로 갑니다. 화살표 키는 점을 1픽셀씩, Shift와 함께 누르면 10픽셀씩, Ctrl과 함께 누르면 5분의 1픽셀씩 옮깁니다. A는 점을 추가하고, Delete는 점을 삭제하고, C는 모서리를 매끄러운 점으로 바꿉니다. Ctrl+Z는 마지막 작업을 되돌리고, Ctrl+S는 저장합니다. 페이지를 떠날 때도 저장됩니다.</translation>
     </message>
 </context>
 <context>
@@ -947,11 +1406,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>부위</translation>
     </message>
     <message>
-        <source>In hand</source>
+        <source>Selected</source>
         <translation>선택된 것</translation>
     </message>
     <message>
-        <source>%1: not there</source>
+        <source>%1: missing</source>
         <translation>%1: 없음</translation>
     </message>
     <message>
@@ -1003,7 +1462,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>점 추가</translation>
     </message>
     <message>
-        <source>Behind the one in hand. Key: A. Or double-click beside a line</source>
+        <source>After the selected one. Key: A. Or double-click beside a line</source>
         <translation>선택된 점 뒤에 추가합니다. A 키. 또는 선 옆을 두 번 클릭하세요</translation>
     </message>
     <message>
@@ -1027,11 +1486,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>C 키</translation>
     </message>
     <message>
-        <source>As it was found</source>
-        <translation>처음 찾은 대로</translation>
+        <source>Reset the feature</source>
+        <translation>부위 초기화</translation>
     </message>
     <message>
-        <source>Undoes what was done to this feature alone</source>
+        <source>Undoes the changes to this feature only</source>
         <translation>이 부위에 한 작업만 되돌립니다</translation>
     </message>
     <message>
@@ -1047,16 +1506,16 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1 추가</translation>
     </message>
     <message>
-        <source>Larger</source>
-        <translation>크게</translation>
+        <source>Zoom in</source>
+        <translation>확대</translation>
     </message>
     <message>
         <source>Key: Plus</source>
         <translation>더하기 키</translation>
     </message>
     <message>
-        <source>Smaller</source>
-        <translation>작게</translation>
+        <source>Zoom out</source>
+        <translation>축소</translation>
     </message>
     <message>
         <source>Key: Minus</source>
@@ -1083,7 +1542,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>힘 보이기</translation>
     </message>
     <message>
-        <source>What is felt</source>
+        <source>Shows what is felt</source>
         <translation>만져지는 것을 보여 줍니다</translation>
     </message>
     <message>
@@ -1099,7 +1558,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴 추가</translation>
     </message>
     <message>
-        <source>One of usual shape, to be put in place</source>
+        <source>One of the usual shape, for you to move into place</source>
         <translation>보통 모양의 얼굴이며, 자리를 맞춰야 합니다</translation>
     </message>
     <message>
@@ -1107,11 +1566,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모든 변경 버리기</translation>
     </message>
     <message>
-        <source>The contours as they were opened. Can be undone</source>
+        <source>The contours as they were when opened. Can be undone</source>
         <translation>열었을 때의 윤곽선으로 돌아갑니다. 되돌릴 수 있습니다</translation>
     </message>
     <message>
-        <source>Keys on the photograph: Tab and Shift+Tab go from point to point; arrows move it by one pixel, with Shift by ten, with Control by a fifth; Page up and Page down change the feature; A adds a point, Delete deletes it, C turns a corner, M moves the whole feature, F shows the force, plus and minus zoom, 0 shows all, Z this feature, W says where one is.</source>
+        <source>Keys on the photograph: Tab and Shift+Tab go from point to point; arrow keys move it by one pixel, with Shift by ten, with Control by a fifth; Page Up and Page Down change the feature; A adds a point, Delete deletes it, C makes it a corner or smooth, M moves the whole feature, F shows the force, plus and minus zoom, 0 shows all, Z this feature, W says where you are.</source>
         <translation>사진에서 쓰는 키: 탭과 Shift+탭은 점 사이를 이동합니다. 화살표 키는 점을 1픽셀씩, Shift와 함께 누르면 10픽셀씩, Ctrl과 함께 누르면 5분의 1픽셀씩 옮깁니다. Page Up과 Page Down은 부위를 바꿉니다. A는 점을 추가하고, Delete는 삭제하고, C는 모서리와 매끄러운 점을 서로 바꾸고, M은 부위 전체를 옮기고, F는 힘을 보여 줍니다. 더하기와 빼기는 확대와 축소, 0은 전체, Z는 이 부위, W는 현재 위치입니다.</translation>
     </message>
 </context>
@@ -1122,7 +1581,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>윤곽선</translation>
     </message>
     <message>
-        <source>Tab goes from point to point. Arrow keys move it by one pixel of the photograph, with Shift by ten, with Control by a fifth. Page up and page down change the feature.</source>
+        <source>Tab goes from point to point. Arrow keys move it by one pixel of the photograph, with Shift by ten, with Control by a fifth. Page Up and Page Down change the feature.</source>
         <translation>탭 키는 점 사이를 이동합니다. 화살표 키는 점을 사진의 1픽셀씩, Shift와 함께 누르면 10픽셀씩, Ctrl과 함께 누르면 5분의 1픽셀씩 옮깁니다. Page Up과 Page Down은 부위를 바꿉니다.</translation>
     </message>
     <message>
@@ -1158,11 +1617,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>프로그램이 찾은 것과 똑같이 만져집니다.</translation>
     </message>
     <message>
-        <source>A finger will not notice the difference to what the program found.</source>
+        <source>A finger will not notice the difference from what the program found.</source>
         <translation>프로그램이 찾은 것과의 차이를 손가락으로는 느낄 수 없습니다.</translation>
     </message>
     <message>
-        <source>A finger notices the difference to what the program found on %1 % of the surface; there the force differs by up to %2 N.</source>
+        <source>A finger notices the difference from what the program found on %1 % of the surface; there the force differs by up to %2 N.</source>
         <translation>프로그램이 찾은 것과의 차이가 면의 %1 %에서 손가락에 느껴집니다. 그곳에서 힘의 차이는 최대 %2 N입니다.</translation>
     </message>
 </context>
@@ -1208,15 +1667,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>선택</translation>
     </message>
     <message>
-        <source>The row that was told last. Key: Return</source>
+        <source>The row read out last. Key: Enter</source>
         <translation>마지막으로 읽어 준 줄을 고릅니다. 엔터 키</translation>
     </message>
     <message>
-        <source>Letters to spell with</source>
-        <translation>글자를 고르는 판</translation>
+        <source>Letters to type with</source>
+        <translation>글자판</translation>
     </message>
     <message>
-        <source>Take the last letter back</source>
+        <source>Delete the last letter</source>
         <translation>마지막 글자 지우기</translation>
     </message>
 </context>
@@ -1254,18 +1713,26 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>확인이 필요한 것부터</translation>
     </message>
     <message numerus="yes">
-        <source>Looking at faces, %n photograph(s) left…</source>
+        <source>Checking faces, %n photograph(s) left…</source>
         <translation>
-            <numerusform>얼굴을 살펴보는 중, 사진 %n장 남음…</numerusform>
+            <numerusform>얼굴을 확인하는 중, 사진 %n장 남음…</numerusform>
         </translation>
     </message>
     <message>
-        <source>No photograph is in the album yet.</source>
+        <source>There are no photographs in the album yet.</source>
         <translation>앨범에 아직 사진이 없습니다.</translation>
     </message>
     <message>
-        <source>The album has no folder yet. You are asked for one when you import.</source>
+        <source>The album has no folder yet. You will be asked for one when you import.</source>
         <translation>앨범에 아직 폴더가 없습니다. 사진을 가져올 때 폴더를 묻습니다.</translation>
+    </message>
+    <message>
+        <source>People…</source>
+        <translation>사람…</translation>
+    </message>
+    <message>
+        <source>Says once who somebody is, for all photographs.</source>
+        <translation>누구인지 한 번만 말하면 모든 사진에 적용됩니다.</translation>
     </message>
 </context>
 <context>
@@ -1275,7 +1742,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>Left and right arrow: other photographs. Up and down: what is known. Return: recordings.</source>
+        <source>Left and right arrow: other photographs. Up and down: details. Enter: recordings.</source>
         <translation>왼쪽과 오른쪽 화살표 키: 다른 사진. 위쪽과 아래쪽 화살표 키: 사진 정보. 엔터 키: 녹음.</translation>
     </message>
     <message>
@@ -1287,7 +1754,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진</translation>
     </message>
     <message>
-        <source>Mend the contours…</source>
+        <source>Mend contours…</source>
         <translation>윤곽선 고치기…</translation>
     </message>
     <message>
@@ -1299,11 +1766,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진 삭제</translation>
     </message>
     <message>
-        <source>With everything that is its own. Undo brings it back.</source>
+        <source>With everything that belongs to it. Undo brings it back.</source>
         <translation>사진에 딸린 것도 모두 삭제합니다. 되돌리기로 되살릴 수 있습니다.</translation>
     </message>
     <message>
-        <source>Choose a photograph to care for it.</source>
+        <source>Choose a photograph to look after it.</source>
         <translation>관리할 사진을 고르세요.</translation>
     </message>
 </context>
@@ -1412,8 +1879,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1의 이야기</translation>
     </message>
     <message>
-        <source>sounds around the camera</source>
-        <translation>카메라 주변 소리</translation>
+        <source>background sounds</source>
+        <translation>주변 소리</translation>
     </message>
     <message numerus="yes">
         <source>%n hour(s)</source>
@@ -1443,6 +1910,21 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <comment>a day and a time</comment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>No recordings yet.</source>
+        <translation>아직 녹음이 없습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s).</source>
+        <translation>
+            <numerusform>녹음 %n개.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>two sentences</comment>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>PhotosDialog</name>
@@ -1462,8 +1944,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>PrintPage</name>
     <message>
-        <source>Choose the paper and the face, then store the sheet as PDF for a printer or as SVG for a drawing program. Swell paper and embossers raise its black lines and dots.</source>
-        <translation>종이와 얼굴을 고른 다음, 인쇄기용 PDF나 그리기 프로그램용 SVG로 인쇄물을 저장하세요. 팽창지나 점자 프린터를 쓰면 검은 선과 점이 도드라집니다.</translation>
+        <source>Choose the paper and the face, then save the sheet as PDF for a printer or as SVG for a drawing program. Swell paper and embossers raise its black lines and dots.</source>
+        <translation>종이와 얼굴을 고른 다음, 프린터용 PDF나 그리기 프로그램용 SVG로 인쇄물을 저장하세요. 입체 복사지나 점자 프린터를 쓰면 검은 선과 점이 도드라집니다.</translation>
     </message>
     <message>
         <source>The sheet, %1</source>
@@ -1486,7 +1968,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>종이</translation>
     </message>
     <message>
-        <source>Turned by a quarter</source>
+        <source>Turn by 90 degrees</source>
         <translation>90도 돌리기</translation>
     </message>
     <message>
@@ -1494,15 +1976,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>누구</translation>
     </message>
     <message>
-        <source>Its name in print</source>
+        <source>Name in print</source>
         <translation>이름을 글자로도 넣기</translation>
     </message>
     <message>
-        <source>Store as PDF</source>
+        <source>Save as PDF</source>
         <translation>PDF로 저장</translation>
     </message>
     <message>
-        <source>Store as SVG</source>
+        <source>Save as SVG</source>
         <translation>SVG로 저장</translation>
     </message>
 </context>
@@ -1513,11 +1995,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>녹음</translation>
     </message>
     <message>
-        <source>No recording yet.</source>
+        <source>No recordings yet.</source>
         <translation>아직 녹음이 없습니다.</translation>
     </message>
     <message>
-        <source>Chosen: %1</source>
+        <source>Selected: %1</source>
         <translation>선택됨: %1</translation>
     </message>
     <message>
@@ -1604,8 +2086,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>“%1”: 그 자리에 다른 파일이 있어 되살릴 수 없습니다. 먼저 그 파일을 옮기세요.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be taken in: %2</source>
-        <translation>“%1”: 가져올 수 없습니다. %2</translation>
+        <source>&quot;%1&quot; cannot be added: %2</source>
+        <translation>“%1”: 추가할 수 없습니다. %2</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be trimmed: %2</source>
@@ -1644,11 +2126,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>“%1”: 앨범 “%2”에 없습니다.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is there already, so nothing was moved.</source>
+        <source>&quot;%1&quot; already exists, so nothing was moved.</source>
         <translation>“%1”: 이미 있어서 아무것도 옮기지 않았습니다.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is there, so it stays on the list.</source>
+        <source>&quot;%1&quot; exists, so it stays on the list.</source>
         <translation>“%1”: 파일이 있으므로 목록에 남겨 둡니다.</translation>
     </message>
     <message>
@@ -1677,7 +2159,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>%1 became %2</source>
-        <translation>이름이 %1에서 %2(으)로 바뀜</translation>
+        <translation>이름 변경: %1, 이제 %2</translation>
     </message>
     <message>
         <source>%1 cannot be used: %2</source>
@@ -1700,8 +2182,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: 스타일로 옮긴 것은 이해하지 못합니다. 대신 transform 속성을 쓰세요.</translation>
     </message>
     <message>
-        <source>%1 is not from %2 to %3.</source>
-        <translation>%1: %2에서 %3까지가 아닙니다.</translation>
+        <source>%1 is not between %2 and %3.</source>
+        <translation>%1: %2에서 %3 사이가 아닙니다.</translation>
     </message>
     <message>
         <source>%1 reaches beyond what can be computed with.</source>
@@ -1748,7 +2230,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>A motor of the force pad took too much current. See that nothing blocks the knob.</source>
+        <source>A motor of the force pad took too much current. Check that nothing blocks the knob.</source>
         <translation>힘 패드의 모터에 전류가 너무 많이 흘렀습니다. 손잡이를 막는 것이 없는지 살펴보세요.</translation>
     </message>
     <message>
@@ -1756,20 +2238,20 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이름을 녹음하려면 먼저 사람의 이름이 있어야 합니다.</translation>
     </message>
     <message>
-        <source>A person needs a name, and another one than before.</source>
+        <source>A person needs a name, and a different one than before.</source>
         <translation>이름이 있어야 하며, 전과 다른 이름이어야 합니다.</translation>
     </message>
     <message>
         <source>A picture and the touch surface both need a width and a height above zero.</source>
-        <translation>사진과 터치면 모두 너비와 높이가 0보다 커야 합니다.</translation>
+        <translation>사진과 터치 영역 모두 너비와 높이가 0보다 커야 합니다.</translation>
     </message>
     <message>
-        <source>A recording is listed as %1, which is no file name; it is left out.</source>
+        <source>A recording is listed as %1, which is not a file name; it is left out.</source>
         <translation>녹음 목록의 %1: 파일 이름이 아니어서 뺐습니다.</translation>
     </message>
     <message>
         <source>A tactile sheet is written as .pdf or .svg, not as &quot;%1&quot;.</source>
-        <translation>촉각 인쇄물은 .pdf나 .svg로 저장합니다. “%1”(으)로는 저장할 수 없습니다.</translation>
+        <translation>촉각 인쇄물은 .pdf나 .svg로 저장합니다. “%1” 형식은 쓸 수 없습니다.</translation>
     </message>
     <message>
         <source>Another driver holds the %1. Remove the driver that its maker installed and start this computer again.</source>
@@ -1784,8 +2266,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>시스템의 다른 드라이버가 장치를 쓰고 있습니다: %1. 장치를 뽑았다가 다시 꽂으세요. 그래도 안 되면 커널에 hidraw 드라이버가 있어야 합니다.</translation>
     </message>
     <message>
-        <source>Another program is at work on &quot;%1&quot;; try again.</source>
-        <translation>다른 프로그램이 “%1”에서 작업하고 있습니다. 다시 해 보세요.</translation>
+        <source>Another program is using &quot;%1&quot;; try again.</source>
+        <translation>“%1”: 다른 프로그램이 쓰고 있습니다. 다시 해 보세요.</translation>
     </message>
     <message>
         <source>Another program uses the %1. Close that program and try again.</source>
@@ -1816,7 +2298,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 사진에서 얼굴을 찾지 못했습니다.</translation>
     </message>
     <message>
-        <source>Nothing was deleted, because the trash cannot be made: %1</source>
+        <source>Nothing was deleted, because the trash cannot be created: %1</source>
         <translation>휴지통을 만들 수 없어 아무것도 지우지 않았습니다. %1</translation>
     </message>
     <message>
@@ -1832,7 +2314,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>지울 것을 고르지 않았습니다.</translation>
     </message>
     <message>
-        <source>Pictures other than JPEG need the library %1 (Debian: libopencv-imgcodecs406), which is not here: install it or save the picture as JPEG.</source>
+        <source>Pictures other than JPEG need the library %1 (Debian: libopencv-imgcodecs406), which is not installed: install it or save the picture as JPEG.</source>
         <translation>JPEG가 아닌 사진에는 라이브러리 %1(데비안: libopencv-imgcodecs406)이 필요한데 여기에 없습니다. 설치하거나 사진을 JPEG로 저장하세요.</translation>
     </message>
     <message>
@@ -1841,7 +2323,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Stiffness and range of the guidance must both be numbers above zero.</source>
-        <translation>안내의 강성과 범위는 모두 0보다 큰 숫자여야 합니다.</translation>
+        <translation>유도의 강성과 범위는 모두 0보다 큰 숫자여야 합니다.</translation>
     </message>
     <message>
         <source>The %1 &quot;%2&quot;</source>
@@ -1865,7 +2347,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The %1 may be covered, so its contour may be wrong.</source>
-        <translation>%1이 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
+        <translation>%1: 가려진 듯하여 윤곽선이 틀릴 수 있습니다.</translation>
     </message>
     <message>
         <source>The %1 was unplugged. Plug it in again.</source>
@@ -1896,15 +2378,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>WebP 파일이 중간에 끊겨 사진의 일부가 없습니다.</translation>
     </message>
     <message>
-        <source>The album&apos;s index %1; it was set aside as &quot;%2&quot; and is made anew. The photographs are not touched by this.</source>
-        <translation>앨범 색인이 %1. 그 색인은 “%2”(으)로 치워 두고 새로 만듭니다. 사진은 그대로입니다.</translation>
+        <source>The album&apos;s index %1; it was set aside as &quot;%2&quot; and is rebuilt. The photographs are not affected.</source>
+        <translation>앨범 색인이 %1. 그 색인을 치워 두고(“%2”) 새로 만듭니다. 사진은 그대로입니다.</translation>
     </message>
     <message>
-        <source>The album&apos;s index cannot be kept in &quot;%1&quot;; it is held in memory and made anew at every start: %2</source>
+        <source>The album&apos;s index cannot be kept in &quot;%1&quot;; it is held in memory and rebuilt at every start: %2</source>
         <translation>앨범 색인을 “%1”에 둘 수 없어 메모리에 두고 시작할 때마다 새로 만듭니다. %2</translation>
     </message>
     <message>
-        <source>The album&apos;s index cannot be made: %1.</source>
+        <source>The album&apos;s index cannot be created: %1.</source>
         <translation>앨범 색인을 만들 수 없습니다: %1.</translation>
     </message>
     <message>
@@ -1916,12 +2398,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>디스크가 가득 차서 앨범 색인이 커질 수 없습니다.</translation>
     </message>
     <message>
-        <source>The album&apos;s index is damaged; it is made anew when the album is opened next. The photographs are not touched by this.</source>
+        <source>The album&apos;s index is damaged; it is rebuilt when the album is next opened. The photographs are not affected.</source>
         <translation>앨범 색인이 손상되었습니다. 앨범을 다음에 열 때 새로 만듭니다. 사진은 그대로입니다.</translation>
     </message>
     <message>
         <source>The braille table %1 was not found; names cannot be written in braille. Install the package liblouis-data.</source>
-        <translation>점자표 %1을(를) 찾지 못해 이름을 점자로 쓸 수 없습니다. liblouis-data 패키지를 설치하세요.</translation>
+        <translation>점자표(%1)를 찾지 못해 이름을 점자로 쓸 수 없습니다. liblouis-data 패키지를 설치하세요.</translation>
     </message>
     <message>
         <source>The bundle &quot;%1&quot; cannot be used: %2</source>
@@ -1964,16 +2446,16 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>장치가 더는 응답하지 않아 껐습니다. 케이블을 확인하고 다시 켜세요.</translation>
     </message>
     <message>
-        <source>The device was switched off, because this computer stood still. Start it again when you are ready.</source>
-        <translation>컴퓨터가 멈추어 장치를 껐습니다. 준비가 되면 다시 켜세요.</translation>
+        <source>The device was switched off, because this computer stopped responding for a while. Start it again when you are ready.</source>
+        <translation>컴퓨터가 한동안 응답하지 않아 장치를 껐습니다. 준비가 되면 다시 켜세요.</translation>
     </message>
     <message>
-        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is no force pad, choose another device.</source>
+        <source>The device with a force pad&apos;s ids does not answer like a force pad. Unplug it and plug it in again; if it is not a force pad, choose another device.</source>
         <translation>힘 패드의 식별 번호를 가진 장치가 힘 패드처럼 응답하지 않습니다. 뽑았다가 다시 꽂으세요. 힘 패드가 아니면 다른 장치를 고르세요.</translation>
     </message>
     <message>
         <source>The drawing cannot be saved as &quot;%1&quot;: %2</source>
-        <translation>그림을 “%1”(으)로 저장할 수 없습니다. %2</translation>
+        <translation>그림 “%1”: 저장할 수 없습니다. %2</translation>
     </message>
     <message>
         <source>The drawing cannot be saved: it needs a width and a height larger than zero.</source>
@@ -2060,8 +2542,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>파일 “%1”: 메모리가 모자라 읽지 못했습니다.</translation>
     </message>
     <message>
-        <source>The file &quot;%1&quot; is called a photograph, but is none.</source>
-        <translation>파일 “%1”: 사진 이름이지만 사진이 아닙니다.</translation>
+        <source>The file &quot;%1&quot; is named like a photograph, but is not one.</source>
+        <translation>파일 “%1”: 이름은 사진 같지만 사진이 아닙니다.</translation>
     </message>
     <message>
         <source>The file &quot;%1&quot; is in a folder that you are not allowed to open.</source>
@@ -2092,7 +2574,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진의 지문값</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; cannot be made: %2</source>
+        <source>The folder &quot;%1&quot; cannot be created: %2</source>
         <translation>폴더 “%1”: 만들 수 없습니다. %2</translation>
     </message>
     <message>
@@ -2100,11 +2582,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>폴더 “%1”: 읽을 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; is not there.</source>
+        <source>The folder &quot;%1&quot; is missing.</source>
         <translation>폴더 “%1”: 없습니다.</translation>
     </message>
     <message>
-        <source>The folder &quot;%1&quot; may not be opened by you.</source>
+        <source>The folder &quot;%1&quot; cannot be opened: you are not allowed to.</source>
         <translation>폴더 “%1”: 열 권한이 없습니다.</translation>
     </message>
     <message>
@@ -2128,11 +2610,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>손가락이 너무 빨리 움직여 힘이 꺼졌습니다. 천천히 움직이면 다시 켜집니다.</translation>
     </message>
     <message>
-        <source>The force pad %1 tells of itself what cannot be: %2. It needs another firmware.</source>
-        <translation>힘 패드 %1에 있을 수 없는 값이 있습니다: %2. 다른 펌웨어가 필요합니다.</translation>
+        <source>The force pad %1 reports values that cannot be right: %2. It needs different firmware.</source>
+        <translation>힘 패드 %1의 값이 올바르지 않습니다: %2. 다른 펌웨어가 필요합니다.</translation>
     </message>
     <message>
-        <source>The force pad could not be homed. See that it is plugged in, and try again.</source>
+        <source>The force pad could not be homed. Check that it is plugged in, and try again.</source>
         <translation>힘 패드의 기준점을 잡지 못했습니다. 꽂혀 있는지 보고 다시 해 보세요.</translation>
     </message>
     <message>
@@ -2192,19 +2674,19 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>“%1”의 삭제 목록을 읽을 수 없습니다. 파일은 그대로 있습니다.</translation>
     </message>
     <message>
-        <source>The map between two frames cannot be turned round, because it flattens the plane to a line.</source>
+        <source>The map between two frames cannot be inverted, because it flattens the plane to a line.</source>
         <translation>두 좌표계의 변환이 평면을 선으로 눌러 거꾸로 할 수 없습니다.</translation>
     </message>
     <message>
-        <source>The mended contours &quot;%1&quot; cannot be taken away: %2</source>
-        <translation>고친 윤곽선 “%1”: 치울 수 없습니다. %2</translation>
+        <source>The mended contours &quot;%1&quot; cannot be removed: %2</source>
+        <translation>고친 윤곽선 “%1”: 없앨 수 없습니다. %2</translation>
     </message>
     <message>
         <source>The mended contours cannot be saved as &quot;%1&quot;: %2</source>
-        <translation>고친 윤곽선을 “%1”(으)로 저장할 수 없습니다. %2</translation>
+        <translation>고친 윤곽선 “%1”: 저장할 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The mended contours in %1 cannot be used, and the program&apos;s own are taken: %2</source>
+        <source>The mended contours in %1 cannot be used, so the program&apos;s own are used: %2</source>
         <translation>%1: 고친 윤곽선을 쓸 수 없어 프로그램의 윤곽선을 씁니다. %2</translation>
     </message>
     <message>
@@ -2212,8 +2694,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: 고친 윤곽선을 쓸 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The name cannot be kept: %1</source>
-        <translation>이름을 보관할 수 없습니다. %1</translation>
+        <source>The name cannot be saved: %1</source>
+        <translation>이름을 저장할 수 없습니다. %1</translation>
     </message>
     <message>
         <source>The name of a face</source>
@@ -2240,7 +2722,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진 “%1”: 이제 “%2”에 있지만 딸린 것은 남아 있습니다. %3</translation>
     </message>
     <message>
-        <source>The photograph &quot;%1&quot; says more of itself than any program writes; it was not read.</source>
+        <source>The photograph &quot;%1&quot; holds more metadata than any program writes; it was not read.</source>
         <translation>사진 “%1”: 어떤 프로그램이 쓰는 것보다 정보가 많아 읽지 않았습니다.</translation>
     </message>
     <message>
@@ -2260,12 +2742,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진의 XMP가 손상되었습니다.</translation>
     </message>
     <message>
-        <source>The photograph&apos;s own metadata is damaged; what could be read of it counts.</source>
+        <source>The photograph&apos;s own metadata is damaged; what could be read of it is used.</source>
         <translation>사진에 든 정보가 손상되었습니다. 읽을 수 있는 것만 씁니다.</translation>
     </message>
     <message>
         <source>The picture cannot be decoded.</source>
-        <translation>사진을 해독할 수 없습니다.</translation>
+        <translation>사진을 디코딩할 수 없습니다.</translation>
     </message>
     <message>
         <source>The picture is empty.</source>
@@ -2285,7 +2767,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The picture or the touch surface is too large or too small to be computed with.</source>
-        <translation>사진이나 터치면이 계산하기에 너무 크거나 작습니다.</translation>
+        <translation>사진이나 터치 영역이 계산하기에 너무 크거나 작습니다.</translation>
     </message>
     <message>
         <source>The place of %1 makes no sense and is left out.</source>
@@ -2296,7 +2778,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴의 자리는 사진 안, 왼쪽과 위쪽 가장자리에서 0부터 1 사이여야 합니다.</translation>
     </message>
     <message>
-        <source>The position is no place on Earth and is left out.</source>
+        <source>The position is not a place on Earth and is left out.</source>
         <translation>지구에 없는 위치라서 뺐습니다.</translation>
     </message>
     <message>
@@ -2312,7 +2794,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>녹음 “%1”: 목록에 두 번 넣을 수 없습니다.</translation>
     </message>
     <message>
-        <source>The recording &quot;%1&quot; cannot be listed: that is no name of a file that XML can hold.</source>
+        <source>The recording &quot;%1&quot; cannot be listed: XML cannot hold such a file name.</source>
         <translation>녹음 “%1”: XML에 담을 수 없는 파일 이름이라 목록에 넣을 수 없습니다.</translation>
     </message>
     <message>
@@ -2332,7 +2814,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>기록 %1: 쓰지 못했습니다. 쓸 수 있는 폴더를 고르세요.</translation>
     </message>
     <message>
-        <source>The recording %1 is listed twice; the first counts.</source>
+        <source>The recording %1 is listed twice; the first is used.</source>
         <translation>녹음 %1: 목록에 두 번 있어 첫 번째만 씁니다.</translation>
     </message>
     <message>
@@ -2369,19 +2851,19 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The sidecar of &quot;%1&quot; was changed in two places at once; it holds both now, and the copy &quot;%2&quot; is in the trash.</source>
-        <translation>“%1”의 사이드카: 두 곳에서 동시에 바뀌었습니다. 이제 둘 다 들어 있고, 사본 “%2”은(는) 휴지통에 있습니다.</translation>
+        <translation>“%1”의 사이드카: 두 곳에서 동시에 바뀌었습니다. 이제 둘 다 들어 있고, 사본은 휴지통에 있습니다(“%2”).</translation>
     </message>
     <message>
         <source>The sound of &quot;%1&quot; is not whole. %2</source>
         <translation>“%1”의 소리가 온전하지 않습니다. %2</translation>
     </message>
     <message>
-        <source>The sound of the video &quot;%1&quot; does not come along: %2</source>
-        <translation>동영상 “%1”의 소리는 함께 오지 않습니다. %2</translation>
+        <source>The sound of the video &quot;%1&quot; is not imported: %2</source>
+        <translation>동영상 “%1”의 소리를 가져오지 못했습니다. %2</translation>
     </message>
     <message>
-        <source>The sound of the video in &quot;%1&quot; does not come along: %2</source>
-        <translation>“%1” 안 동영상의 소리는 함께 오지 않습니다. %2</translation>
+        <source>The sound of the video in &quot;%1&quot; is not imported: %2</source>
+        <translation>“%1” 안 동영상의 소리를 가져오지 못했습니다. %2</translation>
     </message>
     <message>
         <source>The speaker %1</source>
@@ -2389,7 +2871,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The system gives this program no thread to work on; close other programs.</source>
-        <translation>시스템이 이 프로그램에 작업을 나눌 자리를 주지 않습니다. 다른 프로그램을 닫으세요.</translation>
+        <translation>시스템이 이 프로그램에 작업 스레드를 주지 않습니다. 다른 프로그램을 닫으세요.</translation>
     </message>
     <message>
         <source>The system watches only a part of the album&apos;s folders; changes by other programs in the others are noticed %1 seconds later.</source>
@@ -2397,7 +2879,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The tactile sheet cannot be saved as &quot;%1&quot;: %2</source>
-        <translation>촉각 인쇄물을 “%1”(으)로 저장할 수 없습니다. %2</translation>
+        <translation>촉각 인쇄물 “%1”: 저장할 수 없습니다. %2</translation>
     </message>
     <message>
         <source>The time %1</source>
@@ -2420,12 +2902,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>파일 %1: 이미 있습니다. 기록에 다른 이름을 고르세요.</translation>
     </message>
     <message>
-        <source>There is no braille for the language &quot;%1&quot;; en, de and ko there is.</source>
+        <source>There is no braille for the language &quot;%1&quot;; there is for en, de and ko.</source>
         <translation>언어 “%1”의 점자는 없습니다. en, de, ko가 있습니다.</translation>
     </message>
     <message>
-        <source>There is no device &quot;%1&quot; now. See that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
-        <translation>지금 장치 “%1”이(가) 없습니다. 꽂혀 있는지 보세요. “touchphoto-lab devices”가 있는 장치를 알려 줍니다.</translation>
+        <source>There is no device &quot;%1&quot; now. Check that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
+        <translation>장치 “%1”: 지금 없습니다. 꽂혀 있는지 확인하세요. “touchphoto-lab devices”가 있는 장치를 알려 줍니다.</translation>
     </message>
     <message>
         <source>There is no face %1 in this picture; it has %2.</source>
@@ -2453,7 +2935,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>There is no recording &quot;%1&quot; on &quot;%2&quot;.</source>
-        <translation>“%2”에 녹음 “%1”이(가) 없습니다.</translation>
+        <translation>“%2”: 녹음 “%1” 파일이 없습니다.</translation>
     </message>
     <message>
         <source>There is no such file.</source>
@@ -2461,7 +2943,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>There is no unfinished import &quot;%1&quot;.</source>
-        <translation>끝나지 않은 가져오기 “%1”이(가) 없습니다.</translation>
+        <translation>“%1”: 끝나지 않은 그런 가져오기가 없습니다.</translation>
     </message>
     <message>
         <source>There is not enough memory for this picture.</source>
@@ -2469,7 +2951,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>There is nothing of the name &quot;%1&quot; in the trash.</source>
-        <translation>휴지통에 “%1”(이)라는 것이 없습니다.</translation>
+        <translation>“%1”: 휴지통에 없습니다.</translation>
     </message>
     <message>
         <source>There is nothing to redo.</source>
@@ -2492,12 +2974,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진이 아니라 폴더입니다.</translation>
     </message>
     <message>
-        <source>This is no recording of a force device, or one of a later version of TouchPhoto.</source>
+        <source>This is not a recording of a force device, or it is from a later version of TouchPhoto.</source>
         <translation>힘 장치의 기록이 아니거나 TouchPhoto의 더 새로운 버전에서 만든 기록입니다.</translation>
     </message>
     <message>
         <source>This is not an SVG drawing: it begins with &lt;%1&gt; where &lt;svg&gt; is expected.</source>
-        <translation>SVG 그림이 아닙니다. &lt;svg&gt;가 있어야 할 곳이 &lt;%1&gt;(으)로 시작합니다.</translation>
+        <translation>SVG 그림이 아닙니다. &lt;svg&gt;로 시작해야 하는데 &lt;%1&gt; 요소로 시작합니다.</translation>
     </message>
     <message>
         <source>This is not an SVG drawing: its text is broken near line %1.</source>
@@ -2520,15 +3002,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 사진을 처리할 수 없습니다. 이 컴퓨터에 너무 큰 사진일 수 있습니다.</translation>
     </message>
     <message>
-        <source>What another program wrote cannot be kept: %1</source>
-        <translation>다른 프로그램이 쓴 것을 보관할 수 없습니다. %1</translation>
+        <source>What another program wrote cannot be saved: %1</source>
+        <translation>다른 프로그램이 쓴 것을 저장할 수 없습니다. %1</translation>
     </message>
     <message>
         <source>What other programs wrote differs in: %1. The other version is in the copy.</source>
         <translation>다른 프로그램이 쓴 것이 서로 다릅니다: %1. 다른 것은 사본에 있습니다.</translation>
     </message>
     <message>
-        <source>What the photograph &quot;%1&quot; says of itself cannot be read.</source>
+        <source>The metadata of the photograph &quot;%1&quot; cannot be read.</source>
         <translation>사진 “%1”: 사진에 든 정보를 읽을 수 없습니다.</translation>
     </message>
     <message>
@@ -2540,7 +3022,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진 “%1”: 읽을 권한이 없습니다.</translation>
     </message>
     <message>
-        <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
+        <source>You are not allowed to use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again.</source>
         <translation>아직 이 장치를 쓸 권한이 없습니다: %1. resources/udev/70-touchphoto.rules를 /etc/udev/rules.d로 복사한 다음 장치를 뽑았다가 다시 꽂으세요.</translation>
     </message>
     <message>
@@ -2568,8 +3050,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>녹음은 모노나 스테레오이고 초당 샘플이 8000에서 192000까지여야 합니다.</translation>
     </message>
     <message>
-        <source>another program holds it.</source>
-        <translation>다른 프로그램이 잡고 있습니다.</translation>
+        <source>another program is using it.</source>
+        <translation>다른 프로그램이 쓰고 있습니다.</translation>
     </message>
     <message>
         <source>another program is writing to it.</source>
@@ -2657,11 +3139,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>it holds &quot;%1&quot;, which is not a plain file.</source>
-        <translation>일반 파일이 아닌 “%1”이(가) 들어 있습니다.</translation>
+        <translation>일반 파일이 아닌 것이 들어 있습니다: “%1”.</translation>
     </message>
     <message>
         <source>it holds &quot;%1&quot;, which would lie outside the album.</source>
-        <translation>앨범 밖에 놓일 “%1”이(가) 들어 있습니다.</translation>
+        <translation>앨범 밖에 놓일 파일이 들어 있습니다: “%1”.</translation>
     </message>
     <message>
         <source>it holds a file in more folders than any album has.</source>
@@ -2688,11 +3170,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>손상되어 끝까지 읽을 수 없습니다.</translation>
     </message>
     <message>
-        <source>it is damaged, or no sound file that can be read here.</source>
+        <source>it is damaged, or not a sound file that can be read here.</source>
         <translation>손상되었거나 여기서 읽을 수 없는 소리 파일입니다.</translation>
     </message>
     <message>
-        <source>it is damaged, or no video that can be read here.</source>
+        <source>it is damaged, or not a video that can be read here.</source>
         <translation>손상되었거나 여기서 읽을 수 없는 동영상입니다.</translation>
     </message>
     <message>
@@ -2732,11 +3214,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>어떤 프로그램이 쓰는 것보다 깊이 겹쳐 있습니다.</translation>
     </message>
     <message>
-        <source>it is no setup of the lab of version 1.</source>
+        <source>it is not a lab setup of version 1.</source>
         <translation>실험실 설정 버전 1이 아닙니다.</translation>
     </message>
     <message>
-        <source>it is no sound file that can be read here.</source>
+        <source>it is not a sound file that can be read here.</source>
         <translation>여기서 읽을 수 있는 소리 파일이 아닙니다.</translation>
     </message>
     <message>
@@ -2756,7 +3238,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>파일이 아닙니다.</translation>
     </message>
     <message>
-        <source>it is not there.</source>
+        <source>it does not exist.</source>
         <translation>파일이 없습니다.</translation>
     </message>
     <message>
@@ -2765,7 +3247,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>it names a law that is unknown.</source>
-        <translation>알 수 없는 법칙이 적혀 있습니다.</translation>
+        <translation>알 수 없는 유도 법칙이 적혀 있습니다.</translation>
     </message>
     <message>
         <source>it reaches farther than two metres</source>
@@ -2808,7 +3290,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>헤더가 손상되었습니다.</translation>
     </message>
     <message>
-        <source>its largest force is none or above 20 newtons</source>
+        <source>its strongest force is zero or above 20 newtons</source>
         <translation>가장 큰 힘이 0이거나 20뉴턴을 넘습니다</translation>
     </message>
     <message>
@@ -2824,8 +3306,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>속도가 50헤르츠보다 낮거나 8000헤르츠보다 높습니다</translation>
     </message>
     <message>
-        <source>its sample rate is none of a recording.</source>
-        <translation>녹음의 샘플 속도가 아닙니다.</translation>
+        <source>recordings do not have its sample rate.</source>
+        <translation>녹음에 쓰지 않는 샘플 속도입니다.</translation>
     </message>
     <message>
         <source>its samples are not of 16 bit.</source>
@@ -2833,7 +3315,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>its sound cannot be decoded.</source>
-        <translation>소리를 해독할 수 없습니다.</translation>
+        <translation>소리를 디코딩할 수 없습니다.</translation>
     </message>
     <message>
         <source>its sound has %1 channels; at most %2 can be read.</source>
@@ -2841,7 +3323,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>its sound is of a kind that cannot be decoded here (%1).</source>
-        <translation>여기서 해독할 수 없는 종류의 소리입니다(%1).</translation>
+        <translation>여기서 디코딩할 수 없는 종류의 소리입니다(%1).</translation>
     </message>
     <message>
         <source>its texts are too long.</source>
@@ -2905,7 +3387,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>nothing of its sound can be decoded.</source>
-        <translation>소리를 전혀 해독할 수 없습니다.</translation>
+        <translation>소리를 전혀 디코딩할 수 없습니다.</translation>
     </message>
     <message>
         <source>of the recording &quot;%1&quot;</source>
@@ -2916,8 +3398,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴 윤곽</translation>
     </message>
     <message>
-        <source>reading it needs the library %1 of FFmpeg (Debian: libavformat59), which is not here.</source>
-        <translation>읽으려면 FFmpeg의 라이브러리 %1(데비안: libavformat59)이 필요한데 여기에 없습니다.</translation>
+        <source>reading it needs the library %1 of FFmpeg (Debian: libavformat59), which is not installed.</source>
+        <translation>읽는 데 필요한 FFmpeg의 라이브러리 %1(데비안: libavformat59)가 설치되어 있지 않습니다.</translation>
     </message>
     <message>
         <source>right and bottom edges</source>
@@ -2941,19 +3423,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>simulated device</source>
-        <translation>가상 장치</translation>
+        <translation>모의 장치</translation>
     </message>
     <message>
         <source>the FLAC encoder reports a fault.</source>
         <translation>FLAC 인코더에 문제가 있습니다.</translation>
-    </message>
-    <message>
-        <source>the ambient</source>
-        <translation>주변 소리</translation>
-    </message>
-    <message>
-        <source>the ambient about %1</source>
-        <translation>%1에 대한 주변 소리</translation>
     </message>
     <message>
         <source>the disk is full.</source>
@@ -2982,22 +3456,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>the name of %1 was recorded</source>
         <translation>%1의 이름 녹음</translation>
-    </message>
-    <message>
-        <source>the person</source>
-        <translation>누구인지 알려 주는 녹음</translation>
-    </message>
-    <message>
-        <source>the person about %1</source>
-        <translation>%1이(가) 누구인지 알려 주는 녹음</translation>
-    </message>
-    <message>
-        <source>the place</source>
-        <translation>장소 녹음</translation>
-    </message>
-    <message>
-        <source>the place about %1</source>
-        <translation>%1에 대한 장소 녹음</translation>
     </message>
     <message>
         <source>the recorded name of %1 became that of %2</source>
@@ -3033,7 +3491,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>there is no folder &quot;%1&quot;.</source>
-        <translation>폴더 “%1”이(가) 없습니다.</translation>
+        <translation>“%1” 폴더가 없습니다.</translation>
     </message>
     <message>
         <source>there is no such file.</source>
@@ -3080,7 +3538,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 프로그램의 더 새로운 버전에서 만들어졌습니다</translation>
     </message>
     <message>
-        <source>what was written is not what was to be written; the disk or the memory may be faulty.</source>
+        <source>what was written is not what should have been written; the disk or the memory may be faulty.</source>
         <translation>쓰인 것이 쓰려던 것과 다릅니다. 디스크나 메모리에 문제가 있을 수 있습니다.</translation>
     </message>
     <message>
@@ -3092,11 +3550,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>거기에 쓸 권한이 없습니다.</translation>
     </message>
     <message>
-        <source>A calibration sample is no place; touch the marks again.</source>
+        <source>A calibration sample is not a valid place; touch the marks again.</source>
         <translation>보정에 쓸 수 없는 측정값이 있습니다. 표시를 다시 누르세요.</translation>
     </message>
     <message>
-        <source>The calibration could not be kept: %1</source>
+        <source>The calibration could not be saved: %1</source>
         <translation>보정을 저장하지 못했습니다: %1</translation>
     </message>
     <message>
@@ -3117,7 +3575,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The force stick does not take up a force. Unplug it and plug it in again.</source>
-        <translation>힘 스틱이 힘을 받아들이지 않습니다. 뽑았다가 다시 꽂으십시오.</translation>
+        <translation>힘 스틱이 힘을 받아들이지 않습니다. 뽑았다가 다시 꽂으세요.</translation>
     </message>
     <message>
         <source>The force stick does not take what this computer sends. It goes on by itself when it does.</source>
@@ -3125,15 +3583,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The force stick has no room for a force. Close other programs that use it, unplug it and plug it in again.</source>
-        <translation>힘 스틱에 힘을 넣을 자리가 없습니다. 이 장치를 쓰는 다른 프로그램을 닫고, 뽑았다가 다시 꽂으십시오.</translation>
+        <translation>힘 스틱에 힘을 넣을 자리가 없습니다. 이 장치를 쓰는 다른 프로그램을 닫고, 뽑았다가 다시 꽂으세요.</translation>
     </message>
     <message>
-        <source>The force stick has switched its motors off. See that its power supply is plugged in and that no other program uses it.</source>
-        <translation>힘 스틱이 모터를 껐습니다. 전원 어댑터가 꽂혀 있는지, 다른 프로그램이 사용하고 있지 않은지 확인하십시오.</translation>
+        <source>The force stick has switched its motors off. Check that its power supply is plugged in and that no other program uses it.</source>
+        <translation>힘 스틱이 모터를 껐습니다. 전원 어댑터가 꽂혀 있는지, 다른 프로그램이 사용하고 있지 않은지 확인하세요.</translation>
     </message>
     <message>
         <source>The force stick&apos;s safety switch keeps its motors off. Hold the grip as its maker says, or release the switch.</source>
-        <translation>힘 스틱의 안전 스위치 때문에 모터가 꺼져 있습니다. 제조사가 안내한 대로 손잡이를 잡거나 스위치를 푸십시오.</translation>
+        <translation>힘 스틱의 안전 스위치 때문에 모터가 꺼져 있습니다. 제조사가 안내한 대로 손잡이를 잡거나 스위치를 푸세요.</translation>
     </message>
     <message>
         <source>force stick</source>
@@ -3168,32 +3626,32 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>보고서가 너무 깁니다</translation>
     </message>
     <message>
-        <source>what it says of itself makes no sense</source>
-        <translation>스스로에 대해 알리는 내용이 이치에 맞지 않습니다</translation>
+        <source>what it reports of itself makes no sense</source>
+        <translation>장치가 알리는 정보가 올바르지 않습니다</translation>
     </message>
     <message>
         <source>&quot;%1&quot; does not say in what language a name is read: %2 Move it away, then choose the language again.</source>
         <translation>“%1”에서 이름을 읽는 언어를 알 수 없습니다: %2 파일을 다른 곳으로 옮긴 다음 언어를 다시 고르세요.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no tag of a language, such as de or pt-BR.</source>
-        <translation>“%1”은(는) de 나 pt-BR 같은 언어 태그가 아닙니다.</translation>
+        <source>&quot;%1&quot; is not a language tag, such as de or pt-BR.</source>
+        <translation>“%1”: de나 pt-BR 같은 언어 태그가 아닙니다.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; says how the name of %2 is read, and does not have its place.</source>
-        <translation>“%1”은(는) %2의 이름을 읽는 언어를 담고 있지만 제자리에 있지 않습니다.</translation>
+        <source>&quot;%1&quot; says how the name of %2 is read, but is not in its place.</source>
+        <translation>“%1”: %2의 이름을 읽는 언어가 들어 있지만 제자리에 있지 않습니다.</translation>
     </message>
     <message>
         <source>A person needs a name before its language can be chosen.</source>
         <translation>이름의 언어를 고르려면 먼저 사람의 이름이 있어야 합니다.</translation>
     </message>
     <message>
-        <source>The language of the name cannot be kept: %1</source>
+        <source>The language of the name cannot be saved: %1</source>
         <translation>이름의 언어를 저장할 수 없습니다: %1</translation>
     </message>
     <message>
-        <source>its first line is no tag of a language, such as de or pt-BR.</source>
-        <translation>첫 줄이 de 나 pt-BR 같은 언어 태그가 아닙니다.</translation>
+        <source>its first line is not a language tag, such as de or pt-BR.</source>
+        <translation>첫 줄이 de나 pt-BR 같은 언어 태그가 아닙니다.</translation>
     </message>
     <message>
         <source>its second line does not say whose name it is.</source>
@@ -3213,7 +3671,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>&quot;%1&quot; is not the firmware of a Falcon: it is too small. Copy the right file there.</source>
-        <translation>“%1”은(는) 팰컨의 펌웨어가 아닙니다. 파일이 너무 작습니다. 올바른 파일을 그곳에 복사하세요.</translation>
+        <translation>“%1”: 팰컨의 펌웨어가 아닙니다. 파일이 너무 작습니다. 올바른 파일을 그곳에 복사하세요.</translation>
     </message>
     <message>
         <source>Novint Falcon</source>
@@ -3224,11 +3682,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>여러 번 시도했지만 팰컨이 펌웨어를 받지 않았습니다. USB 케이블을 허브가 아니라 이 컴퓨터에 직접 꽂고 다시 시도하세요.</translation>
     </message>
     <message>
-        <source>The Falcon does not answer. See that it is plugged in and has power, and try again.</source>
+        <source>The Falcon does not answer. Check that it is plugged in and has power, and try again.</source>
         <translation>팰컨이 응답하지 않습니다. 연결되어 있고 전원이 들어오는지 확인한 뒤 다시 시도하세요.</translation>
     </message>
     <message>
-        <source>The Falcon does not answer. See that its power supply is plugged in, unplug its USB cable, plug it in again and try once more.</source>
+        <source>The Falcon does not answer. Check that its power supply is plugged in, unplug its USB cable, plug it in again and try once more.</source>
         <translation>팰컨이 응답하지 않습니다. 전원 어댑터가 꽂혀 있는지 확인하고 USB 케이블을 뽑았다가 다시 꽂은 뒤 다시 시도하세요.</translation>
     </message>
     <message>
@@ -3240,12 +3698,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>팰컨의 기준점이 아직 잡히지 않았습니다. 다시 기준점을 잡고, 불빛이 파란색인 동안 손잡이를 끝까지 당겼다가 밀어 넣으세요.</translation>
     </message>
     <message>
-        <source>The Falcon needs its firmware, which its maker does not let this program bring along. Copy the firmware file of its maker&apos;s software to %1.</source>
-        <translation>팰컨에는 펌웨어가 필요하지만 제조사가 이 프로그램에 넣는 것을 허락하지 않습니다. 제조사 소프트웨어의 펌웨어 파일을 %1(으)로 복사하세요.</translation>
+        <source>The Falcon needs its firmware, which its maker does not let this program include. Copy the firmware file of its maker&apos;s software to %1.</source>
+        <translation>팰컨에는 펌웨어가 필요하지만 제조사가 이 프로그램에 넣는 것을 허락하지 않습니다. 제조사 소프트웨어의 펌웨어 파일을 이곳에 복사하세요: %1.</translation>
     </message>
     <message>
         <source>The Falcon took its firmware and does not answer. Perhaps %1 is not the firmware of a Falcon.</source>
-        <translation>팰컨이 펌웨어를 받았지만 응답하지 않습니다. %1이(가) 팰컨의 펌웨어가 아닐 수 있습니다.</translation>
+        <translation>팰컨이 펌웨어를 받았지만 응답하지 않습니다. %1 파일이 팰컨의 펌웨어가 아닐 수 있습니다.</translation>
     </message>
     <message>
         <source>The Falcon was unplugged while it was started. Plug it in again.</source>
@@ -3264,7 +3722,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>아두이노 보드: 3세대 Haply 2diy인가요?</translation>
     </message>
     <message>
-        <source>The Haply 2diy could not be homed. See that it is plugged in and switched on, and try again.</source>
+        <source>The Haply 2diy could not be homed. Check that it is plugged in and switched on, and try again.</source>
         <translation>Haply 2diy의 기준점을 잡지 못했습니다. 꽂혀 있고 켜져 있는지 확인하고 다시 시도하세요.</translation>
     </message>
     <message>
@@ -3276,7 +3734,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>Haply 2diy가 팔의 위치를 놓쳤습니다. 두 팔을 표시에 맞추고 기준점을 잡으세요.</translation>
     </message>
     <message>
-        <source>The device at the serial port does not answer like a Haply 2diy. Switch it on, unplug it and plug it in again; if it is no Haply 2diy, choose another device.</source>
+        <source>The device at the serial port does not answer like a Haply 2diy. Switch it on, unplug it and plug it in again; if it is not a Haply 2diy, choose another device.</source>
         <translation>직렬 포트의 장치가 Haply 2diy처럼 응답하지 않습니다. 장치를 켜고, 뽑았다가 다시 꽂으세요. Haply 2diy가 아니면 다른 장치를 고르세요.</translation>
     </message>
     <message>
@@ -3300,28 +3758,28 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 컴퓨터에는 모터를 지켜보는 프로그램을 실행할 여유가 없습니다. 다른 프로그램을 닫고 다시 시도하세요.</translation>
     </message>
     <message>
-        <source>You may not use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again; or have yourself added to the group dialout and log in again.</source>
+        <source>You are not allowed to use the %1 yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device and plug it in again; or have yourself added to the group dialout and log in again.</source>
         <translation>아직 %1 장치를 쓸 권한이 없습니다. resources/udev/70-touchphoto.rules를 /etc/udev/rules.d에 복사한 다음 장치를 뽑았다가 다시 꽂으세요. 또는 dialout 그룹에 추가해 달라고 하고 다시 로그인하세요.</translation>
     </message>
     <message>
         <source>it holds &quot;%1&quot;, which is packed in an unusual way. Pack it again as an ordinary ZIP file.</source>
-        <translation>흔하지 않은 방식으로 압축된 “%1”이(가) 들어 있습니다. 일반 ZIP 파일로 다시 압축하세요.</translation>
+        <translation>흔하지 않은 방식으로 압축된 파일이 들어 있습니다: “%1”. 일반 ZIP 파일로 다시 압축하세요.</translation>
     </message>
     <message>
-        <source>A stick cannot be as strong or as weak as that. See that the scale shows grams and pulls straight towards you, and weigh again.</source>
-        <translation>스틱이 그렇게 세거나 약할 수는 없습니다. 저울이 그램을 보여 주고 곧게 자기 쪽으로 당기는지 확인하고 다시 다십시오.</translation>
+        <source>A stick cannot be as strong or as weak as that. Check that the scale shows grams and pulls straight towards you, and weigh again.</source>
+        <translation>스틱이 그렇게 세거나 약할 수는 없습니다. 저울이 그램으로 표시하고 곧게 자기 쪽으로 당기는지 확인한 뒤 다시 무게를 재세요.</translation>
     </message>
     <message>
         <source>The stick does not pull now. Hold the grip where it is, and weigh again.</source>
-        <translation>스틱이 지금 당기지 않습니다. 손잡이를 그 자리에 잡고 다시 다십시오.</translation>
+        <translation>스틱이 지금 당기지 않습니다. 손잡이를 그 자리에 잡고 다시 무게를 재세요.</translation>
     </message>
     <message>
         <source>What the scale shows must be a number of grams from 0 to 100000.</source>
         <translation>저울이 보여 주는 것은 0에서 100000까지의 그램 수여야 합니다.</translation>
     </message>
     <message>
-        <source>What was measured of the stick could not be kept: %1</source>
-        <translation>스틱에서 잰 것을 저장할 수 없습니다: %1</translation>
+        <source>What was measured of the stick could not be saved: %1</source>
+        <translation>스틱의 측정값을 저장할 수 없습니다: %1</translation>
     </message>
     <message>
         <source>the stick has no name to keep it by.</source>
@@ -3337,15 +3795,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The program that watches over the motors of the Falcon has ended, so they stay off. Start the device again.</source>
-        <translation>Falcon의 모터를 지켜보는 프로그램이 끝나서 모터를 켜지 않습니다. 장치를 다시 시작하세요.</translation>
+        <translation>팰컨의 모터를 지켜보는 프로그램이 끝나서 모터를 켜지 않습니다. 장치를 다시 시작하세요.</translation>
     </message>
     <message>
-        <source>Pictures in the formats HEIC and AVIF need the library libheif (Debian: libheif1), which is not here: install it or save the picture as JPEG.</source>
+        <source>Pictures in the formats HEIC and AVIF need the library libheif (Debian: libheif1), which is not installed: install it or save the picture as JPEG.</source>
         <translation>HEIC와 AVIF 형식의 사진에는 libheif 라이브러리(Debian: libheif1)가 필요하지만 여기에는 없습니다. 설치하거나 사진을 JPEG로 저장하세요.</translation>
     </message>
     <message>
         <source>The %1 file holds a kind of picture that cannot be decoded here: save it as JPEG.</source>
-        <translation>%1 파일에 여기서 해독할 수 없는 종류의 사진이 들어 있습니다. JPEG로 저장하세요.</translation>
+        <translation>%1 파일에 여기서 디코딩할 수 없는 종류의 사진이 들어 있습니다. JPEG로 저장하세요.</translation>
     </message>
     <message>
         <source>The %1 file is cut short: a part of the picture is missing.</source>
@@ -3381,7 +3839,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>it holds &quot;%1&quot; twice.</source>
-        <translation>“%1”이(가) 두 번 들어 있습니다.</translation>
+        <translation>같은 파일이 두 번 들어 있습니다: “%1”.</translation>
     </message>
     <message>
         <source>it holds no photograph.</source>
@@ -3392,8 +3850,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진이 비어 있거나 파일 이름이 png나 jpg로 끝나지 않습니다.</translation>
     </message>
     <message>
-        <source>That is more at once than an import takes: import the folder that the files are in.</source>
-        <translation>한 번에 가져올 수 있는 것보다 많습니다. 파일이 들어 있는 폴더를 가져오십시오.</translation>
+        <source>That is more than can be imported at once: import the folder that the files are in.</source>
+        <translation>한 번에 가져올 수 있는 것보다 많습니다. 파일이 들어 있는 폴더를 가져오세요.</translation>
     </message>
     <message>
         <source>it lists more people, words or recordings than any photograph has.</source>
@@ -3401,42 +3859,110 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Such files are decoded in a process that can do nothing else, and this system does not allow that (%1): save the picture as JPEG.</source>
-        <translation>이런 파일은 다른 일은 할 수 없는 프로세스에서 해독하는데, 이 시스템에서는 그렇게 할 수 없습니다(%1). 사진을 JPEG로 저장하세요.</translation>
+        <translation>이런 파일은 다른 일은 할 수 없는 프로세스에서 디코딩하는데, 이 시스템에서는 그렇게 할 수 없습니다(%1). 사진을 JPEG로 저장하세요.</translation>
     </message>
     <message>
         <source>The picture cannot be decoded: decoding it broke off. The file may be damaged.</source>
-        <translation>사진을 해독할 수 없습니다. 해독이 중단되었습니다. 파일이 손상되었을 수 있습니다.</translation>
+        <translation>사진을 디코딩할 수 없습니다. 디코딩이 중단되었습니다. 파일이 손상되었을 수 있습니다.</translation>
     </message>
     <message>
         <source>The picture takes too long to decode; it was not read.</source>
-        <translation>사진을 해독하는 데 시간이 너무 오래 걸려 읽지 않았습니다.</translation>
+        <translation>사진을 디코딩하는 데 시간이 너무 오래 걸려 읽지 않았습니다.</translation>
     </message>
     <message>
-        <source>The program %1, which decodes such files, cannot be started: install TouchPhoto anew.</source>
-        <translation>이런 파일을 해독하는 프로그램 %1을(를) 시작할 수 없습니다. TouchPhoto를 다시 설치하세요.</translation>
+        <source>The program %1, which decodes such files, cannot be started: install TouchPhoto again.</source>
+        <translation>이런 파일을 디코딩하는 프로그램(%1)을 시작할 수 없습니다. TouchPhoto를 다시 설치하세요.</translation>
     </message>
     <message>
         <source>its sound cannot be decoded: decoding it broke off. It may be damaged.</source>
-        <translation>소리를 해독할 수 없습니다. 해독이 중단되었습니다. 손상되었을 수 있습니다.</translation>
+        <translation>소리를 디코딩할 수 없습니다. 디코딩이 중단되었습니다. 손상되었을 수 있습니다.</translation>
     </message>
     <message>
         <source>its sound takes too long to decode.</source>
-        <translation>소리를 해독하는 데 시간이 너무 오래 걸립니다.</translation>
+        <translation>소리를 디코딩하는 데 시간이 너무 오래 걸립니다.</translation>
     </message>
     <message>
         <source>it is not a photograph of a kind that can be read here.</source>
         <translation>여기에서 읽을 수 있는 종류의 사진이 아닙니다.</translation>
     </message>
+    <message>
+        <source>%1 faces were named %2</source>
+        <translation>얼굴 %1개에 %2 이름을 붙임</translation>
+    </message>
+    <message>
+        <source>Since then the groups of faces have changed, so this cannot be undone.</source>
+        <translation>그 뒤로 얼굴 묶음이 바뀌어 되돌릴 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>These faces are not grouped so any more.</source>
+        <translation>이 얼굴들은 더 이상 그렇게 묶여 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>a face is not that of %1</source>
+        <translation>얼굴 하나가 %1의 얼굴이 아님</translation>
+    </message>
+    <message>
+        <source>a face was taken out of its group</source>
+        <translation>얼굴 하나를 묶음에서 뺌</translation>
+    </message>
+    <message>
+        <source>Another program is using the camera. Close it and try again.</source>
+        <translation>다른 프로그램이 카메라를 쓰고 있습니다. 그 프로그램을 닫고 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>No camera was found on this computer.</source>
+        <translation>이 컴퓨터에서 카메라를 찾지 못했습니다.</translation>
+    </message>
+    <message>
+        <source>The camera gives no pictures.</source>
+        <translation>카메라에서 화면이 오지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The camera gives pictures that TouchPhoto cannot read.</source>
+        <translation>카메라가 TouchPhoto에서 읽을 수 없는 형식을 보냅니다.</translation>
+    </message>
+    <message>
+        <source>The camera was unplugged.</source>
+        <translation>카메라 연결이 끊어졌습니다.</translation>
+    </message>
+    <message>
+        <source>The system does not let TouchPhoto use the camera.</source>
+        <translation>시스템이 TouchPhoto의 카메라 사용을 허용하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>the recording of background sounds</source>
+        <translation>주변 소리 녹음</translation>
+    </message>
+    <message>
+        <source>the recording of background sounds (%1)</source>
+        <translation>주변 소리 녹음(%1)</translation>
+    </message>
+    <message>
+        <source>the recording of the place</source>
+        <translation>장소 녹음</translation>
+    </message>
+    <message>
+        <source>the recording of the place (%1)</source>
+        <translation>장소 녹음(%1)</translation>
+    </message>
+    <message>
+        <source>the recording of who %1 is</source>
+        <translation>%1: 누구인지 알려 주는 녹음</translation>
+    </message>
+    <message>
+        <source>the recording of who it is</source>
+        <translation>누구인지 알려 주는 녹음</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
     <message>
-        <source>Tab goes from setting to setting, Space or Return changes one, arrow keys move a slider. Control Z undoes the last change. Each change is kept at once.</source>
-        <translation>탭 키로 설정 사이를 이동하고, 스페이스바나 엔터 키로 설정을 바꾸며, 화살표 키로 슬라이더를 움직입니다. Ctrl Z는 마지막 변경을 되돌립니다. 변경은 바로 저장됩니다.</translation>
+        <source>Tab moves from setting to setting, Space or Enter changes one, the arrow keys move a slider. Control+Z undoes the last change. Every change is saved at once.</source>
+        <translation>탭 키로 설정 사이를 이동하고, 스페이스바나 엔터 키로 설정을 바꾸며, 화살표 키로 슬라이더를 움직입니다. Ctrl+Z는 마지막 변경을 되돌립니다. 변경은 바로 저장됩니다.</translation>
     </message>
     <message>
         <source>Speech and sound</source>
-        <translation>말과 소리</translation>
+        <translation>음성과 소리</translation>
     </message>
     <message>
         <source>Who speaks</source>
@@ -3459,11 +3985,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1배</translation>
     </message>
     <message>
-        <source>Sounds for what happens</source>
-        <translation>동작을 알리는 소리</translation>
+        <source>Sound effects</source>
+        <translation>효과음</translation>
     </message>
     <message>
-        <source>What it looks like</source>
+        <source>Appearance</source>
         <translation>화면 모양</translation>
     </message>
     <message>
@@ -3471,7 +3997,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>색</translation>
     </message>
     <message>
-        <source>Size of text</source>
+        <source>Text size</source>
         <translation>글자 크기</translation>
     </message>
     <message>
@@ -3479,8 +4005,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1퍼센트</translation>
     </message>
     <message>
-        <source>Pictures may move</source>
-        <translation>그림의 움직임 허용</translation>
+        <source>Animations</source>
+        <translation>애니메이션</translation>
     </message>
     <message>
         <source>Who uses the tablet most</source>
@@ -3488,7 +4014,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>What is felt</source>
-        <translation>만져지는 것</translation>
+        <translation>촉감</translation>
     </message>
     <message>
         <source>Strongest force</source>
@@ -3503,8 +4029,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴에서 힘을 시험해 보기</translation>
     </message>
     <message>
-        <source>What guides the finger where no force does</source>
-        <translation>힘이 없는 곳에서 손가락을 이끄는 방법</translation>
+        <source>Guide when there is no force</source>
+        <translation>힘이 없을 때의 길잡이</translation>
     </message>
     <message>
         <source>Brows</source>
@@ -3543,8 +4069,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>저장된 내 정보</translation>
     </message>
     <message>
-        <source>Throw the index away and make it anew</source>
-        <translation>색인을 버리고 새로 만들기</translation>
+        <source>Rebuild the index</source>
+        <translation>색인 다시 만들기</translation>
     </message>
     <message>
         <source>All settings</source>
@@ -3559,19 +4085,19 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>되돌리기: %1</translation>
     </message>
     <message>
-        <source>Key: Control Z</source>
-        <translation>Ctrl Z 키</translation>
+        <source>Key: Control+Z</source>
+        <translation>Ctrl+Z 키</translation>
     </message>
     <message>
         <source>Ask me the five questions again</source>
         <translation>처음의 다섯 가지 질문을 다시 하기</translation>
     </message>
     <message>
-        <source>Everything as it was at first</source>
-        <translation>모두 처음 상태로</translation>
+        <source>Reset all settings</source>
+        <translation>모든 설정 초기화</translation>
     </message>
     <message>
-        <source>The album&apos;s folders stay; it can be undone</source>
+        <source>The album&apos;s folders stay. Can be undone</source>
         <translation>앨범의 폴더는 그대로 남으며, 되돌릴 수 있습니다</translation>
     </message>
     <message>
@@ -3587,12 +4113,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 화면에서 장치 보정하기</translation>
     </message>
     <message>
-        <source>The four corners of the screen are touched with the device</source>
+        <source>You touch the four corners of the screen with the device</source>
         <translation>장치로 화면의 네 모서리를 건드립니다</translation>
     </message>
     <message>
         <source>Try the strongest force</source>
-        <translation>가장 강한 힘 느껴 보기</translation>
+        <translation>최대 힘 느껴 보기</translation>
     </message>
     <message>
         <source>The device pulls to the right and to the left for less than three seconds. Escape ends it</source>
@@ -3608,11 +4134,23 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Measure the stick</source>
-        <translation>힘 스틱 재기</translation>
+        <translation>힘 스틱 측정</translation>
     </message>
     <message>
         <source>How strong it is and which way it pulls. You need a kitchen scale or a luggage scale</source>
         <translation>얼마나 세고 어느 쪽으로 당기는지. 주방 저울이나 여행 가방 저울이 필요합니다</translation>
+    </message>
+    <message>
+        <source>Descriptions of photographs</source>
+        <translation>사진 설명</translation>
+    </message>
+    <message>
+        <source>What is said first</source>
+        <translation>먼저 말할 것</translation>
+    </message>
+    <message>
+        <source>Compare faces, to offer names</source>
+        <translation>얼굴을 비교해 이름 제안</translation>
     </message>
 </context>
 <context>
@@ -3630,12 +4168,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>도움말</translation>
     </message>
     <message>
-        <source>Says what can be done here. Key: F1</source>
+        <source>Says what you can do here. Key: F1</source>
         <translation>여기서 할 수 있는 일을 말해 줍니다. F1 키</translation>
     </message>
     <message>
-        <source>Said last</source>
-        <translation>마지막에 한 말</translation>
+        <source>Last sentence</source>
+        <translation>마지막 문장</translation>
     </message>
 </context>
 <context>
@@ -3669,15 +4207,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴 안내</translation>
     </message>
     <message>
-        <source>Leads the finger round every feature, each named before. Key: T</source>
+        <source>Leads the finger round every feature, naming each one first. Key: T</source>
         <translation>부위 이름을 먼저 말하고, 손가락을 이끌어 모든 부위를 차례로 돕니다. T 키</translation>
     </message>
     <message>
         <source>Where am I?</source>
-        <translation>여기는 어디인가요?</translation>
+        <translation>현재 위치</translation>
     </message>
     <message>
-        <source>Tells face, feature, direction and distance. Key: W</source>
+        <source>Says which face and feature, the direction and the distance. Key: W</source>
         <translation>얼굴, 부위, 방향, 거리를 말해 줍니다. W 키</translation>
     </message>
     <message>
@@ -3689,7 +4227,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>힘 켜기</translation>
     </message>
     <message>
-        <source>Ends tour, speech and force. Key: Escape</source>
+        <source>Stops tour, speech and force. Key: Escape</source>
         <translation>안내와 말과 힘을 끝냅니다. Escape 키</translation>
     </message>
     <message>
@@ -3709,15 +4247,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>축소</translation>
     </message>
     <message>
-        <source>Key: Shift and Z</source>
-        <translation>Shift와 Z 키</translation>
+        <source>Key: Shift+Z</source>
+        <translation>Shift+Z 키</translation>
     </message>
     <message>
         <source>Next feature</source>
         <translation>다음 부위</translation>
     </message>
     <message>
-        <source>Sets the finger down on it. Key: Tab</source>
+        <source>Puts the finger on it. Key: Tab</source>
         <translation>그 위에 손가락을 놓습니다. 탭 키</translation>
     </message>
     <message>
@@ -3725,7 +4263,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>다음 얼굴</translation>
     </message>
     <message>
-        <source>Fits one face after the other into the surface. Key: F</source>
+        <source>Fits one face after another into the touch surface. Key: F</source>
         <translation>얼굴을 하나씩 차례로 터치 영역에 맞춥니다. F 키</translation>
     </message>
     <message>
@@ -3761,7 +4299,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>다음 사진</translation>
     </message>
     <message>
-        <source>The next one of the album with a face. Key: N</source>
+        <source>The next one in the album with a face. Key: N</source>
         <translation>앨범에서 얼굴이 있는 다음 사진. N 키</translation>
     </message>
     <message>
@@ -3769,8 +4307,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이전 사진</translation>
     </message>
     <message>
-        <source>Key: Shift and N</source>
-        <translation>Shift와 N 키</translation>
+        <source>Key: Shift+N</source>
+        <translation>Shift+N 키</translation>
     </message>
 </context>
 <context>
@@ -3827,35 +4365,35 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <name>StickMeasuring</name>
     <message>
         <source>The stick will move by itself, a little to the right and back, then a little away from you and back. Let it stand free, and keep your hands off it.</source>
-        <translation>스틱이 저절로 조금 오른쪽으로 갔다가 돌아오고, 이어서 조금 앞쪽으로 갔다가 돌아옵니다. 자유롭게 세워 두고 손을 떼십시오.</translation>
+        <translation>스틱이 저절로 조금 오른쪽으로 갔다가 돌아오고, 이어서 조금 앞쪽으로 갔다가 돌아옵니다. 자유롭게 세워 두고 손을 떼세요.</translation>
     </message>
     <message>
-        <source>It is known now which way it pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.</source>
-        <translation>이제 어느 쪽으로 당기는지 압니다. 주방 저울이나 여행 가방 저울로 손잡이를 곧게 자기 쪽으로 잡으십시오. 스틱은 앞쪽으로 당깁니다. 손잡이가 멈추면 저울이 보여 주는 그램 수를 입력하십시오.</translation>
+        <source>Now it is clear which way the stick pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.</source>
+        <translation>이제 스틱이 어느 쪽으로 당기는지 알았습니다. 주방 저울이나 여행 가방 저울로 손잡이를 곧게 자기 쪽으로 잡으세요. 스틱은 앞쪽으로 당깁니다. 손잡이가 멈추면 저울이 보여 주는 그램 수를 입력하세요.</translation>
     </message>
     <message>
         <source>The stick is measured.</source>
-        <translation>스틱을 쟀습니다.</translation>
+        <translation>스틱을 측정했습니다.</translation>
     </message>
     <message>
-        <source>The stick did not stand still. Let go of it, see that nothing touches it, and measure again.</source>
-        <translation>스틱이 가만히 있지 않았습니다. 손을 떼고 아무것도 닿지 않는지 확인하고 다시 재십시오.</translation>
+        <source>The stick did not stand still. Let go of it, check that nothing touches it, and measure again.</source>
+        <translation>스틱이 가만히 있지 않았습니다. 손을 떼고 아무것도 닿지 않는지 확인하고 다시 측정하세요.</translation>
     </message>
     <message>
-        <source>The stick did not move. See that its power supply is plugged in, keep your hands off it, and measure again.</source>
-        <translation>스틱이 움직이지 않았습니다. 전원 어댑터가 꽂혀 있는지 확인하고 손을 뗀 채 다시 재십시오.</translation>
+        <source>The stick did not move. Check that its power supply is plugged in, keep your hands off it, and measure again.</source>
+        <translation>스틱이 움직이지 않았습니다. 전원 어댑터가 꽂혀 있는지 확인하고 손을 뗀 채 다시 측정하세요.</translation>
     </message>
     <message>
-        <source>The stick moved to the side of where it was to move. It cannot be measured so: see that nothing touches it and that it stands straight, and measure again.</source>
-        <translation>스틱이 가야 할 쪽에서 벗어나 움직였습니다. 그렇게는 잴 수 없습니다. 아무것도 닿지 않고 곧게 서 있는지 확인하고 다시 재십시오.</translation>
+        <source>The stick moved to one side of where it should have gone. It cannot be measured like that: check that nothing touches it and that it stands straight, and measure again.</source>
+        <translation>스틱이 가야 할 쪽에서 벗어나 움직였습니다. 그렇게는 측정할 수 없습니다. 아무것도 닿지 않고 곧게 서 있는지 확인하고 다시 측정하세요.</translation>
     </message>
     <message>
-        <source>The stick did not come back as it went. See that nothing touches it, and measure again.</source>
-        <translation>스틱이 간 대로 돌아오지 않았습니다. 아무것도 닿지 않는지 확인하고 다시 재십시오.</translation>
+        <source>The stick did not come back the way it went. Check that nothing touches it, and measure again.</source>
+        <translation>스틱이 간 대로 돌아오지 않았습니다. 아무것도 닿지 않는지 확인하고 다시 측정하세요.</translation>
     </message>
     <message>
         <source>The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.</source>
-        <translation>삼 분 동안 스틱을 달지 않아 힘을 껐습니다. 저울이 준비되면 다시 재십시오.</translation>
+        <translation>3분 동안 무게를 재지 않아 스틱의 힘을 껐습니다. 저울이 준비되면 다시 측정하세요.</translation>
     </message>
 </context>
 <context>
@@ -3882,7 +4420,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         </translation>
     </message>
     <message numerus="yes">
-        <source>The name %1 is cut after %n line(s) of braille.</source>
+        <source>The name %1 is cut off after %n line(s) of braille.</source>
         <translation>
             <numerusform>이름 %1: 점자 %n줄까지만 넣고 나머지는 잘랐습니다.</numerusform>
         </translation>
@@ -3919,7 +4457,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>녹음</translation>
     </message>
     <message>
-        <source>Go on</source>
+        <source>Continue</source>
         <translation>계속</translation>
     </message>
     <message>
@@ -3927,7 +4465,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>일시 정지</translation>
     </message>
     <message>
-        <source>Throw away…</source>
+        <source>Discard…</source>
         <translation>버리기…</translation>
     </message>
     <message>
@@ -3935,8 +4473,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>보관하기</translation>
     </message>
     <message>
-        <source>Yes, throw it away</source>
-        <translation>예, 버립니다</translation>
+        <source>Yes, discard it</source>
+        <translation>예, 버리기</translation>
     </message>
     <message>
         <source>Add a sound file…</source>
@@ -4010,16 +4548,16 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>되돌리기: %1</translation>
     </message>
     <message>
-        <source>Key: Control Z</source>
-        <translation>Ctrl Z 키</translation>
+        <source>Key: Control+Z</source>
+        <translation>Ctrl+Z 키</translation>
     </message>
     <message>
         <source>Redo: %1</source>
         <translation>다시 실행: %1</translation>
     </message>
     <message>
-        <source>Key: Control Shift Z</source>
-        <translation>Ctrl Shift Z 키</translation>
+        <source>Key: Control+Shift+Z</source>
+        <translation>Ctrl+Shift+Z 키</translation>
     </message>
 </context>
 <context>
@@ -4044,7 +4582,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>폴더에서 사진을 찾는 중입니다.</translation>
     </message>
     <message>
-        <source>There is no photograph in your folders yet. Import some, or choose other folders on the settings page.</source>
+        <source>There are no photographs in your folders yet. Import some, or choose other folders on the settings page.</source>
         <translation>폴더에 아직 사진이 없습니다. 사진을 가져오거나, 설정 페이지에서 다른 폴더를 고르세요.</translation>
     </message>
     <message>
@@ -4064,7 +4602,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::BrowseDetails</name>
     <message>
-        <source>%1 is gone from this list. Now: %2</source>
+        <source>%1 is no longer in this list. Now: %2</source>
         <translation>%1: 이 목록에서 사라졌습니다. 현재: %2</translation>
     </message>
 </context>
@@ -4091,7 +4629,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>검색</translation>
     </message>
     <message>
-        <source>There is no photograph of that any more.</source>
+        <source>There are no photographs of that any more.</source>
         <translation>그에 해당하는 사진이 더는 없습니다.</translation>
     </message>
     <message>
@@ -4100,7 +4638,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1, %2: %3</translation>
     </message>
     <message>
-        <source>These are all photographs; there is no list above them.</source>
+        <source>These are all the photographs; there is no list above them.</source>
         <translation>이것이 모든 사진이며, 상위 목록은 없습니다.</translation>
     </message>
     <message numerus="yes">
@@ -4191,12 +4729,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1.</translation>
     </message>
     <message>
-        <source>There is no letter to take away.</source>
+        <source>There is no letter to delete.</source>
         <translation>지울 글자가 없습니다.</translation>
     </message>
     <message>
-        <source>Nothing is typed any more.</source>
-        <translation>입력한 글자가 없습니다.</translation>
+        <source>The search field is empty.</source>
+        <translation>검색란이 비어 있습니다.</translation>
     </message>
     <message>
         <source>%1: %2.</source>
@@ -4217,7 +4755,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: 아직 없습니다.</translation>
     </message>
     <message>
-        <source>%1: %2. Choose one with the arrow keys and Return.</source>
+        <source>%1: %2. Choose one with the arrow keys and Enter.</source>
         <comment>a list, how many</comment>
         <translation>%1: %2. 화살표 키로 고르고 엔터 키를 누르세요.</translation>
     </message>
@@ -4247,11 +4785,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1, %2: %3</translation>
     </message>
     <message>
-        <source>Swipe or use the arrow keys to go on; double tap or press Return to hear.</source>
-        <translation>화면을 쓸거나 화살표 키를 눌러 이동하고, 두 번 두드리거나 엔터 키를 눌러 들으세요.</translation>
+        <source>Swipe or use the arrow keys to move on; double tap or press Enter to listen.</source>
+        <translation>화면을 쓸거나 화살표 키를 눌러 이동하고, 두 번 탭하거나 엔터 키를 눌러 들으세요.</translation>
     </message>
     <message>
-        <source>Swipe or use the arrow keys to go on.</source>
+        <source>Swipe or use the arrow keys to move on.</source>
         <translation>화면을 쓸거나 화살표 키를 눌러 이동하세요.</translation>
     </message>
     <message>
@@ -4265,8 +4803,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1 일시 정지됨: %2, 위치 %3.</translation>
     </message>
     <message>
-        <source>Left and right: previous and next photograph. Up and down: what is known of it. Return: hear the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe goes the way of its arrow key, a double tap plays, two fingers stop, a Z of two fingers goes back, three fingers tell where you are.</source>
-        <translation>왼쪽과 오른쪽 화살표: 이전 사진과 다음 사진. 위와 아래 화살표: 사진에 대해 알려진 내용. 엔터 키: 녹음 듣기 또는 일시 정지. Escape 키: 멈춤. 더하기와 빼기: 빠르게와 느리게. 홈과 엔드 키: 첫 사진과 마지막 사진. S: 검색. P: 사람. Y: 연도. L: 장소. K: 핵심어. R: 아무 사진이나. A: 모든 사진. 백스페이스: 뒤로. E: 얼굴 만지기. C: 이 사진 관리. W: 지금 위치. H: 이 키 안내. 쓸어 넘기기는 같은 방향의 화살표 키와 같고, 두 번 두드리면 재생하고, 두 손가락은 멈추고, 두 손가락으로 Z를 그리면 뒤로 가고, 세 손가락은 지금 위치를 알려 줍니다.</translation>
+        <source>Left and right: previous and next photograph. Up and down: its details. Enter: play the recordings, or pause. Escape: stop. Plus and minus: faster and slower. Home and End: first and last photograph. S: search. P: people. Y: years. L: places. K: keywords. R: surprise me. A: all photographs. Backspace: back. E: feel the face. C: look after this photograph. W: where am I. H: these keys. A swipe does what its arrow key does, a double tap plays, a two-finger tap stops, a Z drawn with two fingers goes back, a three-finger tap says where you are.</source>
+        <translation>왼쪽과 오른쪽 화살표 키: 이전 사진과 다음 사진. 위쪽과 아래쪽 화살표 키: 사진 정보. 엔터 키: 녹음 재생 또는 일시 정지. Escape 키: 멈춤. 더하기와 빼기: 빠르게와 느리게. Home과 End 키: 첫 사진과 마지막 사진. S: 검색. P: 사람. Y: 연도. L: 장소. K: 키워드. R: 아무 사진이나 듣기. A: 모든 사진. 백스페이스: 뒤로. E: 얼굴 만져 보기. C: 이 사진 관리. W: 현재 위치. H: 이 키 안내. 쓸어 넘기기는 같은 방향의 화살표 키와 같고, 두 번 탭하면 재생하고, 두 손가락으로 탭하면 멈추고, 두 손가락으로 Z를 그리면 뒤로 가고, 세 손가락으로 탭하면 현재 위치를 알려 줍니다.</translation>
     </message>
     <message>
         <source>Your photographs.</source>
@@ -4294,29 +4832,129 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
-    <name>tp::CareSession</name>
+    <name>tp::CaptureCamera</name>
     <message>
-        <source>Care for the album. It has no folder yet. Import photographs, and choose where they are kept.</source>
-        <translation>앨범 관리. 아직 폴더가 없습니다. 사진을 가져오고, 사진을 둘 곳을 고르세요.</translation>
+        <source>The camera has ended.</source>
+        <translation>카메라가 끝났습니다.</translation>
     </message>
+</context>
+<context>
+    <name>tp::CaptureChoices</name>
     <message>
-        <source>Care for the album. %1 is open: its faces, recordings and description.</source>
-        <translation>앨범 관리. %1 사진이 열려 있습니다. 얼굴, 녹음, 설명을 다룰 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>Care for the album. %1 Choose one, or import more.</source>
-        <translation>앨범 관리. %1 사진을 하나 고르거나 더 가져오세요.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n photograph(s).</source>
-        <translation>
-            <numerusform>사진 %n장.</numerusform>
-        </translation>
+        <source>%1.</source>
+        <translation>%1.</translation>
     </message>
     <message>
-        <source>Deleted: %1. Undo brings it back.</source>
-        <translation>삭제했습니다: %1. 되돌리기로 되살릴 수 있습니다.</translation>
+        <source>The photograph is taken by itself when all is well.</source>
+        <translation>모두 좋으면 사진이 저절로 찍힙니다.</translation>
     </message>
+    <message>
+        <source>The photograph is taken when you press Space or touch the screen.</source>
+        <translation>스페이스바를 누르거나 화면을 탭하면 사진이 찍힙니다.</translation>
+    </message>
+    <message>
+        <source>The microphone is on. The sound from five seconds before a photograph to five seconds after it is kept with it.</source>
+        <translation>마이크가 켜져 있습니다. 사진을 찍기 5초 전부터 5초 뒤까지의 소리를 함께 저장합니다.</translation>
+    </message>
+    <message>
+        <source>The microphone is off. Photographs are kept without sound.</source>
+        <translation>마이크가 꺼져 있습니다. 사진을 소리 없이 저장합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CaptureMemo</name>
+    <message>
+        <source>The recorder is still busy. Try again in a moment.</source>
+        <translation>녹음기가 아직 작업 중입니다. 잠시 후 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>%1 Saved.</source>
+        <translation>%1 저장되었습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CaptureSession</name>
+    <message>
+        <source>Press I to import photographs of another camera.</source>
+        <translation>다른 카메라의 사진을 가져오려면 I 키를 누르세요.</translation>
+    </message>
+    <message>
+        <source>Take a photograph. %1.</source>
+        <translation>사진 찍기. %1.</translation>
+    </message>
+    <message>
+        <source>Take a photograph. Point the camera at somebody, and listen where to move it. When all is well, the photograph is taken by itself; press S if you do not want that. Space takes it at once.</source>
+        <translation>사진 찍기. 카메라를 사람에게 향하고 어디로 움직일지 들으세요. 모두 좋으면 사진이 저절로 찍힙니다. 원하지 않으면 S 키를 누르세요. 스페이스바를 누르면 바로 찍힙니다.</translation>
+    </message>
+    <message>
+        <source>The camera is starting.</source>
+        <translation>카메라를 켜는 중입니다.</translation>
+    </message>
+    <message>
+        <source>There is only one camera.</source>
+        <translation>카메라가 하나뿐입니다.</translation>
+    </message>
+    <message>
+        <source>Front camera.</source>
+        <translation>전면 카메라.</translation>
+    </message>
+    <message>
+        <source>Back camera.</source>
+        <translation>후면 카메라.</translation>
+    </message>
+    <message>
+        <source>This camera has no light.</source>
+        <translation>이 카메라에는 조명이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Light on.</source>
+        <translation>조명 켜짐.</translation>
+    </message>
+    <message>
+        <source>Light off.</source>
+        <translation>조명 꺼짐.</translation>
+    </message>
+    <message>
+        <source>Take a photograph first; then a memo can be spoken for it.</source>
+        <translation>먼저 사진을 찍으세요. 그다음 메모를 말할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The microphone is on.</source>
+        <translation>마이크가 켜져 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CaptureShutter</name>
+    <message>
+        <source>There is nothing to look through.</source>
+        <translation>차례로 볼 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2: %3.</source>
+        <translation>장면 %2개 중 %1번째: %3.</translation>
+    </message>
+    <message>
+        <source>This one is kept too.</source>
+        <translation>이것도 저장했습니다.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo.</source>
+        <translation>되돌릴 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Undone: %1.</source>
+        <translation>되돌렸습니다: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CareFolders</name>
+    <message>
+        <source>No folder was chosen.</source>
+        <translation>폴더를 고르지 않았습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CareHistory</name>
     <message>
         <source>Undone: %1.</source>
         <translation>되돌렸습니다: %1.</translation>
@@ -4326,12 +4964,29 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>다시 실행했습니다: %1.</translation>
     </message>
     <message>
-        <source>No folder was chosen.</source>
-        <translation>폴더를 고르지 않았습니다.</translation>
+        <source>Deleted: %1. Undo brings it back.</source>
+        <translation>삭제했습니다: %1. 되돌리기로 되살릴 수 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::CareSession</name>
+    <message>
+        <source>Look after the album. It has no folder yet. Import photographs, and choose where to keep them.</source>
+        <translation>앨범 관리. 아직 폴더가 없습니다. 사진을 가져오고, 사진을 둘 곳을 고르세요.</translation>
     </message>
     <message>
-        <source>A recording is being made. Finish it first.</source>
-        <translation>녹음하는 중입니다. 먼저 녹음을 끝내세요.</translation>
+        <source>Look after the album. %1 is open: its faces, recordings and description.</source>
+        <translation>앨범 관리. %1 사진이 열려 있습니다. 얼굴, 녹음, 설명을 다룰 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Look after the album. %1 Choose one, or import more.</source>
+        <translation>앨범 관리. %1 사진을 하나 고르거나 더 가져오세요.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s).</source>
+        <translation>
+            <numerusform>사진 %n장.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4368,7 +5023,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>보정되지 않았습니다. 화면 옆에 두고 쓸 수 있습니다. 화면 위에 올려놓으려면 보정해야 합니다.</translation>
     </message>
     <message>
-        <source>No force device is plugged in. Plug one in; it is found by itself.</source>
+        <source>No force device is plugged in. Plug one in; it is found automatically.</source>
         <translation>연결된 힘 장치가 없습니다. 장치를 꽂으면 저절로 찾습니다.</translation>
     </message>
     <message>
@@ -4377,7 +5032,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The strongest force, %1 newtons: to the right, then to the left. Escape ends it.</source>
-        <translation>가장 강한 힘, %1뉴턴입니다. 오른쪽으로, 그다음 왼쪽으로 당깁니다. Escape 키로 끝냅니다.</translation>
+        <translation>최대 힘, %1뉴턴입니다. 오른쪽으로, 그다음 왼쪽으로 당깁니다. Escape 키로 끝냅니다.</translation>
     </message>
     <message>
         <source>Calibration. The device lies on the screen; put a finger into it, so that it touches the screen. Escape ends it. %1</source>
@@ -4385,7 +5040,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>That was the strongest force.</source>
-        <translation>가장 강한 힘이었습니다.</translation>
+        <translation>최대 힘이었습니다.</translation>
     </message>
     <message>
         <source>Touch the top left corner and keep still until I speak.</source>
@@ -4408,7 +5063,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>바뀐 것은 없습니다.</translation>
     </message>
     <message>
-        <source>The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. See that the device does not slip on the screen, keep still at each corner, and calibrate again.</source>
+        <source>The calibration misses your touches by %1 millimetres on average, and at most %2 are allowed. Make sure that the device does not slip on the screen, keep still at each corner, and calibrate again.</source>
         <translation>보정 결과가 누른 자리와 평균 %1밀리미터 어긋납니다. 최대 %2까지 허용됩니다. 장치가 화면에서 미끄러지지 않게 하고, 모서리마다 가만히 있으면서 다시 보정하세요.</translation>
     </message>
     <message>
@@ -4416,12 +5071,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>장치와 화면의 움직임이 서로 맞지 않습니다. 손가락을 장치에 넣고, 다른 손가락은 화면에서 떼고 다시 보정하세요.</translation>
     </message>
     <message>
-        <source>Calibrated. It misses by %1 millimetres on average, and is kept for this device.</source>
+        <source>Calibrated. It misses by %1 millimetres on average, and is saved for this device.</source>
         <translation>보정했습니다. 평균 %1밀리미터 어긋나며, 이 장치의 보정값으로 저장했습니다.</translation>
     </message>
     <message>
-        <source>Calibration ended. Nothing was changed.</source>
-        <translation>보정을 끝냈습니다. 바뀐 것은 없습니다.</translation>
+        <source>Calibration cancelled. Nothing was changed.</source>
+        <translation>보정을 취소했습니다. 바뀐 것은 없습니다.</translation>
     </message>
     <message>
         <source>Stopped. The force is off.</source>
@@ -4432,8 +5087,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>기준점을 맞추었습니다. 이제 장치가 손잡이의 위치를 압니다.</translation>
     </message>
     <message>
-        <source>This device knows its newtons itself; only force sticks are measured.</source>
-        <translation>이 장치는 자기 뉴턴을 스스로 압니다. 힘 스틱만 잽니다.</translation>
+        <source>This device knows its own force; only force sticks need measuring.</source>
+        <translation>이 장치는 자기 힘의 크기를 알고 있습니다. 힘 스틱만 측정하면 됩니다.</translation>
     </message>
     <message>
         <source>%1 Escape ends it.</source>
@@ -4441,15 +5096,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>That is too little to be read well. The stick pulls twice as strongly now: weigh again.</source>
-        <translation>너무 적어 잘 읽을 수 없습니다. 이제 스틱이 두 배로 세게 당깁니다. 다시 다십시오.</translation>
+        <translation>너무 적어 정확히 읽을 수 없습니다. 이제 스틱이 두 배로 세게 당깁니다. 다시 무게를 재세요.</translation>
     </message>
     <message>
-        <source>The stick is measured: %1 newtons at most. That is kept for this stick.</source>
-        <translation>스틱을 쟀습니다: 최대 %1뉴턴. 이 스틱의 값으로 저장했습니다.</translation>
+        <source>The stick is measured: %1 newtons at most. That is saved for this stick.</source>
+        <translation>스틱을 측정했습니다. 최대 %1뉴턴이며, 이 스틱의 값으로 저장했습니다.</translation>
     </message>
     <message>
-        <source>Measurement ended. The force is off. Nothing was changed.</source>
-        <translation>재기를 끝냈습니다. 힘이 꺼졌습니다. 바뀐 것은 없습니다.</translation>
+        <source>Measurement cancelled. The force is off. Nothing was changed.</source>
+        <translation>측정을 취소했습니다. 힘이 꺼졌습니다. 바뀐 것은 없습니다.</translation>
     </message>
 </context>
 <context>
@@ -4459,12 +5114,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>없음</translation>
     </message>
     <message>
-        <source>Sonar</source>
-        <translation>소나</translation>
+        <source>Beeps</source>
+        <translation>삐 소리</translation>
     </message>
     <message>
-        <source>Clock voice</source>
-        <translation>몇 시 방향인지 말하기</translation>
+        <source>Clock directions</source>
+        <translation>시계 방향 안내</translation>
     </message>
     <message>
         <source>Both</source>
@@ -4538,7 +5193,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::ExploreSession</name>
     <message>
-        <source>Explore. %1 Move a finger over the picture; W tells where it is.</source>
+        <source>Explore. %1 Move a finger over the picture; W says where it is.</source>
         <translation>살펴보기. %1 사진 위에서 손가락을 움직이세요. W를 누르면 손가락의 위치를 말해 줍니다.</translation>
     </message>
     <message>
@@ -4606,15 +5261,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Stopped looking. Press O to open a photograph.</source>
+        <source>Search stopped. Press O to open a photograph.</source>
         <translation>찾기를 멈췄습니다. O를 눌러 사진을 여세요.</translation>
     </message>
     <message>
-        <source>Stopped looking. %1 is open again. The force is off. Press Enter to switch it on.</source>
+        <source>Search stopped. %1 is open again. The force is off. Press Enter to switch it on.</source>
         <translation>찾기를 멈췄습니다. %1 사진이 다시 열렸습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
     </message>
     <message>
-        <source>Stopped looking. %1 is open again.</source>
+        <source>Search stopped. %1 is open again.</source>
         <translation>찾기를 멈췄습니다. %1 사진이 다시 열렸습니다.</translation>
     </message>
     <message>
@@ -4629,7 +5284,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴이 있는 가장 최근 사진입니다.</translation>
     </message>
     <message numerus="yes">
-        <source>%n photograph(s) without a face passed over.</source>
+        <source>Skipped %n photograph(s) without a face.</source>
         <translation>
             <numerusform>얼굴이 없는 사진 %n장을 건너뛰었습니다.</numerusform>
         </translation>
@@ -4640,13 +5295,13 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1.</translation>
     </message>
     <message numerus="yes">
-        <source>Looking further: %n photograph(s) without a face so far.</source>
+        <source>Still looking: %n photograph(s) without a face so far.</source>
         <translation>
             <numerusform>계속 찾는 중입니다. 지금까지 얼굴이 없는 사진 %n장.</numerusform>
         </translation>
     </message>
     <message>
-        <source>There is no face on any photograph of the album.</source>
+        <source>There is no face on any photograph in the album.</source>
         <translation>앨범에 얼굴이 있는 사진이 없습니다.</translation>
     </message>
     <message>
@@ -4719,7 +5374,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진 전체가 보입니다.</translation>
     </message>
     <message>
-        <source>There is nothing nearer to zoom to here.</source>
+        <source>There is nothing more to zoom in to here.</source>
         <translation>여기에는 더 확대할 것이 없습니다.</translation>
     </message>
 </context>
@@ -4845,11 +5500,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1 다음 얼굴은 누구인가요?</translation>
     </message>
     <message>
-        <source>Saved: %1 is read as the page is.</source>
+        <source>Saved: %1 is read in the page&apos;s language.</source>
         <translation>저장했습니다: %1, 페이지와 같은 언어로 읽습니다.</translation>
     </message>
     <message>
-        <source>Saved: %1. The name is read as %2.</source>
+        <source>Saved: %1. Language of the name: %2.</source>
         <translation>저장했습니다: %1. 이름을 읽는 언어: %2.</translation>
     </message>
     <message>
@@ -4859,6 +5514,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>One face, without a name.</source>
         <translation>얼굴 한 개, 이름이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Perhaps %1</source>
+        <translation>아마 %1</translation>
+    </message>
+    <message>
+        <source>%1 %2?</source>
+        <translation>%1 %2?</translation>
     </message>
 </context>
 <context>
@@ -4917,7 +5580,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::FeelingSettings</name>
     <message>
-        <source>Nothing</source>
+        <source>None</source>
         <translation>없음</translation>
     </message>
     <message>
@@ -4925,16 +5588,16 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>삐 소리</translation>
     </message>
     <message>
-        <source>Spoken clock directions</source>
-        <translation>몇 시 방향인지 말하기</translation>
+        <source>Clock directions</source>
+        <translation>시계 방향 안내</translation>
     </message>
     <message>
         <source>Both</source>
         <translation>둘 다</translation>
     </message>
     <message>
-        <source>what guides the finger</source>
-        <translation>손가락을 이끄는 방법</translation>
+        <source>the guide</source>
+        <translation>길잡이</translation>
     </message>
     <message>
         <source>the strongest force</source>
@@ -5020,7 +5683,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>꺼짐</translation>
     </message>
     <message>
-        <source>chosen</source>
+        <source>selected</source>
         <translation>선택됨</translation>
     </message>
 </context>
@@ -5045,11 +5708,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>컴퓨터 전체</translation>
     </message>
     <message>
-        <source>no folders below it</source>
+        <source>no subfolders</source>
         <translation>하위 폴더 없음</translation>
     </message>
     <message numerus="yes">
-        <source>%n folder(s) below it</source>
+        <source>%n subfolder(s)</source>
         <translation>
             <numerusform>하위 폴더 %n개</numerusform>
         </translation>
@@ -5060,13 +5723,62 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>tp::GroupCare</name>
+    <message>
+        <source>Looking for people…</source>
+        <translation>사람을 찾는 중…</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>사람</translation>
+    </message>
+    <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2.</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1. %2.</translation>
+    </message>
+    <message>
+        <source>Saved: %1, on %2.</source>
+        <translation>저장됨: %1, %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n photograph(s)</source>
+        <translation>
+            <numerusform>사진 %n장</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 Who is the next? %2.</source>
+        <translation>%1 다음은 누구인가요? %2.</translation>
+    </message>
+    <message>
+        <source>%1 Nobody is left without a name.</source>
+        <translation>%1 이름 없는 사람이 더 없습니다.</translation>
+    </message>
+    <message>
+        <source>This face is somebody else&apos;s.</source>
+        <translation>이 얼굴은 다른 사람의 얼굴입니다.</translation>
+    </message>
+    <message>
+        <source>This face is not that of %1.</source>
+        <translation>이 얼굴은 %1의 얼굴이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Selected: %1.</source>
+        <translation>선택됨: %1.</translation>
+    </message>
+</context>
+<context>
     <name>tp::ImportCare</name>
     <message>
         <source>Looking for photographs…</source>
         <translation>사진을 찾는 중…</translation>
     </message>
     <message>
-        <source>An import is under way. Wait for its end, or stop it first.</source>
+        <source>An import is running. Wait until it ends, or stop it first.</source>
         <translation>이미 가져오는 중입니다. 끝날 때까지 기다리거나 먼저 중단하세요.</translation>
     </message>
     <message>
@@ -5074,7 +5786,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 컴퓨터에 있는 사진과 폴더만 가져올 수 있습니다.</translation>
     </message>
     <message>
-        <source>Choose the folder in which the album is to lie. The photographs are copied into it.</source>
+        <source>Choose the folder to keep the album in. The photographs are copied into it.</source>
         <translation>앨범을 둘 폴더를 고르세요. 사진이 그 폴더로 복사됩니다.</translation>
     </message>
     <message>
@@ -5086,19 +5798,19 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>앨범에는 이 컴퓨터에 있는 폴더가 필요합니다.</translation>
     </message>
     <message>
-        <source>The album has the folder %1 now.</source>
-        <translation>이제 앨범의 폴더는 다음과 같습니다: %1.</translation>
+        <source>The folder %1 now belongs to the album.</source>
+        <translation>이제 앨범에 속하는 폴더: %1.</translation>
     </message>
     <message>
         <source>Stopping after this photograph.</source>
         <translation>이 사진까지만 가져오고 멈춥니다.</translation>
     </message>
     <message>
-        <source>The import goes on.</source>
+        <source>The import continues.</source>
         <translation>가져오기를 계속합니다.</translation>
     </message>
     <message>
-        <source>The import is not gone on with. What it brought stays.</source>
+        <source>The import is discarded. What was imported stays.</source>
         <translation>가져오기를 그만둡니다. 이미 가져온 사진은 남습니다.</translation>
     </message>
 </context>
@@ -5127,11 +5839,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::LabArchive</name>
     <message>
-        <source>The folder %1 cannot be made: %2</source>
+        <source>The folder %1 cannot be created: %2</source>
         <translation>폴더 %1: 만들 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The recording cannot be begun: %1</source>
+        <source>The recording cannot be started: %1</source>
         <translation>기록을 시작할 수 없습니다: %1</translation>
     </message>
     <message>
@@ -5143,7 +5855,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>기록한 파일: %1. 매개변수는 그 옆에 있습니다.</translation>
     </message>
     <message>
-        <source>There is nothing to write yet. Start the servo first.</source>
+        <source>There is nothing to save yet. Start the servo first.</source>
         <translation>아직 저장할 것이 없습니다. 먼저 서보를 켜세요.</translation>
     </message>
     <message>
@@ -5190,7 +5902,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>읽는 중: %1.</translation>
     </message>
     <message>
-        <source>%1 holds nothing.</source>
+        <source>%1 is empty.</source>
         <translation>%1: 비어 있습니다.</translation>
     </message>
     <message>
@@ -5213,11 +5925,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>기록 중: %1. Escape 키로 끝냅니다.</translation>
     </message>
     <message>
-        <source>The servo runs: %1. Escape stops it.</source>
+        <source>The servo is running: %1. Escape stops it.</source>
         <translation>서보가 작동 중: %1. Escape 키로 멈춥니다.</translation>
     </message>
     <message>
-        <source>Only a simulated device that runs can be made to hang.</source>
+        <source>Only a simulated device that is running can be made to hang.</source>
         <translation>실행 중인 모의 장치만 멈추게 할 수 있습니다.</translation>
     </message>
     <message>
@@ -5248,8 +5960,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>굽은 길, 너비 200 mm</translation>
     </message>
     <message>
-        <source>Force field of %1: colours and arrows from 0 to %2 newtons. The rule is 20 mm long.</source>
-        <translation>힘의 장, %1: 색과 화살표는 0부터 %2뉴턴까지입니다. 자의 길이는 20 mm입니다.</translation>
+        <source>Force field of %1: colours and arrows from 0 to %2 newtons. The scale bar is 20 mm long.</source>
+        <translation>힘의 장, %1: 색과 화살표는 0부터 %2뉴턴까지입니다. 축척 막대의 길이는 20 mm입니다.</translation>
     </message>
     <message>
         <source>Only a photograph that is a file on this computer can be opened.</source>
@@ -5277,7 +5989,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::LabSession</name>
     <message>
-        <source>The lab. A finger on a simulated device, a force field, and everything that can be turned. Space on the surface starts the servo, Escape stops it.</source>
+        <source>The lab. A finger on a simulated device, a force field, and everything that can be adjusted. Space on the surface starts the servo, Escape stops it.</source>
         <translation>실험실. 모의 장치 위의 손가락과 힘의 장을 다루며, 모든 값을 바꿀 수 있습니다. 터치 영역에서 스페이스바는 서보를 켜고, Escape 키는 멈춥니다.</translation>
     </message>
     <message>
@@ -5288,7 +6000,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::LabTeller</name>
     <message>
-        <source>Nothing runs.</source>
+        <source>Nothing is running.</source>
         <translation>실행 중인 것이 없습니다.</translation>
     </message>
 </context>
@@ -5320,11 +6032,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>the reset</source>
-        <translation>처음 상태로 돌리기</translation>
+        <translation>초기화</translation>
     </message>
     <message>
-        <source>Law, servo, device and faults are as they were at first.</source>
-        <translation>유도 법칙, 서보, 장치, 고장이 처음 상태로 돌아갔습니다.</translation>
+        <source>Law, servo, device and faults are reset.</source>
+        <translation>유도 법칙, 서보, 장치, 고장을 초기화했습니다.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
@@ -5366,24 +6078,24 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>색</translation>
     </message>
     <message>
-        <source>the size of text</source>
+        <source>the text size</source>
         <translation>글자 크기</translation>
     </message>
     <message>
-        <source>Text at %1 percent.</source>
+        <source>Text size: %1 percent.</source>
         <translation>글자 크기 %1퍼센트.</translation>
     </message>
     <message>
-        <source>motion</source>
-        <translation>움직임</translation>
+        <source>animations</source>
+        <translation>애니메이션</translation>
     </message>
     <message>
-        <source>Pictures may move.</source>
-        <translation>그림이 움직일 수 있습니다.</translation>
+        <source>Animations on.</source>
+        <translation>애니메이션이 켜졌습니다.</translation>
     </message>
     <message>
-        <source>Nothing moves by itself.</source>
-        <translation>아무것도 저절로 움직이지 않습니다.</translation>
+        <source>Animations off.</source>
+        <translation>애니메이션이 꺼졌습니다.</translation>
     </message>
 </context>
 <context>
@@ -5424,7 +6136,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1.</translation>
     </message>
     <message>
-        <source>No point is in hand. Tab goes from point to point.</source>
+        <source>No point is selected. Tab goes from point to point.</source>
         <translation>선택된 점이 없습니다. 탭 키로 점 사이를 이동합니다.</translation>
     </message>
     <message>
@@ -5444,15 +6156,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1의 점 삭제</translation>
     </message>
     <message>
-        <source>Deleted. In hand: %1.</source>
+        <source>Deleted. Selected: %1.</source>
         <translation>삭제했습니다. 선택: %1.</translation>
     </message>
     <message>
-        <source>This point can be no corner.</source>
+        <source>This point cannot be a corner.</source>
         <translation>이 점은 모서리가 될 수 없습니다.</translation>
     </message>
     <message>
-        <source>a point of the %1 was turned</source>
+        <source>a point of the %1 was converted</source>
         <translation>%1의 점 종류 바꾸기</translation>
     </message>
     <message>
@@ -5476,7 +6188,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: 다시 프로그램이 찾은 대로입니다.</translation>
     </message>
     <message>
-        <source>The %1 is gone again: the program did not find it.</source>
+        <source>The %1 is gone again, because the program did not find it.</source>
         <translation>%1: 프로그램이 찾지 못했던 부위이므로 다시 없어졌습니다.</translation>
     </message>
     <message>
@@ -5500,7 +6212,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1 없애기</translation>
     </message>
     <message>
-        <source>The %1 is removed. It will not be felt.</source>
+        <source>The %1 was removed. It will not be felt.</source>
         <translation>%1: 없앴습니다. 만져지지 않게 됩니다.</translation>
     </message>
     <message>
@@ -5508,7 +6220,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴 추가</translation>
     </message>
     <message>
-        <source>A face of usual shape was added. Move its features into place.</source>
+        <source>A face of the usual shape was added. Move its features into place.</source>
         <translation>보통 모양의 얼굴을 추가했습니다. 부위를 제자리로 옮기세요.</translation>
     </message>
 </context>
@@ -5565,7 +6277,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모든 변경 버리기</translation>
     </message>
     <message>
-        <source>All changes are discarded: the contours are as they were opened.</source>
+        <source>All changes are discarded: the contours are as they were when opened.</source>
         <translation>모든 변경을 버렸습니다. 윤곽선은 열었을 때와 같습니다.</translation>
     </message>
 </context>
@@ -5578,7 +6290,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         </translation>
     </message>
     <message>
-        <source>%1: not there. It can be added.</source>
+        <source>%1: missing. It can be added.</source>
         <translation>%1: 없습니다. 추가할 수 있습니다.</translation>
     </message>
     <message>
@@ -5594,7 +6306,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: %2.</translation>
     </message>
     <message numerus="yes">
-        <source>%1, %n point(s), none in hand.</source>
+        <source>%1, %n point(s), none selected.</source>
         <translation>
             <numerusform>%1, 점 %n개, 선택된 점 없음.</numerusform>
         </translation>
@@ -5615,8 +6327,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴을 찾는 중…</translation>
     </message>
     <message>
-        <source>Here the contours of a photograph are mended. There is no photograph yet.</source>
-        <translation>여기에서 사진의 윤곽선을 고칩니다. 아직 사진이 없습니다.</translation>
+        <source>This page mends the contours of a photograph. There is no photograph yet.</source>
+        <translation>이 페이지에서 사진의 윤곽선을 고칩니다. 아직 사진이 없습니다.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -5624,11 +6336,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>No face was found in %1. One of usual shape can be added and put in place.</source>
+        <source>No face was found in %1. You can add one of the usual shape and move it into place.</source>
         <translation>%1: 얼굴을 찾지 못했습니다. 보통 모양의 얼굴을 추가하여 자리를 맞출 수 있습니다.</translation>
     </message>
     <message>
-        <source>Contours of %1. In hand: %2. Tab goes from point to point, the arrow keys move it.</source>
+        <source>Contours of %1. Selected: %2. Tab goes from point to point, the arrow keys move it.</source>
         <translation>%1 사진의 윤곽선. 선택: %2. 탭 키는 점 사이를 이동하고, 화살표 키는 점을 옮깁니다.</translation>
     </message>
 </context>
@@ -5643,14 +6355,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>음성이 꺼졌습니다.</translation>
     </message>
     <message>
-        <source>No speech engine was found on this computer, so nothing is spoken here. A screen reader is told instead.</source>
-        <translation>이 컴퓨터에서 음성 엔진을 찾지 못해 여기에서는 말하지 않습니다. 대신 화면 낭독기에 알립니다.</translation>
+        <source>No speech engine was found on this computer, so TouchPhoto cannot speak. It tells a screen reader instead.</source>
+        <translation>이 컴퓨터에서 음성 엔진을 찾지 못해 TouchPhoto가 말할 수 없습니다. 대신 화면 낭독기에 알립니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::OpenAlbum</name>
     <message numerus="yes">
-        <source>%n more thing(s) in the album need a look.</source>
+        <source>%n more thing(s) in the album need checking.</source>
         <translation>
             <numerusform>앨범에서 확인이 필요한 것이 %n개 더 있습니다.</numerusform>
         </translation>
@@ -5659,8 +6371,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::PhotoRows</name>
     <message>
-        <source>Not looked at yet.</source>
-        <translation>아직 살펴보지 않았습니다.</translation>
+        <source>Not checked yet.</source>
+        <translation>아직 확인하지 않았습니다.</translation>
     </message>
     <message>
         <source>No face found.</source>
@@ -5710,23 +6422,23 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::Preferences</name>
     <message>
-        <source>Your settings could not be read. The usual ones are used until that is mended.</source>
-        <translation>설정을 읽을 수 없습니다. 고쳐질 때까지 기본 설정을 씁니다.</translation>
+        <source>Your settings could not be read. The default settings are used until that is put right.</source>
+        <translation>설정을 읽을 수 없습니다. 해결될 때까지 기본 설정을 씁니다.</translation>
     </message>
     <message>
-        <source>Your settings could not be read and were set aside. The usual ones are used; you can choose anew on the settings page.</source>
-        <translation>설정을 읽을 수 없어 따로 옮겨 두었습니다. 기본 설정을 쓰며, 설정 페이지에서 새로 고를 수 있습니다.</translation>
+        <source>Your settings could not be read and were set aside. The default settings are used; you can choose again on the settings page.</source>
+        <translation>설정을 읽을 수 없어 따로 옮겨 두었습니다. 기본 설정을 쓰며, 설정 페이지에서 다시 고를 수 있습니다.</translation>
     </message>
     <message>
-        <source>Your settings could not be kept: %1</source>
+        <source>Your settings could not be saved: %1</source>
         <translation>설정을 저장할 수 없습니다: %1</translation>
     </message>
 </context>
 <context>
     <name>tp::PrintSession</name>
     <message>
-        <source>Print. Choose a photograph on the page for looking after the album.</source>
-        <translation>인쇄. 앨범 관리 페이지에서 사진을 고르세요.</translation>
+        <source>Print. Choose a photograph on the page &quot;Look after the album&quot;.</source>
+        <translation>인쇄. ‘앨범 관리’ 페이지에서 사진을 고르세요.</translation>
     </message>
     <message>
         <source>Print %1. Looking for faces…</source>
@@ -5741,11 +6453,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>아직 인쇄물이 없습니다.</translation>
     </message>
     <message>
-        <source>The folder %1 could not be made: %2</source>
+        <source>The folder %1 could not be created: %2</source>
         <translation>폴더 %1: 만들 수 없습니다. %2</translation>
     </message>
     <message>
-        <source>The sheet is stored as %1. Print it at 100 percent, unscaled.</source>
+        <source>The sheet is saved as %1. Print it at 100 percent, unscaled.</source>
         <translation>인쇄물을 저장했습니다: %1. 크기를 바꾸지 말고 100퍼센트로 인쇄하세요.</translation>
     </message>
 </context>
@@ -5787,11 +6499,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>가로 %1, 세로 %2밀리미터</translation>
     </message>
     <message>
-        <source>With its name in print.</source>
+        <source>With the name in print.</source>
         <translation>이름을 글자로도 넣습니다.</translation>
     </message>
     <message>
-        <source>Without a name in print.</source>
+        <source>Without the name in print.</source>
         <translation>이름을 글자로는 넣지 않습니다.</translation>
     </message>
 </context>
@@ -5828,6 +6540,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Lab</source>
         <translation>실험실</translation>
+    </message>
+    <message>
+        <source>Take a photograph</source>
+        <translation>사진 찍기</translation>
     </message>
 </context>
 <context>
@@ -5901,11 +6617,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>앨범을 관리하는 사람</translation>
     </message>
     <message>
-        <source>Go on without a device</source>
+        <source>Continue without a device</source>
         <translation>장치 없이 계속하기</translation>
     </message>
     <message>
-        <source>Use it</source>
+        <source>Use this device</source>
         <translation>이 장치 쓰기</translation>
     </message>
     <message>
@@ -5980,7 +6696,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>녹음이 끝났습니다. %1</translation>
     </message>
     <message>
-        <source>The microphone hears nothing. It may be switched off or covered.</source>
+        <source>The microphone picks up nothing. It may be switched off or covered.</source>
         <translation>마이크에 아무것도 들리지 않습니다. 꺼져 있거나 가려져 있을 수 있습니다.</translation>
     </message>
     <message>
@@ -6000,8 +6716,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1 더 녹음할 수 있습니다.</translation>
     </message>
     <message>
-        <source>What was recorded is kept as &quot;%1&quot; and will be stored later, because %2</source>
-        <translation>녹음한 것은 “%1”(으)로 남겨 두었고 나중에 저장합니다. %2</translation>
+        <source>What was recorded is kept as &quot;%1&quot; and will be saved later, because %2</source>
+        <translation>녹음한 것은 다음 파일에 남겨 두었고 나중에 저장합니다: “%1”. %2</translation>
     </message>
     <message>
         <source>Nothing was recorded.</source>
@@ -6015,7 +6731,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::RecordingList</name>
     <message>
-        <source>Not said</source>
+        <source>Not given</source>
         <translation>지정 안 함</translation>
     </message>
     <message>
@@ -6023,15 +6739,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1, %2, %4개 중 %3번째</translation>
     </message>
     <message>
-        <source>It is the first one.</source>
+        <source>This is the first one.</source>
         <translation>첫 번째 녹음입니다.</translation>
     </message>
     <message>
-        <source>It is the last one.</source>
+        <source>This is the last one.</source>
         <translation>마지막 녹음입니다.</translation>
     </message>
     <message>
-        <source>%1 is number %2 of %3 now.</source>
+        <source>%1 is now number %2 of %3.</source>
         <translation>%1: 이제 %3개 중 %2번째입니다.</translation>
     </message>
     <message>
@@ -6052,14 +6768,21 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>tp::RecordingWait</name>
+    <message>
+        <source>A recording is being made. Finish it first.</source>
+        <translation>녹음하는 중입니다. 먼저 녹음을 끝내세요.</translation>
+    </message>
+</context>
+<context>
     <name>tp::SettingSteps</name>
     <message>
         <source>the reset</source>
-        <translation>처음 상태로 돌리기</translation>
+        <translation>초기화</translation>
     </message>
     <message>
-        <source>All settings are as they were at first. The album&apos;s folders stay.</source>
-        <translation>모든 설정이 처음 상태로 돌아갔습니다. 앨범의 폴더는 그대로입니다.</translation>
+        <source>All settings are reset. The album&apos;s folders stay.</source>
+        <translation>모든 설정을 초기화했습니다. 앨범의 폴더는 그대로입니다.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
@@ -6073,15 +6796,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::SettingsSession</name>
     <message>
-        <source>Settings. Go through them by Tab; each change is kept at once. Control Z undoes the last one.</source>
-        <translation>설정. 탭 키로 설정 사이를 이동하세요. 변경은 바로 저장됩니다. Ctrl Z는 마지막 변경을 되돌립니다.</translation>
+        <source>Settings. Go through them with Tab; every change is saved at once. Control+Z undoes the last one.</source>
+        <translation>설정. 탭 키로 설정 사이를 이동하세요. 변경은 바로 저장됩니다. Ctrl+Z는 마지막 변경을 되돌립니다.</translation>
     </message>
 </context>
 <context>
     <name>tp::Shell</name>
     <message>
-        <source>Everywhere: Escape stops what sounds or moves, and then leads home. F1: this help. F2: the last sentence again. F3: voice on or off. Alt and Left: the previous page.</source>
-        <translation>어디서나: Escape 키는 소리나 움직임을 멈추고, 그다음에는 홈으로 갑니다. F1: 이 도움말. F2: 마지막 문장 다시. F3: 음성 켜기 또는 끄기. Alt와 왼쪽 화살표 키: 이전 페이지.</translation>
+        <source>On every page: Escape stops whatever sounds or moves, then leads home. F1: this help. F2: repeat the last sentence. F3: voice on or off. Alt+Left: previous page.</source>
+        <translation>어느 페이지에서나: Escape 키는 소리나 움직임을 멈추고, 그다음에는 홈으로 갑니다. F1: 이 도움말. F2: 마지막 문장 다시 듣기. F3: 음성 켜기 또는 끄기. Alt+왼쪽 화살표 키: 이전 페이지.</translation>
     </message>
 </context>
 <context>
@@ -6119,7 +6842,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>아주 빠르게</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>Same as the system</source>
         <translation>시스템과 같게</translation>
     </message>
     <message>
@@ -6143,20 +6866,68 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>녹음 재생 속도</translation>
     </message>
     <message>
-        <source>Recordings play at %1 times their speed.</source>
+        <source>Recordings play at %1 times normal speed.</source>
         <translation>녹음을 %1배 속도로 재생합니다.</translation>
     </message>
     <message>
-        <source>sounds</source>
-        <translation>소리</translation>
+        <source>sound effects</source>
+        <translation>효과음</translation>
     </message>
     <message>
-        <source>Sounds on.</source>
-        <translation>소리가 켜졌습니다.</translation>
+        <source>Sound effects on.</source>
+        <translation>효과음이 켜졌습니다.</translation>
     </message>
     <message>
-        <source>Sounds off.</source>
-        <translation>소리가 꺼졌습니다.</translation>
+        <source>Sound effects off.</source>
+        <translation>효과음이 꺼졌습니다.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>Short</source>
+        <translation>짧게</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>자세히</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>사람</translation>
+    </message>
+    <message>
+        <source>Time and place</source>
+        <translation>시간과 장소</translation>
+    </message>
+    <message>
+        <source>Only what people wrote about a photograph is said.</source>
+        <translation>사람이 적은 내용만 말합니다.</translation>
+    </message>
+    <message>
+        <source>What a photograph shows is said briefly.</source>
+        <translation>사진에 보이는 것을 짧게 말합니다.</translation>
+    </message>
+    <message>
+        <source>What a photograph shows is said in full.</source>
+        <translation>사진에 보이는 것을 자세히 말합니다.</translation>
+    </message>
+    <message>
+        <source>descriptions</source>
+        <translation>사진 설명</translation>
+    </message>
+    <message>
+        <source>what is said first</source>
+        <translation>먼저 말할 것</translation>
+    </message>
+    <message>
+        <source>People come first.</source>
+        <translation>사람을 먼저 말합니다.</translation>
+    </message>
+    <message>
+        <source>Time and place come first.</source>
+        <translation>시간과 장소를 먼저 말합니다.</translation>
     </message>
 </context>
 <context>
@@ -6190,16 +6961,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>설정</translation>
     </message>
     <message>
-        <source>Speech, colours, force, where photographs are</source>
+        <source>Speech, colours, force, where your photographs are</source>
         <translation>말, 색, 힘, 사진이 있는 곳</translation>
     </message>
     <message>
         <source>Take a photograph</source>
         <translation>사진 찍기</translation>
-    </message>
-    <message>
-        <source>Not available yet: photographs of any camera can be imported</source>
-        <translation>아직 없습니다. 어떤 카메라의 사진이든 가져올 수 있습니다</translation>
     </message>
     <message>
         <source>Studies</source>
@@ -6221,6 +6988,34 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>For researchers: guidance laws, their parameters, plots, recordings</source>
         <translation>연구자용: 유도 법칙, 매개변수, 그래프, 기록</translation>
     </message>
+    <message numerus="yes">
+        <source>%n new photograph(s)</source>
+        <translation>
+            <numerusform>새 사진 %n장</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1, %2.</source>
+        <translation>%1, %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n with people</source>
+        <translation>
+            <numerusform>사람이 있는 사진 %n장</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>TouchPhoto, start page. %3 1: %1. 2: %2. More below; F1 for help.</source>
+        <translation>TouchPhoto 시작 페이지. %3 1: %1. 2: %2. 아래에 더 있습니다. 도움말은 F1.</translation>
+    </message>
+    <message>
+        <source>The camera is led to a face by words and a tone</source>
+        <translation>말과 소리가 카메라를 얼굴로 안내합니다</translation>
+    </message>
 </context>
 <context>
     <name>tp::StorageSettings</name>
@@ -6229,27 +7024,27 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>폴더를 고르지 않았습니다.</translation>
     </message>
     <message>
-        <source>The album has this folder already.</source>
+        <source>This folder is already in the album.</source>
         <translation>이미 앨범에 있는 폴더입니다.</translation>
     </message>
     <message>
-        <source>the album&apos;s new folder</source>
-        <translation>앨범의 새 폴더</translation>
+        <source>the added folder</source>
+        <translation>추가한 폴더</translation>
     </message>
     <message>
-        <source>%1 belongs to the album now.</source>
+        <source>%1 now belongs to the album.</source>
         <translation>이제 앨범에 속합니다: %1.</translation>
     </message>
     <message>
-        <source>the folder that left the album</source>
-        <translation>앨범에서 뺀 폴더</translation>
+        <source>the removed folder</source>
+        <translation>뺀 폴더</translation>
     </message>
     <message>
         <source>%1 no longer belongs to the album. Its photographs and recordings stay where they are.</source>
         <translation>이제 앨범에 속하지 않습니다: %1. 그 사진과 녹음은 그 자리에 그대로 남습니다.</translation>
     </message>
     <message>
-        <source>Nothing leaves this computer: TouchPhoto opens no connection to any other.</source>
+        <source>Nothing leaves this computer: TouchPhoto connects to no other.</source>
         <translation>아무것도 이 컴퓨터를 떠나지 않습니다. TouchPhoto는 다른 컴퓨터에 연결하지 않습니다.</translation>
     </message>
     <message>
@@ -6257,8 +7052,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>이 설정이 저장된 곳: %1.</translation>
     </message>
     <message>
-        <source>An index of the album, in %1 (%2). It can be thrown away at any time.</source>
-        <translation>앨범 색인이 저장된 곳: %1 (%2). 언제든지 버려도 됩니다.</translation>
+        <source>An index of the album, in %1 (%2). It can be deleted at any time.</source>
+        <translation>앨범 색인이 저장된 곳: %1 (%2). 언제든지 지워도 됩니다.</translation>
     </message>
     <message>
         <source>Where your force device lies on the screen, in %1.</source>
@@ -6269,12 +7064,28 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진 옆에 저장된 이름, 설명, 녹음: %1.</translation>
     </message>
     <message>
-        <source>The photograph that you were at last: %1.</source>
-        <translation>마지막으로 본 사진: %1.</translation>
+        <source>The photograph you opened last: %1.</source>
+        <translation>마지막으로 연 사진: %1.</translation>
     </message>
     <message>
-        <source>The index is thrown away when TouchPhoto ends, and made anew from the photographs at the next start.</source>
-        <translation>색인은 TouchPhoto가 끝날 때 버려지고, 다음에 시작할 때 사진에서 새로 만들어집니다.</translation>
+        <source>The index is deleted when TouchPhoto ends, and rebuilt from the photographs at the next start.</source>
+        <translation>색인은 TouchPhoto를 끝낼 때 지워지고, 다음에 시작할 때 사진에서 다시 만들어집니다.</translation>
+    </message>
+    <message>
+        <source>In that index, for each face of the album, numbers by which it is known again.</source>
+        <translation>그 색인에는 앨범의 얼굴마다 다시 알아보는 데 쓰는 숫자가 있습니다.</translation>
+    </message>
+    <message>
+        <source>comparing faces</source>
+        <translation>얼굴 비교</translation>
+    </message>
+    <message>
+        <source>Faces are compared, so that names can be offered.</source>
+        <translation>이름을 제안할 수 있도록 얼굴을 비교합니다.</translation>
+    </message>
+    <message>
+        <source>Faces are not compared. What was kept about them is deleted; names stay.</source>
+        <translation>얼굴을 비교하지 않습니다. 저장해 둔 얼굴 정보는 삭제되고 이름은 남습니다.</translation>
     </message>
 </context>
 <context>
@@ -6295,7 +7106,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>일시 정지됨</translation>
     </message>
     <message>
-        <source>Being stored…</source>
+        <source>Saving…</source>
         <translation>저장하는 중…</translation>
     </message>
     <message>
@@ -6319,7 +7130,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>너무 큼</translation>
     </message>
     <message>
-        <source>The recorder is still at work. Try again in a moment.</source>
+        <source>The recorder is still busy. Try again in a moment.</source>
         <translation>녹음기가 아직 작업 중입니다. 잠시 후 다시 시도하세요.</translation>
     </message>
     <message>
@@ -6327,11 +7138,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>일시 정지했습니다.</translation>
     </message>
     <message>
-        <source>Throw away what was recorded? It cannot be brought back.</source>
+        <source>Discard what was recorded? It cannot be brought back.</source>
         <translation>녹음한 것을 버릴까요? 되살릴 수 없습니다.</translation>
     </message>
     <message>
-        <source>Thrown away. Nothing was changed.</source>
+        <source>Discarded. Nothing was changed.</source>
         <translation>버렸습니다. 바뀐 것은 없습니다.</translation>
     </message>
     <message>
@@ -6339,7 +7150,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>버리지 않았습니다. 녹음은 일시 정지되어 있습니다.</translation>
     </message>
     <message>
-        <source>%1 It is saved.</source>
+        <source>%1 Saved.</source>
         <translation>%1 저장되었습니다.</translation>
     </message>
     <message>
@@ -6366,7 +7177,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>끝: %1</translation>
     </message>
     <message>
-        <source>All of it stays, so there is nothing to cut off. Move the begin or the end first.</source>
+        <source>All of it stays, so there is nothing to cut off. Move the start or the end first.</source>
         <translation>모두 남게 되어 있어 잘라낼 것이 없습니다. 먼저 시작이나 끝을 옮기세요.</translation>
     </message>
     <message>

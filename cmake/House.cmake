@@ -12,7 +12,11 @@ tp_may(tp_geometry     tp_base  USES glm::glm)
 tp_may(tp_guidance     tp_base tp_geometry)
 tp_may(tp_svg          tp_base tp_files tp_geometry tp_guidance  USES PkgConfig::pugixml PkgConfig::2geom)
 tp_may(tp_servo        tp_base tp_geometry tp_guidance  USES Threads::Threads)
+tp_may(tp_experiment   tp_base)
+tp_may(tp_statistics   tp_base  USES Boost::headers)
 tp_may(tp_study        tp_base tp_geometry tp_guidance tp_servo)
+tp_may(tp_aiming       tp_geometry)
+tp_may(tp_handheld     tp_geometry tp_aiming)
 set(core tp_base tp_files tp_geometry tp_guidance tp_servo tp_svg tp_study)
 
 # device: what pulls the finger
@@ -36,6 +40,8 @@ tp_may(tp_edges        tp_geometry tp_face_base tp_pieces  USES opencv_core open
 tp_may(tp_contours     tp_base tp_geometry tp_decode tp_face_base tp_models tp_pieces tp_edges
                        USES opencv_core opencv_imgproc opencv_dnn opencv_face)
 tp_may(tp_judge        tp_geometry tp_face_base tp_edges tp_contours  USES opencv_core opencv_imgproc)
+tp_may(tp_identity    tp_base tp_geometry tp_decode tp_face_base tp_models tp_contours
+                       USES opencv_core opencv_imgproc opencv_dnn)
 set(of_faces tp_decode tp_face_base tp_models tp_detect tp_contours tp_edges tp_pieces tp_judge)
 tp_may(tp_extract      tp_base tp_geometry ${of_faces}  USES opencv_core Threads::Threads)
 tp_may(tp_evaluation   tp_base tp_geometry ${of_faces} tp_extract  USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
@@ -50,17 +56,32 @@ tp_may(tp_guide        tp_base tp_sound  USES Qt6::Core)
 
 set(below_app ${core} tp_device tp_decode tp_face_base tp_extract tp_speech tp_sentences tp_recordings tp_sound)
 
+tp_may(tp_seen         tp_geometry) # plain data of app/photo, which the index keeps
+
 # app/album: photographs, people and recordings as files, and their index
 tp_may(tp_metadata     tp_base tp_files tp_recordings tp_exiv2  USES PkgConfig::exiv2 PkgConfig::pugixml)
-tp_may(tp_index        tp_base tp_files tp_recordings tp_metadata  USES Qt6::Core Qt6::Sql)
+tp_may(tp_index        tp_base tp_files tp_geometry tp_recordings tp_metadata tp_seen  USES Qt6::Core Qt6::Sql)
 tp_may(tp_keeper       tp_base tp_files tp_recordings tp_video tp_metadata tp_index  USES Qt6::Core PkgConfig::archive)
 tp_may(tp_check        tp_base tp_files tp_recordings tp_metadata tp_keeper)
 
-# app/photo: from a photograph to something shown, felt or printed
+# app/photo: from a photograph to something said, shown, felt or printed
+tp_may(tp_sight        tp_base tp_geometry tp_study tp_decode tp_face_base tp_extract tp_identity tp_seen
+                       USES opencv_core opencv_imgproc)
+tp_may(tp_towns        tp_base)
 tp_may(tp_scene        tp_base tp_files tp_geometry tp_guidance tp_svg tp_face_base)
 tp_may(tp_people       tp_base tp_geometry tp_face_base tp_metadata)
+tp_may(tp_words        tp_geometry tp_metadata tp_people tp_seen tp_towns  USES Qt6::Core)
 tp_may(tp_picture      ${below_app}  USES Qt6::Gui)
 tp_may(tp_tactile      ${below_app} tp_scene  USES Qt6::Gui PkgConfig::pugixml PkgConfig::louis)
+
+# app/capture: a camera as the program sees it
+tp_may(tp_frames       tp_base tp_files tp_geometry tp_aiming tp_handheld tp_decode  USES opencv_core opencv_imgproc Threads::Threads)
+tp_may(tp_seeing       tp_base tp_geometry tp_aiming tp_face_base tp_extract tp_frames  USES opencv_core opencv_imgproc Threads::Threads)
+tp_may(tp_shutter      tp_base tp_files tp_geometry tp_aiming tp_exiv2 tp_face_base tp_extract tp_recordings tp_metadata
+                       tp_keeper tp_seen tp_sight tp_words tp_frames tp_seeing
+                       USES opencv_core opencv_imgproc PkgConfig::exiv2 PkgConfig::turbojpeg Qt6::Core)
+tp_may(tp_camera       tp_base tp_geometry tp_aiming tp_handheld tp_decode tp_frames
+                       USES Qt6::Multimedia opencv_core opencv_imgproc)
 
 # app/parts: what pages share
 tp_may(tp_controls     ${below_app}  USES Qt6::Quick Qt6::QuickControls2 Qt6::DBus)
@@ -70,23 +91,29 @@ tp_may(tp_preferences  tp_base tp_files tp_sentences  USES Qt6::Core)
 tp_may(tp_folders      ${below_app} tp_controls tp_narration  USES Qt6::Quick)
 tp_may(tp_devices      tp_base tp_files tp_geometry tp_servo tp_device tp_sentences  USES Qt6::Core)
 tp_may(tp_open_album   tp_base tp_files tp_sentences tp_recordings tp_metadata tp_index tp_keeper tp_preferences  USES Qt6::Core)
+tp_may(tp_grouping     tp_base tp_geometry tp_metadata tp_index tp_identity tp_people tp_open_album  USES Qt6::Core)
+tp_may(tp_looking      tp_base tp_metadata tp_index tp_open_album tp_seen tp_sight tp_words  USES Qt6::Core)
 
 # app/figures: measurements that end in tables and plots
-tp_may(tp_report       ${below_app}  USES Qt6::Gui Qt6::Svg)
-tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_models tp_extract tp_evaluation tp_picture tp_report
+tp_may(tp_report       ${below_app} tp_aiming tp_handheld  USES Qt6::Gui Qt6::Svg)
+tp_may(tp_study_report tp_base tp_files tp_geometry tp_experiment tp_statistics tp_report  USES Qt6::Core Qt6::Gui)
+tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_models tp_identity tp_extract tp_evaluation
+                       tp_picture tp_report
                        USES Boost::headers nanoflann::nanoflann)
 
 # app/pages: what a person meets; no page knows another
-set(for_pages ${below_app} tp_guide tp_metadata tp_index tp_keeper tp_open_album tp_people tp_scene tp_picture tp_tactile
-              tp_controls tp_narration tp_work tp_preferences tp_folders tp_devices)
-set(pages tp_start tp_browse tp_explore tp_care tp_settings tp_lab)
+set(for_pages ${below_app} tp_guide tp_metadata tp_index tp_keeper tp_open_album tp_people tp_seen tp_words tp_scene
+              tp_picture tp_tactile tp_controls tp_narration tp_work tp_preferences tp_folders tp_devices)
+set(pages tp_start tp_browse tp_explore tp_settings tp_lab)
 foreach(page IN LISTS pages)
   tp_may(${page}       ${for_pages}  USES Qt6::Quick)
 endforeach()
+tp_may(tp_care         ${for_pages} tp_identity tp_grouping  USES Qt6::Quick)
+tp_may(tp_capture      ${for_pages} tp_aiming tp_handheld tp_frames tp_camera tp_seeing tp_shutter  USES Qt6::Quick)
 tp_may(tp_mend         ${for_pages} tp_report  USES Qt6::Quick)
 tp_may(tp_print        ${for_pages}  USES Qt6::Quick Qt6::Svg)
 
 # the two programs
-tp_may(tp_shell        ${for_pages} ${pages} tp_mend tp_print  USES Qt6::Quick)
-tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_check tp_people tp_scene tp_picture tp_tactile tp_devices
-                       tp_report tp_bench tp_models tp_evaluation  USES Qt6::Core Qt6::Gui Qt6::Network)
+tp_may(tp_shell        ${for_pages} ${pages} tp_care tp_capture tp_camera tp_seeing tp_mend tp_print tp_identity tp_looking tp_grouping  USES Qt6::Quick)
+tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_check tp_people tp_seen tp_sight tp_words tp_scene tp_picture tp_tactile tp_devices
+                       tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_statistics tp_study_report  USES Qt6::Core Qt6::Gui Qt6::Network)

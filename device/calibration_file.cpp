@@ -99,7 +99,7 @@ std::optional<Calibration> kept_calibration(const std::filesystem::path& file, c
 }
 
 std::string keep_calibration(const std::filesystem::path& file, const std::string& key, const Calibration& calibration) {
-    const auto not_kept = [](const std::string& why) { return "The calibration could not be kept: " + why; };
+    const auto not_kept = [](const std::string& why) { return "The calibration could not be saved: " + why; };
     if (!is_key(key))
         return not_kept("the device has no name to keep it by.");
     Calibrations all;

@@ -20,7 +20,7 @@ std::string sentence(OpenProblem problem, System system, const std::string& name
     case OpenProblem::permission:
         switch (system) {
         case System::linux_system:
-            return "You may not use the " + name +
+            return "You are not allowed to use the " + name +
                    " yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the "
                    "device and "
                    "plug it in again.";
@@ -38,7 +38,7 @@ std::string sentence(OpenProblem problem, System system, const std::string& name
         if (system != System::linux_system)
             return "Another program or the system keeps the " + name +
                    " from this one. Close other programs that use it, unplug it and plug it in again.";
-        return "You may not use the " + name +
+        return "You are not allowed to use the " + name +
                " yet. Copy resources/udev/70-touchphoto.rules to /etc/udev/rules.d, then unplug the device "
                "and plug "
                "it in again; or have yourself added to the group dialout and log in again.";

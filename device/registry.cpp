@@ -47,7 +47,7 @@ Result<std::unique_ptr<ForceDevice>> device_named(const std::string& name) {
         if (device.name == name)
             return device.make();
     return Error{"There is no device \"" + name +
-                 "\" now. See that it is plugged in; \"touchphoto-lab devices\" lists what is there."};
+                 "\" now. Check that it is plugged in; \"touchphoto-lab devices\" lists what is there."};
 }
 
 } // namespace tp

@@ -210,7 +210,7 @@ Result<bool> Falcon::home() {
         const std::optional<Reply> reply = exchange(command);
         if (!reply)
             return Error{
-                "The Falcon does not answer. See that it is plugged in and has power, and try again."};
+                "The Falcon does not answer. Check that it is plugged in and has power, and try again."};
         if (reply->homed != 7)
             continue;
         homed_.store(true);

@@ -220,12 +220,12 @@ std::string start_sentence(FalconStart::Trouble trouble, const std::string& imag
     case FalconStart::Trouble::none:
         return {};
     case FalconStart::Trouble::no_image:
-        return "The Falcon needs its firmware, which its maker does not let this program bring along. Copy "
+        return "The Falcon needs its firmware, which its maker does not let this program include. Copy "
                "the firmware "
                "file of its maker's software to " +
                image_file + ".";
     case FalconStart::Trouble::mute_loader:
-        return "The Falcon does not answer. See that its power supply is plugged in, unplug its USB cable, "
+        return "The Falcon does not answer. Check that its power supply is plugged in, unplug its USB cable, "
                "plug it in "
                "again and try once more.";
     case FalconStart::Trouble::broken_load:

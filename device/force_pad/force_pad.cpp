@@ -90,9 +90,8 @@ Result<Capabilities> ForcePad::open() {
     if (!ask(question(pad::FrameType::identity), identity) ||
         !ask(question(pad::FrameType::capabilities), can)) {
         line_->transport.reset();
-        return Error{
-            "The device with a force pad's ids does not answer like a force pad. Unplug it and plug it in "
-            "again; if it is no force pad, choose another device."};
+        return Error{"The device with a force pad's ids does not answer like a force pad. Unplug it and plug "
+                     "it in again; if it is not a force pad, choose another device."};
     }
     std::vector<Vec2> outline;
     for (std::uint8_t page = 0; outline.size() < can.corners; ++page) {
@@ -117,7 +116,7 @@ Result<Capabilities> ForcePad::open() {
 Result<bool> ForcePad::home() {
     pad::CalibrationFrame calibration;
     if (!open_ || !ask(pad::encode(pad::CalibrateFrame{}), calibration) || !calibration.homed)
-        return Error{"The force pad could not be homed. See that it is plugged in, and try again."};
+        return Error{"The force pad could not be homed. Check that it is plugged in, and try again."};
     return true;
 }
 

@@ -23,8 +23,8 @@ double area(const std::vector<Vec2>& outline) {
 Result<Capabilities> capabilities_of(const pad::CapabilitiesFrame& can, const std::string& serial_number,
                                      const std::vector<Vec2>& outline) {
     const auto wrong = [&](const char* what) {
-        return Error{"The force pad " + serial_number + " tells of itself what cannot be: " + what +
-                     ". It needs another firmware."};
+        return Error{"The force pad " + serial_number + " reports values that cannot be right: " + what +
+                     ". It needs different firmware."};
     };
     constexpr double farthest = 2000.0; // mm
     for (const Vec2 corner : outline)
@@ -33,7 +33,7 @@ Result<Capabilities> capabilities_of(const pad::CapabilitiesFrame& can, const st
     if (outline.size() < 3 || area(outline) < 100.0)
         return wrong("it reaches less than a square centimetre");
     if (can.max_force_mn == 0 || can.max_force_mn > 20000)
-        return wrong("its largest force is none or above 20 newtons");
+        return wrong("its strongest force is zero or above 20 newtons");
     if (can.rate_hz < 50 || can.rate_hz > 8000)
         return wrong("its rate is below 50 or above 8000 hertz");
     if (can.delay_us > 50000)
@@ -76,7 +76,7 @@ std::string pad_sentence(std::uint16_t status) {
     if ((status & pad::status::hot) != 0)
         return "The force pad's motors are too hot. It goes on by itself when they have cooled.";
     if ((status & pad::status::over_current) != 0)
-        return "A motor of the force pad took too much current. See that nothing blocks the knob.";
+        return "A motor of the force pad took too much current. Check that nothing blocks the knob.";
     if ((status & pad::status::watchdog) != 0)
         return "The force pad heard nothing from this computer for a moment and switched its motors off.";
     return "The force pad's motors are off.";

@@ -145,8 +145,7 @@ Result<Capabilities> Haply2diy::open() {
     if (!homed_.load() && !set_up_in_reference_pose()) {
         wire_->board = {};
         return Error{"The device at the serial port does not answer like a Haply 2diy. Switch it on, unplug "
-                     "it and plug "
-                     "it in again; if it is no Haply 2diy, choose another device."};
+                     "it and plug it in again; if it is not a Haply 2diy, choose another device."};
     }
     Capabilities can;
     can.name = "Haply 2diy";
@@ -165,7 +164,7 @@ Result<Capabilities> Haply2diy::open() {
 Result<bool> Haply2diy::home() {
     if (!open_ || !set_up_in_reference_pose())
         return Error{
-            "The Haply 2diy could not be homed. See that it is plugged in and switched on, and try again."};
+            "The Haply 2diy could not be homed. Check that it is plugged in and switched on, and try again."};
     wire_->board.note.put();
     lost_step_.store(false);
     out_of_step_.store(false);

@@ -203,7 +203,7 @@ Result<Capabilities> PidStick::open() {
     hid::ReportDescriptor descriptor;
     if (hid::parse_report_descriptor(line_->transport->descriptor(), descriptor) !=
         hid::DescriptorFault::none)
-        return unusable("what it says of itself makes no sense");
+        return unusable("what it reports of itself makes no sense");
     if (const char* const lacks = hid::find_layout(descriptor, line_->layout); lacks != nullptr)
         return unusable(lacks);
     std::string why = put_effects_on_it();
@@ -372,7 +372,7 @@ std::string PidStick::complaint() const {
                "release the "
                "switch.";
     case Trouble::actuators_off:
-        return "The force stick has switched its motors off. See that its power supply is plugged in and "
+        return "The force stick has switched its motors off. Check that its power supply is plugged in and "
                "that no other "
                "program uses it.";
     case Trouble::unguarded:

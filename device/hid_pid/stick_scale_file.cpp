@@ -68,7 +68,7 @@ StickScale kept_stick_scale(const std::filesystem::path& file, std::string_view 
 std::string keep_stick_scale(const std::filesystem::path& file, const std::string& key,
                              const StickScale& scale) {
     const auto not_kept = [](const std::string& why) {
-        return "What was measured of the stick could not be kept: " + why;
+        return "What was measured of the stick could not be saved: " + why;
     };
     if (file.empty() || !is_key(key))
         return not_kept(file.empty() ? "there is no folder for settings." : "the stick has no name to keep it by.");

@@ -182,7 +182,8 @@ std::array<char, tick_size> recorded_bytes(const RecordedTick& tick, std::uint32
 }
 
 Result<TouchRecording> parse_recording(std::string_view bytes) {
-    const Error not_one{"This is no recording of a force device, or one of a later version of TouchPhoto."};
+    const Error not_one{
+        "This is not a recording of a force device, or it is from a later version of TouchPhoto."};
     if (!bytes.starts_with(first_line))
         return not_one;
     Header header(bytes.substr(first_line.size()));

@@ -17,13 +17,17 @@ ROOMS = ["core", "device", "faces", "audio", "app"]
 NOT_ROOMS = [  # nothing of these reaches a page: tools, the shell's verbs, SQL
     "faces/evaluation", "faces/training", "faces/models/model_catalog.cpp", "faces/models/model_catalog.hpp",
     "faces/models/haar_file.cpp", "faces/detect/yunet_detector.cpp", "faces/detect/haar_detector.cpp",
-    "faces/contours/lbf_model.cpp", "faces/contours/mesh_model.cpp", "core/study", "app/cli",
-    "app/figures/bench", "app/figures/report", "app/main.cpp",
-    "app/album/check", "app/album/index/album_queries.cpp", "app/album/index/index_dump.cpp",
+    "faces/contours/lbf_model.cpp", "faces/contours/mesh_model.cpp", "core/experiment", "core/statistics", "core/study",
+    "core/handheld", "app/cli", "app/figures/bench", "app/figures/report", "app/figures/study", "app/main.cpp",
+    "app/album/check", "app/album/index/album_news.cpp", "app/album/index/album_queries.cpp", "app/album/index/index_dump.cpp",
+    "app/album/index/known_faces.cpp",
     "app/album/index/photo_store.cpp", "app/album/index/schema.cpp", "app/album/index/search_words.cpp",
     "app/album/index/sql_connection.cpp", "app/album/metadata/conflict_name.cpp", "app/photo/scene/feature_words.cpp",
+    "app/photo/words",
     "audio/sentences"]
 NOT_SAID = {  # file: what of its texts is no sentence, or none that is heard on a page
+    "app/album/grouping/album_faces.cpp": {"album faces"},
+    "app/album/looking/album_looks.cpp": {"album looks"},
     "app/album/keeper/keeper_recordings.cpp": {"%1 of %2"},
     "app/pages/care/face_finder.cpp": {"care faces"},
     "app/pages/mend/mend_editing.cpp": {"nudge %1 %2 %3"},

@@ -155,7 +155,7 @@ private:
         void halt() noexcept override {}
         Result<bool> home() override {
             if (!state_->plugged)
-                return Error{"The force pad could not be homed. See that it is plugged in, and try again."};
+                return Error{"The force pad could not be homed. Check that it is plugged in, and try again."};
             state_->homed = true;
             return true;
         }

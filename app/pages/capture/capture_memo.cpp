@@ -42,13 +42,11 @@ CaptureMemo::CaptureMemo(CaptureAlbum& album, Recorder& recorder, CaptureTeller&
 }
 
 void CaptureMemo::start(const std::filesystem::path& photo, const QString& language) {
-    if (running_)
-        return;
-    if (recorder_.state() != RecorderState::idle)
+    if (running_ || recorder_.state() != RecorderState::idle)
         return teller_.problem(tr("The recorder is still busy. Try again in a moment."));
     teller_.silence(); // the microphone listens
     running_ = true;
-    heard_ = false;
+    heard_ = finishing_ = false;
     photo_ = photo;
     RecordingPlan plan;
     plan.folder = tags_folder(photo);
@@ -60,7 +58,7 @@ void CaptureMemo::start(const std::filesystem::path& photo, const QString& langu
 }
 
 bool CaptureMemo::finish() {
-    if (!running_)
+    if (!running_ || std::exchange(finishing_, true))
         return false;
     recorder_.finish();
     return true;

@@ -29,7 +29,7 @@ public:
 
     /// `language` of what is spoken, BCP 47.
     void start(const std::filesystem::path& photo, const QString& language);
-    /// Ends it and keeps it. False: none was running.
+    /// Ends it and keeps it, in its own time. False: none was running, or it was asked for before.
     bool finish();
 
 signals:
@@ -46,7 +46,8 @@ private:
     CaptureTeller& teller_;
     std::filesystem::path photo_;
     bool running_ = false;
-    bool heard_ = false; ///< something was recorded
+    bool heard_ = false;     ///< something was recorded
+    bool finishing_ = false; ///< the recorder was told to end
 };
 
 } // namespace tp

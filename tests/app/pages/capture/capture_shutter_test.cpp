@@ -191,6 +191,22 @@ private slots:
         QVERIFY2(bench.last_said().startsWith("The microphone is off."), qPrintable(bench.last_said()));
     }
 
+    void who_escapes_again_while_a_memo_goes_to_the_disk_is_let_go() {
+        CaptureBench bench;
+        bench.enter();
+        bench.see_for(0.5, {at_the_right});
+        bench.session->take();
+        bench.settle();
+        bench.session->recordMemo();
+        bench.hear(1.0);
+        QVERIFY(bench.session->stop());
+        QVERIFY(!bench.session->stop());
+        QVERIFY(bench.session->memo()->running());
+        bench.session->recordMemo();
+        QVERIFY2(bench.last_said().startsWith("The recorder is still busy"), qPrintable(bench.last_said()));
+        QTRY_VERIFY_WITH_TIMEOUT(bench.last_said().contains("Saved"), 60000);
+    }
+
     void a_memo_stays_where_the_page_is_left_meanwhile() {
         CaptureBench bench;
         bench.enter();

@@ -78,11 +78,11 @@ void FaceCare::ask() {
         groups_.ask(photo_.place().photo);
 }
 
-QString FaceCare::offer_for(const Rect& part) const {
+std::string FaceCare::offer_for(const Rect& part) const {
     const auto found = std::ranges::find_if(offers_, [&](const FaceOffer& offer) {
         return offer.turned_degrees == turn().turned_degrees && same_face(offer.part, part);
     });
-    return found == offers_.end() ? QString() : QString::fromStdString(found->name);
+    return found == offers_.end() ? std::string() : found->name;
 }
 
 PictureTurn FaceCare::turn() const {
@@ -108,7 +108,7 @@ void FaceCare::list_faces() {
                 same->problem = problem;
         }
     for (KnownFace& face : faces_)
-        face.offer = face.region.name.empty() ? offer_for(face.part) : QString();
+        face.offer = face.region.name.empty() ? offer_for(face.part) : std::string();
     std::stable_sort(faces_.begin(), faces_.end(), [](const KnownFace& a, const KnownFace& b) {
         return std::pair(!a.region.name.empty(), -size_of_part(a.part)) <
                std::pair(!b.region.name.empty(), -size_of_part(b.part));
@@ -157,8 +157,9 @@ int FaceCare::language() const {
 QString FaceCare::face_words(int face) const {
     const KnownFace& known = faces_[static_cast<std::size_t>(face)];
     if (!known.region.name.empty())
-        return QString::fromStdString(known.region.name);
-    return known.offer.isEmpty() ? tr("Face without a name") : tr("Perhaps %1").arg(known.offer);
+        return CareWords::text(known.region.name);
+    return known.offer.empty() ? tr("Face without a name")
+                               : tr("Perhaps %1").arg(CareWords::text(known.offer));
 }
 
 QVariantList FaceCare::faces() const {
@@ -168,7 +169,7 @@ QVariantList FaceCare::faces() const {
         list << QVariantMap{{"text", face_words(i)},
                             {"problem", face.problem},
                             {"named", !face.region.name.empty()},
-                            {"offer", face.offer},
+                            {"offer", CareWords::text(face.offer)},
                             {"picture", found_ ? crop(found_->image, face.part) : QImage()},
                             {"chosen", i == chosen_}};
     }
@@ -243,12 +244,12 @@ void FaceCare::name(const QString& typed) {
 }
 
 void FaceCare::accept(int face) {
-    if (face < 0 || face >= count() || faces_[static_cast<std::size_t>(face)].offer.isEmpty())
+    if (face < 0 || face >= count() || faces_[static_cast<std::size_t>(face)].offer.empty())
         return;
-    const QString name = faces_[static_cast<std::size_t>(face)].offer;
-    keep_name(faces_[static_cast<std::size_t>(face)], name, [this, name] {
+    const std::string name = faces_[static_cast<std::size_t>(face)].offer;
+    keep_name(faces_[static_cast<std::size_t>(face)], QString::fromStdString(name), [this, name] {
         const int next = next_without_a_name();
-        const QString told = tr("Saved: %1.").arg(name);
+        const QString told = tr("Saved: %1.").arg(CareWords::text(name));
         teller_.did(Earcon::saved, next < 0 ? told : tr("%1 %2?").arg(told, face_words(next)));
     });
 }
@@ -278,8 +279,8 @@ void FaceCare::readNameIn(int language) {
 QStringList FaceCare::suggestions(const QString& typed) const {
     QStringList here, elsewhere;
     if (chosen_ >= 0 && typed.trimmed().isEmpty())
-        if (const QString& offer = faces_[static_cast<std::size_t>(chosen_)].offer; !offer.isEmpty())
-            elsewhere << offer;
+        if (const std::string& offer = faces_[static_cast<std::size_t>(chosen_)].offer; !offer.empty())
+            elsewhere << QString::fromStdString(offer);
     for (const QString& person : suggest_(typed)) {
         const bool on_it = std::any_of(faces_.begin(), faces_.end(), [&](const KnownFace& face) {
             return QString::fromStdString(face.region.name) == person;

@@ -79,11 +79,11 @@ private:
         Rect part;         ///< of the picture in which faces were found, 0 … 1
         FaceRegion region; ///< stored picture; with the name
         QString problem;   ///< why its contours may be wrong, in a sentence
-        QString offer;     ///< who it may be; empty: nobody knows
+        std::string offer; ///< who it may be; empty: nobody knows
     };
     void list_faces();
     void ask();
-    QString offer_for(const Rect& part) const;
+    std::string offer_for(const Rect& part) const;
     void keep_name(const KnownFace& face, const QString& name, std::function<void()> then);
     PictureTurn turn() const;
     int next_without_a_name() const;

@@ -180,13 +180,26 @@ void GroupCare::nameAll(const QString& name) {
     const QString clean = name.simplified();
     if (!person || clean.isEmpty())
         return;
-    if (person->name.empty() || clean == CareWords::text(person->name)) {
+    const std::string meant = name_meant(clean);
+    if (person->name.empty() || meant == person->name) {
         std::vector<PersonFace> faces = person->faces;
         std::erase_if(faces, [](const PersonFace& face) { return face.said; });
-        name_them(faces, clean);
+        name_them(faces, meant);
     } else {
-        rename(*person, clean);
+        rename(*person, meant);
     }
+}
+
+std::string GroupCare::name_meant(const QString& words) const {
+    const auto is_shown_so = [&](const std::string& name) {
+        return !name.empty() && CareWords::text(name).simplified() == words;
+    };
+    if (const Person* const person = open_person(); person && is_shown_so(person->perhaps))
+        return person->perhaps;
+    for (int row = 0; const Person* const person = rows_.person(row); ++row)
+        if (is_shown_so(person->name))
+            return person->name;
+    return words.toStdString();
 }
 
 void GroupCare::confirm() {
@@ -194,20 +207,20 @@ void GroupCare::confirm() {
         nameAll(who);
 }
 
-void GroupCare::name_them(const std::vector<PersonFace>& faces, const QString& name) {
+void GroupCare::name_them(const std::vector<PersonFace>& faces, const std::string& name) {
     std::map<AlbumKeeper*, std::vector<PersonFace>> by_keeper;
     for (const PersonFace& face : faces)
         by_keeper[&album_.keeper_for(face.photo)].push_back(face);
     Steps steps;
     for (const auto& [keeper, of_it] : by_keeper)
-        steps[keeper] = [theirs = of_it, name = name.toStdString()](AlbumKeeper& of_album) {
+        steps[keeper] = [theirs = of_it, name](AlbumKeeper& of_album) {
             return of_album.name_faces(to_name(theirs, name));
         };
-    write(steps, name, photos_of(faces));
+    write(steps, CareWords::text(name), photos_of(faces));
 }
 
 /// On all photographs on which somebody has said the old name, recordings included.
-void GroupCare::rename(const Person& person, const QString& name) {
+void GroupCare::rename(const Person& person, const std::string& name) {
     std::vector<PersonFace> said = person.faces;
     std::erase_if(said, [](const PersonFace& face) { return !face.said; });
     std::map<AlbumKeeper*, std::set<fs::path>> by_keeper;
@@ -216,10 +229,10 @@ void GroupCare::rename(const Person& person, const QString& name) {
     Steps steps;
     for (const auto& [keeper, photos] : by_keeper)
         steps[keeper] = [photos = std::vector(photos.begin(), photos.end()), from = person.name,
-                         to = name.toStdString()](AlbumKeeper& of_album) {
+                         to = name](AlbumKeeper& of_album) {
             return of_album.rename_person(photos, from, to).error();
         };
-    write(steps, name, photos_of(said));
+    write(steps, CareWords::text(name), photos_of(said));
 }
 
 void GroupCare::write(const Steps& steps, const QString& name, const std::set<fs::path>& photos) {

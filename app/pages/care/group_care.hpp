@@ -98,8 +98,11 @@ private:
     void open(int row);
     const Person* open_person() const { return rows_.person(row()); }
     void take(const std::shared_ptr<const People>& people);
-    void name_them(const std::vector<PersonFace>& faces, const QString& name);
-    void rename(const Person& person, const QString& name);
+    /// The name that is shown as these words, where somebody has it already: it may have what is not shown, such as a mark for the
+    /// direction of writing. Else the words.
+    std::string name_meant(const QString& words) const;
+    void name_them(const std::vector<PersonFace>& faces, const std::string& name);
+    void rename(const Person& person, const std::string& name);
     void write(const Steps& steps, const QString& name, const std::set<std::filesystem::path>& photos);
     /// A name is on its way for the open person: the next one is asked for meanwhile, so that nobody who types on names the last
     /// one anew.

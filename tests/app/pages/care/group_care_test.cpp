@@ -155,6 +155,25 @@ private slots:
         QCOMPARE(bench.names("d.jpg"), QStringList{"Anna"});
     }
 
+    /// Names as other programs write them: with a mark for the direction of writing, and with two blanks.
+    void a_name_with_what_is_not_shown_stays_one_person() {
+        const std::string name = "\xD7\x93\xD7\xA0\xD7\x94\xE2\x80\x8F  Levi"; // U+200F
+        const QString shown = QString::fromUtf8("\xD7\x93\xD7\xA0\xD7\x94   Levi");
+        Bench bench;
+        const Rect part = place_of_face(0);
+        SidecarChanges changes;
+        changes.faces = {{part.centre().x, part.centre().y, part.width(), part.height(), name}};
+        QCOMPARE(write_sidecar(bench.photo("a.jpg"), changes), std::string());
+        bench.album->touched(bench.photo("a.jpg"));
+        bench.care.show();
+        QVERIFY(bench.tells({shown + " 3 photograph(s), 2 to confirm", "Who is this? 2 photograph(s)"}));
+        bench.care.choose(0);
+        QCOMPARE(bench.care.offer(), shown);
+        bench.care.confirm();
+        QVERIFY(bench.tells({shown + " 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QCOMPARE(bench.names("c.jpg"), QStringList{QString::fromStdString(name)});
+    }
+
     void who_is_like_somebody_with_a_name_is_offered_it() {
         Bench bench;
         bench.show();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/capture/camera/desk_camera.hpp"
 #include "app/pages/explore/demonstration.hpp"
+#include "app/shell/end_signals.hpp"
 #include "app/shell/program_window.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "audio/sound/recorder.hpp"
@@ -63,6 +64,8 @@ int main(int argc, char** argv) {
     QGuiApplication app(argc, argv);
     QCoreApplication::setApplicationName("touchphoto");
     QCoreApplication::setApplicationVersion(TOUCHPHOTO_VERSION);
+    const tp::EndSignals end;
+    QObject::connect(&end, &tp::EndSignals::asked, &app, &QCoreApplication::quit);
 
     QCommandLineParser options;
     options.setApplicationDescription("Feel the face in a photograph.");

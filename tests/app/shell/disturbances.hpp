@@ -9,13 +9,16 @@
 #include <QProcess>
 #include <QString>
 
+#include <algorithm>
 #include <csignal>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 /// What happens around a program that is used all day, one thing at random each time; the same for the same seed.
 class Disturbances {
@@ -87,9 +90,18 @@ private:
         last_ = "a new photograph";
         copy(tp::test::in_source("resources/samples/clara_sad.jpg"), spare(below(spares)));
     }
+    /// A spare one, or one that was taken or imported: else the album would grow, and with it what is held of it.
     void photograph_goes() {
         last_ = "a lost photograph";
         std::filesystem::remove(spare(below(spares)), ignored_);
+        std::vector<std::filesystem::path> others;
+        for (const auto& one : std::filesystem::recursive_directory_iterator(album(), ignored_))
+            if (one.path().extension() == ".jpg" && !whole_.came_with(one.path().filename().string()))
+                others.push_back(one.path());
+        std::ranges::sort(others); // the order of a folder is the disk's
+        if (others.size() > spares)
+            std::filesystem::remove(others[static_cast<std::size_t>(below(static_cast<int>(others.size())))],
+                                    ignored_);
     }
     void photograph_is_moved() {
         last_ = "a moved photograph";

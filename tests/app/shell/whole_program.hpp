@@ -19,9 +19,11 @@
 #include <QtGlobal>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,7 +40,7 @@ public:
             qunsetenv(elsewhere);
         for (const char* made : {"Family", "Home"})
             QDir().mkpath(folder.filePath(made));
-        for (const char* name : {"anna_smiling.jpg", "ben_and_clara.jpg", "ben_smiling.jpg"})
+        for (const char* name : photographs)
             QFile::copy(QString(tp::test::in_source("resources/samples/")) + name,
                         folder.filePath(QString("Family/") + name));
         tp::Choices with_album = choices;
@@ -96,6 +98,8 @@ public:
                program->explore().view()->state() != tp::ExploreView::State::Looking &&
                PageWindow::complete(*window->contentItem());
     }
+    /// Whether a photograph of the album was there from the beginning.
+    static bool came_with(const std::string& name) { return std::ranges::count(photographs, name) > 0; }
     std::filesystem::path file(const char* name) const { return folder.filePath(name).toStdString(); }
     /// Nobody chose a folder outside of what is made here.
     bool keeps_to_its_folder() const {
@@ -113,4 +117,7 @@ public:
     std::atomic<tp::testing::FakeMicrophone*> microphone{nullptr}; ///< on the recorder's thread
     std::unique_ptr<tp::Program> program;
     std::unique_ptr<tp::ProgramWindow> window;
+
+private:
+    static constexpr std::array photographs{"anna_smiling.jpg", "ben_and_clara.jpg", "ben_smiling.jpg"};
 };

@@ -89,6 +89,11 @@ class Desk:
             process.wait(timeout=20)
 
 
+def is_named(node, name):
+    """By its name, or the beginning of it with "…" at its end; a name of its own that ends so counts too."""
+    return node.name == name or name.endswith("…") and node.name.startswith(name[:-1])
+
+
 class Page:
     """The program's window as a screen reader sees it, and the keyboard before it."""
 
@@ -132,11 +137,10 @@ class Page:
                 continue
 
     def find(self, name, role=None):
-        """By its name, or the beginning of it with "…" at its end."""
+        """By its name, as `is_named`."""
         for node in self.everything():
             try:
-                fits = node.name.startswith(name[:-1]) if name.endswith("…") else node.name == name
-                if fits and (role is None or node.getRole() == role):
+                if is_named(node, name) and (role is None or node.getRole() == role):
                     return node
             except Exception:
                 continue

@@ -145,6 +145,10 @@ class Walker:
             time.sleep(0.05)
         raise AssertionError(f"{what}: waited in vain")
 
+    def press(self, name):
+        """What is to be seen and is named so; pages that are not open have such things too."""
+        self.page.act(self.awaited(name, lambda: next((node for node in self.seen() if desk.is_named(node, name)), None)))
+
     def shape(self, size):
         """Gives the window a size, and waits until it has it."""
         name = str(self.window().name)
@@ -201,6 +205,14 @@ class Walker:
             way.insert(0, node.getIndexInParent())
             node = node.parent
         return way
+
+    def tab_to(self, name):
+        """Presses Tab until the keyboard is on what is named so."""
+        for _ in range(MOST_STOPS):
+            if desk.is_named(self.awaited("a keyboard", self.focused), name):
+                return
+            self.focus.after(lambda: self.page.keys("Tab"))
+        raise AssertionError(f"Tab never comes to {name}")
 
     def in_reading_order(self, stops):
         places = [self.place_in_tree(stop) for stop in stops]

@@ -1,9 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """The program on a small screen, 1024 by 600 pixels of which a panel takes 40 at the bottom and its frame some more: its
-window lies whole in what is left, and on each of its pages what was said last lies whole in the window.
+window lies whole in what is left, and on each of its pages what was said last lies whole in the window. In Care's People Tab
+comes to everything, in sight. Asked to end, as when a person logs out, the program ends in good order.
 
 small_screen.py PROGRAM LAB PHOTOS...    ends in 77 where something that it needs is missing
+PHOTOS: one person is on three of them.
 """
 import os
 import subprocess
@@ -13,6 +15,7 @@ import time
 
 import desk
 from album import Album, preferences
+from every_page import Focus, Walker
 
 SCREEN = (1024, 600)
 PANEL = 40  # px, at the bottom
@@ -68,13 +71,31 @@ def fault_of_words(page):
     return None if within(place, inside) and place[3] > place[1] else f"\"{said[0].name}\" lies at {place}, the window at {inside}"
 
 
+def walk_people(running, page, focus):
+    """Through the people of the album, and through one of them."""
+    walker = Walker(running, page, focus)
+    walker.press("People…")
+    # The program looks in its own time: until nothing comes any more, rows move under the keyboard.
+    page.await_name("2 people without a name. 1 face on one photograph only.", patience=3 * desk.PATIENCE)
+    ways = [walker.goes_round(0)]
+    walker.press("Who is this?, 3 photographs, …")
+    walker.tab_to("ben_angry.jpg, …")
+    page.keys("Return")
+    ways.append(walker.goes_round(0))
+    for way, wanted in zip(ways, ({"Back to the photographs"}, {"Back to the people", "Name", "Not this person"})):
+        names = {stop.name for stop in way}
+        assert wanted <= names, f"Tab never comes to {wanted - names}, only to {sorted(names)}"
+        walker.in_reading_order(way)
+    awaited("what was said last among people", lambda: fault_of_words(page))
+
+
 def inner(program, lab, photos):
     with tempfile.TemporaryDirectory() as folder:
         config = os.path.join(folder, "openbox.xml")
         with open(config, "w", encoding="utf-8") as file:
             file.write(CONFIG)
         with desk.Desk("--config-file", config):
-            album = Album(lab, photos, folder)
+            album, focus = Album(lab, photos, folder), Focus()
             for name in PAGES:
                 environment = preferences(folder, asked=True, voice="screen_reader", language="en", album_folders=[album.folder])
                 environment["QT_QUICK_BACKEND"] = "software"
@@ -84,9 +105,12 @@ def inner(program, lab, photos):
                     page.await_name("Home" if name else "Help")
                     awaited(f"the window of {name or 'start'}", lambda: fault_of_window(page))
                     awaited(f"what was said last on {name or 'start'}", lambda: fault_of_words(page))
+                    if name == "care":
+                        walk_people(running, page, focus)
                 finally:
                     running.terminate()
-                    running.wait(timeout=20)
+                    ended = running.wait(timeout=desk.PATIENCE)
+                assert ended == 0, f"asked to end, the program did not end in good order: {ended}"
 
 
 if __name__ == "__main__":

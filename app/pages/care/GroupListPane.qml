@@ -11,6 +11,7 @@ FocusScope {
     readonly property GroupCare groups: session.groups
     readonly property real inset: 2 * Theme.ring // room for the ring round what has the keyboard
     property int row: 0 // that Tab comes to
+    property int comesFrom: -1 // the row of who was open, until the keyboard is back
     signal opened
 
     function focusFirst() { back.forceActiveFocus() }
@@ -19,12 +20,20 @@ FocusScope {
             focusFirst()
             return
         }
-        pane.row = Math.max(0, Math.min(pane.row, list.count - 1))
+        pane.row = Math.max(0, Math.min(comesFrom < 0 ? pane.row : comesFrom, list.count - 1))
+        comesFrom = -1
         list.positionViewAtIndex(pane.row, ListView.Contain)
         list.forceLayout()
         list.itemAtIndex(pane.row).focusRow()
     }
 
+    Connections {
+        target: pane.groups
+        function onPersonChosen() {
+            if (pane.groups.row >= 0)
+                pane.comesFrom = pane.groups.row
+        }
+    }
     Column {
         id: above
         anchors { left: parent.left; right: parent.right; top: parent.top; margins: pane.inset }
@@ -83,6 +92,7 @@ FocusScope {
             if (list.count === 0)
                 return false
             pane.row = Math.max(0, Math.min(pane.row + by, list.count - 1))
+            pane.comesFrom = -1
             pane.focusRow()
             return true
         }

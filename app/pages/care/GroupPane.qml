@@ -165,6 +165,12 @@ FocusScope {
                     }
                 }
             }
+            // In a small window no row is in view, and one that is not there could not be come to.
+            Item {
+                activeFocusOnTab: !pane.onRows && list.count > 0
+                Accessible.ignored: true
+                onActiveFocusChanged: if (activeFocus) list.focusRow(pane.row)
+            }
         }
         delegate: FocusScope {
             id: item

@@ -300,6 +300,8 @@ class HostileWords(unittest.TestCase):
                     self.note_what_is_shown(walker)
                     walker.page.keys("Down")
                 self.note_what_is_shown(walker)
+                if page == "care":
+                    self.meet_the_people(walker)
             self.assertIsNone(running.poll(), "the program has ended")
         finally:
             running.terminate()
@@ -308,6 +310,15 @@ class HostileWords(unittest.TestCase):
         self.assertEqual(judged(trace).offences, [])
         with open(trace, encoding="utf-8", errors="replace") as file:
             self.assertEqual([line for line in file if "open" in line.split("(")[0] and self.album.bait in line], [])
+
+    def meet_the_people(self, walker):
+        """Whoever is on a photograph, by faces: the list, one of them, and the names that are offered for what is typed."""
+        name = self.album.words["person"]
+        walker.press("People…")
+        walker.press(f"{name}, 2 photographs, 1 of 1")
+        walker.awaited("the name in its field", lambda: any(written_in(node) == name for node in walker.seen()))
+        walker.faultless("a person")
+        walker.page.keys("Escape", "Escape")
 
     def note_what_is_shown(self, walker):
         for node in walker.seen():

@@ -13,10 +13,11 @@ tp_may(tp_guidance     tp_base tp_geometry)
 tp_may(tp_svg          tp_base tp_files tp_geometry tp_guidance  USES PkgConfig::pugixml PkgConfig::2geom)
 tp_may(tp_servo        tp_base tp_geometry tp_guidance  USES Threads::Threads)
 tp_may(tp_experiment   tp_base)
+tp_may(tp_trials      tp_base tp_geometry tp_guidance tp_experiment)
 tp_may(tp_statistics   tp_base  USES Boost::headers)
 tp_may(tp_study        tp_base tp_geometry tp_guidance tp_servo)
 tp_may(tp_aiming       tp_geometry)
-tp_may(tp_handheld     tp_geometry tp_aiming)
+tp_may(tp_handheld     tp_base tp_geometry tp_aiming)
 set(core tp_base tp_files tp_geometry tp_guidance tp_servo tp_svg tp_study)
 
 # device: what pulls the finger

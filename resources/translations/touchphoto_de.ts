@@ -3975,6 +3975,22 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>the recording of who it is</source>
         <translation>die Aufnahme zur Person</translation>
     </message>
+    <message>
+        <source>A face cannot be followed from a start to an end; the experiment %1 needs the task: name.</source>
+        <translation>Einem Gesicht kann man nicht von einem Anfang zu einem Ende folgen; das Experiment %1 braucht die Aufgabe „name“.</translation>
+    </message>
+    <message>
+        <source>A shape %1 mm wide and %2 mm high does not fit on a surface of %3 x %4 mm.</source>
+        <translation>Eine Form von %1 mm Breite und %2 mm Höhe passt nicht auf eine Fläche von %3 x %4 mm.</translation>
+    </message>
+    <message>
+        <source>The experiment %1 must have either a path, a shape or a face in every trial, as a factor or set for all.</source>
+        <translation>Das Experiment %1 muss in jedem Durchgang entweder einen Weg, eine Form oder ein Gesicht haben, als Faktor oder für alle festgelegt.</translation>
+    </message>
+    <message>
+        <source>The experiment %1 needs faces, and none are there.</source>
+        <translation>Das Experiment %1 braucht Gesichter, aber es sind keine da.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -3953,6 +3953,22 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>the recording of who it is</source>
         <translation>누구인지 알려 주는 녹음</translation>
     </message>
+    <message>
+        <source>A face cannot be followed from a start to an end; the experiment %1 needs the task: name.</source>
+        <translation>얼굴은 시작에서 끝까지 따라갈 수 없습니다. 실험 “%1”에는 과제 “name”이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>A shape %1 mm wide and %2 mm high does not fit on a surface of %3 x %4 mm.</source>
+        <translation>너비 %1 mm, 높이 %2 mm인 도형은 %3 x %4 mm 크기의 영역에 들어가지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The experiment %1 must have either a path, a shape or a face in every trial, as a factor or set for all.</source>
+        <translation>실험 “%1”의 모든 시행에는 경로, 도형, 얼굴 가운데 하나만 있어야 합니다. 요인으로 두거나 전체에 정해 주세요.</translation>
+    </message>
+    <message>
+        <source>The experiment %1 needs faces, and none are there.</source>
+        <translation>실험 “%1”에는 얼굴이 필요하지만 얼굴이 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -133,8 +133,8 @@ Result<StudyTrial> trial_of(const Experiment& experiment, const PlannedTrial& pl
     return trial;
 }
 
-Result<std::unique_ptr<HapticScene>> haptic_scene_of(const StudyTrial& trial) {
-    auto haptic = make_haptic_scene(trial.scene, trial.profile, trial.law);
+Result<std::unique_ptr<HapticScene>> haptic_scene_of(const StudyTrial& trial, const Continuity& continuity) {
+    auto haptic = make_haptic_scene(trial.scene, trial.profile, trial.law, continuity);
     if (haptic && trial.law == LawKind::published) {
         (*haptic)->flat = with_vertex_spacing((*haptic)->flat, published_spacing_mm);
         (*haptic)->law = make_law((*haptic)->flat, trial.profile, trial.law);

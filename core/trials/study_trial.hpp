@@ -56,7 +56,9 @@ inline constexpr double study_margin_mm = 10.0;
 Result<StudyTrial> trial_of(const Experiment& experiment, const PlannedTrial& planned,
                             const StudyFaces* faces = nullptr);
 
-/// What the servo renders of it. The published law is given points a millimetre apart, as its images have them.
-Result<std::unique_ptr<HapticScene>> haptic_scene_of(const StudyTrial& trial);
+/// What the servo renders of it, with the exact law's switches softened or not. The published law is given points a millimetre apart, as
+/// its images have them, and cannot be softened: an error.
+Result<std::unique_ptr<HapticScene>> haptic_scene_of(const StudyTrial& trial,
+                                                     const Continuity& continuity = {});
 
 } // namespace tp

@@ -390,6 +390,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "it names a law that is unknown."),
     QT_TRANSLATE_NOOP("Sentence", "it reaches farther than two metres"),
     QT_TRANSLATE_NOOP("Sentence", "it reaches less than a square centimetre"),
+    QT_TRANSLATE_NOOP("Sentence", "it was changed meanwhile."),
     QT_TRANSLATE_NOOP("Sentence", "it was stopped."),
     QT_TRANSLATE_NOOP("Sentence", "it would become larger than any program reads."),
     QT_TRANSLATE_NOOP("Sentence", "it would become too large (\"%1\")."),

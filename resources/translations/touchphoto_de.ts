@@ -3975,6 +3975,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>the recording of who it is</source>
         <translation>die Aufnahme zur Person</translation>
     </message>
+    <message>
+        <source>it was changed meanwhile.</source>
+        <translation>sie wurde inzwischen geändert.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -3953,6 +3953,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>the recording of who it is</source>
         <translation>누구인지 알려 주는 녹음</translation>
     </message>
+    <message>
+        <source>it was changed meanwhile.</source>
+        <translation>그사이 내용이 바뀌었습니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -6,7 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/Rooms.cmake)
 # core: what the project exists for
 tp_may(tp_base)
 tp_may(tp_files        tp_base)
-tp_may(tp_packing      tp_base  USES PkgConfig::zlib)
+tp_may(tp_packing      tp_base  USES PkgConfig::zlib PkgConfig::archive)
 tp_may(tp_libraries)
 tp_may(tp_processes   tp_base  USES PkgConfig::seccomp Threads::Threads)
 tp_may(tp_geometry     tp_base  USES glm::glm)

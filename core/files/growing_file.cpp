@@ -17,7 +17,7 @@ namespace {
 Result<std::uintmax_t> size_of(const Descriptor& file) {
     struct stat about {};
     if (!file.ok() || ::fstat(file.number(), &about) != 0)
-        return Error{reason_of(errno)};
+        return errno == ENOENT ? Error{"it is gone."} : Error{reason_of(errno)};
     if (!S_ISREG(about.st_mode))
         return Error{"it is not a file."};
     return static_cast<std::uintmax_t>(about.st_size);

@@ -136,12 +136,11 @@ std::vector<std::string> study_progress(const StudyFolder& study) {
             trials += static_cast<std::size_t>(count);
             missing += static_cast<std::size_t>(std::max(0, study.experiment.repetitions - count));
         }
-        std::string sentence = "Participant " + std::to_string(participant) + ": " + std::to_string(trials) +
-                               " trials of " + std::to_string(study.experiment.trials());
-        if (done.again > 0)
-            sentence += ", " + std::to_string(done.again) + " of them done again";
-        sentences.push_back(sentence +
-                            (missing > 0 ? "; " + std::to_string(missing) + " are missing." : "."));
+        sentences.push_back(
+            "Participant " + std::to_string(participant) + ": " + std::to_string(trials) + " trials of " +
+            std::to_string(study.experiment.trials()) +
+            (done.again > 0 ? ", " + std::to_string(done.again) + " of them done again" : "") +
+            (missing > 0 ? "; " + std::to_string(missing) + " are missing." : "."));
     }
     return sentences;
 }

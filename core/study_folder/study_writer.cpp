@@ -95,14 +95,15 @@ Opened StudyWriter::begin(const fs::path& folder, const Experiment& experiment, 
     if (!is_free(folder))
         return Error{"The folder " + quoted(folder) +
                      " has other files in it; a study begins in an empty one."};
-    if (const std::string reason = make_folder(folder / study_paths_folder); !reason.empty())
-        return cannot_write(folder / study_paths_folder, reason);
-    // The protocol last: where it is, the study has begun.
-    for (const auto& [name, text] : {std::pair(study_terms_file, terms_text(terms)),
-                                     std::pair(study_readme_file, study_readme(experiment)),
-                                     std::pair(study_protocol_file, experiment_text(experiment))})
-        if (const std::string reason = replace_file(folder / name, text); !reason.empty())
-            return cannot_write(folder / name, reason);
+    // The terms first: by them is_free knows the folder again. The protocol last: where it is, the study has begun.
+    for (const auto& [file, text] : {std::pair(folder / study_terms_file, terms_text(terms)),
+                                     std::pair(folder / study_readme_file, study_readme(experiment)),
+                                     std::pair(folder / study_paths_folder, std::string()),
+                                     std::pair(folder / study_protocol_file, experiment_text(experiment))}) {
+        const std::string reason = text.empty() ? make_folder(file) : replace_file(file, text);
+        if (!reason.empty())
+            return cannot_write(file, reason);
+    }
     std::unique_ptr<StudyWriter> writer(new StudyWriter(folder, experiment, terms, machine));
     writer->lock_ = std::move(*lock);
     return writer;

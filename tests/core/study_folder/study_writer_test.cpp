@@ -160,7 +160,7 @@ private slots:
         QCOMPARE(does(*writer, 3), std::string());
         QCOMPARE(read_study(folder_)->sittings, (std::vector<StudySitting>{{1, 1, mouse}, {3, 1, mouse}}));
     }
-    /// At each byte of the line, and of the columns before it.
+    /// At each byte of the last line, and here and there before it.
     void a_line_that_was_being_written_is_cut_away_and_said() {
         {
             const auto writer = opened(folder_);
@@ -170,7 +170,8 @@ private slots:
         const fs::path table = folder_ / "participant-001.csv";
         const std::string whole = *read_whole(table, 10'000);
         const std::size_t columns = trial_columns(small()).size();
-        for (std::size_t cut = 1; cut < whole.size(); ++cut) {
+        const std::size_t last = whole.rfind('\n', whole.size() - 2);
+        for (std::size_t cut = 1; cut < whole.size(); cut += cut < last ? 20 : 1) {
             QCOMPARE(replace_file(table, whole.substr(0, cut)), std::string());
             const auto writer = opened(folder_);
             const bool torn = whole[cut - 1] != '\n';

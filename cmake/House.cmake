@@ -121,4 +121,4 @@ tp_may(tp_print        ${for_pages}  USES Qt6::Quick Qt6::Svg)
 # the two programs
 tp_may(tp_shell        ${for_pages} ${pages} tp_care tp_capture tp_camera tp_seeing tp_mend tp_print tp_identity tp_looking tp_grouping  USES Qt6::Quick)
 tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_check tp_people tp_seen tp_sight tp_words tp_scene tp_picture tp_tactile tp_devices
-                       tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_study_folder tp_statistics tp_study_report  USES Qt6::Core Qt6::Gui Qt6::Network)
+                       tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_study_folder tp_statistics tp_study_report tp_simulated tp_trials  USES Qt6::Core Qt6::Gui Qt6::Network)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/study_simulation.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/study/study_report.hpp"
 #include "core/experiment/experiment_file.hpp"
@@ -191,15 +192,20 @@ int study_verb(const QStringList& words) {
         "how far each participant of a study has come, and what is wrong in its folder; ends with 1 if\n"
         "something is. export FOLDER: all of it as one zip, without names. report FOLDER: what the study\n"
         "shows, as tables, plots and one page: repeated-measures analysis of variance, Tukey's groups, what\n"
-        "was called what.\n"
+        "was called what. simulate FILE: lets simulated people do the experiment, which fills such a "
+        "folder;\n"
+        "the same seed gives the same bytes.\n"
         "Experiments are files: resources/studies has the published ones.");
-    line.argument("what", "plan, check, export or report.", "plan|check|export|report")
+    line.argument("what", "plan, check, export, report or simulate.", "plan|check|export|report|simulate")
         .argument("from", "An experiment's file, or the folder of a study.", "FILE|FOLDER")
         .option("participant", "With plan: the number of the person.", "N", "1")
-        .option("seed", "With plan: the study's number; another one is another order.", "S", "1")
-        .option("out", "With report: folder for the results; made where it is missing. With export: the zip.",
+        .option("seed", "With plan and simulate: the study's number; another one is another order.", "S", "1")
+        .option("out",
+                "With report: folder for the results; made where it is missing. With export: the zip. With "
+                "simulate: the study's folder, new or begun.",
                 "DIR|FILE")
-        .option("json", "With report: JSON instead of words.");
+        .option("json", "With report and simulate: JSON instead of words.");
+    add_simulation_options(line);
     if (const auto ended = line.parse(words, 2, 2))
         return *ended;
     const QString what = line.arguments()[0];
@@ -212,8 +218,10 @@ int study_verb(const QStringList& words) {
         return export_verb(line, from);
     if (what == "report")
         return report_verb(line, from);
+    if (what == "simulate")
+        return simulate_study_verb(line, from);
     return wrong_usage("study", "There is nothing called \"" + what.toStdString() +
-                                    "\"; plan, check, export and report are what can be done.");
+                                    "\"; plan, check, export, report and simulate are what can be done.");
 }
 
 } // namespace tp

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/study_simulation.hpp"
 
+#include "app/cli/expression_labels.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/figures/simulated/simulated_study.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/experiment/number_text.hpp"
+#include "core/files/file_words.hpp"
 #include "core/files/whole_file.hpp"
+#include "core/study/expression.hpp"
+#include "core/svg/contour_sheet.hpp"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -14,11 +18,16 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace tp {
 namespace {
@@ -70,6 +79,44 @@ StudyMachine machine_of(const SimulatedBench& bench) {
             "millimetres and newtons as they are"};
 }
 
+/// The drawn contours of a folder, PERSON_EXPRESSION.svg: the number of a face counts the files of its expression by name.
+class FacesInFolder final : public StudyFaces {
+public:
+    static Result<FacesInFolder> read(const std::filesystem::path& folder) {
+        std::vector<std::filesystem::path> files;
+        std::error_code error;
+        for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+             at.increment(error))
+            if (at->path().extension() == ".svg")
+                files.push_back(at->path());
+        if (error)
+            return Error{"The folder " + quoted(folder) + " cannot be read."};
+        std::ranges::sort(files);
+        FacesInFolder faces;
+        for (const std::filesystem::path& file : files) {
+            const ExpressionLabel label = ExpressionLabels().of(file);
+            if (!label.shown)
+                continue;
+            const auto sheet = read_sheet(file, ContourSheet::Unit::pixel);
+            if (!sheet)
+                return Error{quoted(file) + ": " + sheet.error()};
+            faces.of_[std::string(name_of(*label.shown))].push_back(sheet->contours);
+        }
+        return faces;
+    }
+    Result<std::vector<Contour>> contours(std::string_view expression, std::string_view face) const override {
+        const auto all = of_.find(std::string(expression));
+        const auto number = number_in(face, std::size_t{1}, std::size_t{1000});
+        if (all == of_.end() || !number || *number > all->second.size())
+            return Error{"The folder of faces has no face number " + std::string(face) + " that is " +
+                         std::string(expression) + "."};
+        return all->second[*number - 1];
+    }
+
+private:
+    std::map<std::string, std::vector<std::vector<Contour>>> of_; ///< by expression
+};
+
 void tell(const VerbLine& line, const Experiment& experiment, int participants, const SimulatedStudy& study) {
     for (const std::string& remark : study.remarks)
         say(remark);
@@ -96,6 +143,7 @@ void add_simulation_options(VerbLine& line) {
     line.option("participants", "With simulate: how many simulated people.", "N", "10")
         .option("jobs", "With simulate: people at a time; 0: one for each core.", "N", "1")
         .option("law", "With simulate: exact or published, whatever the experiment sets.", "NAME")
+        .option("faces", "With simulate: a folder of faces' contours, named PERSON_EXPRESSION.svg.", "DIR")
         .option("rate", "With simulate: the device's rate.", "HZ", "1000")
         .option("delay", "With simulate: ticks between a force and its acting.", "N", "0")
         .option("blend", "With simulate and the exact law: turns the force over a disc of this radius.", "MM")
@@ -128,6 +176,13 @@ int simulate_study_verb(const VerbLine& line, const std::filesystem::path& file)
         if (const std::string problem = set_law(*experiment, law); !problem.empty())
             return wrong_usage("study", problem);
     }
+    std::optional<FacesInFolder> faces;
+    if (line.has("faces")) {
+        auto read = FacesInFolder::read(line.text("faces").toStdString());
+        if (!read)
+            return refused(read.error());
+        faces = std::move(*read);
+    }
     auto writer = StudyWriter::open(line.text("out").toStdString(), *experiment,
                                     {static_cast<std::uint64_t>(*seed), true}, machine_of(*bench));
     if (!writer)
@@ -138,7 +193,7 @@ int simulate_study_verb(const VerbLine& line, const std::filesystem::path& file)
     const int at_a_time =
         *jobs > 0 ? *jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     const auto study = simulate_study(
-        **writer, 1, *participants, *bench, nullptr, at_a_time,
+        **writer, 1, *participants, *bench, faces ? &*faces : nullptr, at_a_time,
         [](std::size_t done, std::size_t planned) {
             LongWork::share(static_cast<double>(done) / static_cast<double>(planned));
         },

@@ -21,7 +21,7 @@ Person person_of(int number, std::uint64_t seed) {
     for (double* const manner :
          {&person.threshold_n, &person.motor_noise, &person.follow_speed_mm_s, &person.search_speed_mm_s,
           &person.yield_mm_s_n, &person.turn_s, &person.brake_n, &person.doubt_s, &person.trust_per_s,
-          &person.place_mm, &person.answer_s})
+          &person.place_mm, &person.answer_s, &person.touch_mm})
         spread(*manner, 0.25);
     // The same damping ratio for everybody: arms that are stiffer are more damped.
     const Person typical;

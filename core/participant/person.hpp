@@ -60,6 +60,9 @@ struct Person {
     /// 5 to 10 % (Durlach and others, "Manual discrimination and identification of length by the finger-span method", Percept
     /// Psychophys 46, 1989).
     double length_share = 0.1;
+    /// Standard deviation with which a place of a face's contour is felt, mm: of the size of what can be told apart at all
+    /// (core/study/finger_touch.hpp; assumed).
+    double touch_mm = 1.0;
     double answer_s = 1.0; ///< from knowing to the key (assumed)
     int most_rounds = 3;   ///< round a shape before an answer is given anyway (assumed)
 };

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/figures/simulated/simulated_trial.hpp"
 
-#include "core/participant/felt_shape.hpp"
-#include "core/participant/study_hand.hpp"
+#include "app/figures/simulated/simulated_hands.hpp"
 #include "core/servo/servo_loop.hpp"
 #include "device/simulated/simulated_device.hpp"
 
@@ -33,21 +32,6 @@ ServoSettings servo_of(const SimulatedBench& bench) {
     return settings;
 }
 
-const char* word_for(int corners) {
-    switch (corners) {
-    case 3:
-        return "triangle";
-    case 4:
-        return "square";
-    case 5:
-        return "pentagon";
-    case 6:
-        return "hexagon";
-    default:
-        return "circle";
-    }
-}
-
 } // namespace
 
 Result<SimulatedTrial> simulate_trial(const StudyTrial& trial, const Person& person,
@@ -74,9 +58,7 @@ Result<SimulatedTrial> simulate_trial(const StudyTrial& trial, const Person& per
     while (clock.now() < settle_s)
         pass();
 
-    const bool names = trial.task == StudyTask::name;
-    StudyHand hand(person, trial.scene.surface(), trial.start, !names, step_s, seed);
-    ShapeNamer namer(person, seed + 2);
+    const auto hand = hand_for(trial, person, step_s, seed);
     TrialJudge judge(trial);
     SimulatedTrial done;
     const double begun = clock.now();
@@ -90,27 +72,23 @@ Result<SimulatedTrial> simulate_trial(const StudyTrial& trial, const Person& per
             done.path.push_back({time, view.x, view.y, view.fx, view.fy});
             next_sample += simulated_sample_s;
         }
-        if (names) {
-            if (!answers_at)
-                if (const auto corners = namer.hear(hand.trail())) {
-                    done.answer = word_for(*corners);
-                    answers_at = time + person.answer_s;
-                }
-            if (answers_at && time >= *answers_at)
-                break;
-        }
-        if (time >= trial.longest_s.value_or(longest_following_s))
+        if (!answers_at)
+            if (const auto answer = hand->knows(done.path)) {
+                done.answer = *answer;
+                answers_at = time + person.answer_s;
+            }
+        if (answers_at && time >= *answers_at)
             break;
-        device.move_pointer(hand.step(view.finger(), view.force()));
+        if (!trial.longest_s && time >= longest_following_s)
+            break;
+        device.move_pointer(hand->step(view.finger(), view.force()));
         pass();
     }
-    if (names && done.answer.empty())
-        if (const auto corners = namer.guess())
-            done.answer = word_for(*corners);
+    if (!answers_at)
+        done.answer = hand->guess(done.path);
     done.state = judge.state();
     done.error_mm = judge.error_mm();
     done.time_s = judge.time_s();
-    done.times_lost = hand.times_lost();
     return done;
 }
 

@@ -32,7 +32,6 @@ struct SimulatedTrial {
     std::optional<double> error_mm;
     double time_s = 0.0;
     std::string answer;
-    std::size_t times_lost = 0; ///< the line
     std::vector<FingerSample> path;
 };
 

@@ -3,11 +3,13 @@
 #include "core/experiment/experiment_file.hpp"
 #include "core/files/whole_file.hpp"
 
+#include <QDir>
 #include <QDirIterator>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <map>
+#include <memory>
 
 using namespace tp;
 

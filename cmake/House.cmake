@@ -6,6 +6,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/Rooms.cmake)
 # core: what the project exists for
 tp_may(tp_base)
 tp_may(tp_files        tp_base)
+tp_may(tp_packing      tp_base  USES PkgConfig::zlib PkgConfig::archive)
 tp_may(tp_libraries)
 tp_may(tp_processes   tp_base  USES PkgConfig::seccomp Threads::Threads)
 tp_may(tp_geometry     tp_base  USES glm::glm)
@@ -13,10 +14,13 @@ tp_may(tp_guidance     tp_base tp_geometry)
 tp_may(tp_svg          tp_base tp_files tp_geometry tp_guidance  USES PkgConfig::pugixml PkgConfig::2geom)
 tp_may(tp_servo        tp_base tp_geometry tp_guidance  USES Threads::Threads)
 tp_may(tp_experiment   tp_base)
+tp_may(tp_trials      tp_base tp_geometry tp_guidance tp_experiment)
+tp_may(tp_participant tp_base tp_geometry)
+tp_may(tp_study_folder tp_base tp_files tp_packing tp_experiment)
 tp_may(tp_statistics   tp_base  USES Boost::headers)
 tp_may(tp_study        tp_base tp_geometry tp_guidance tp_servo)
 tp_may(tp_aiming       tp_geometry)
-tp_may(tp_handheld     tp_geometry tp_aiming)
+tp_may(tp_handheld     tp_base tp_geometry tp_aiming)
 set(core tp_base tp_files tp_geometry tp_guidance tp_servo tp_svg tp_study)
 
 # device: what pulls the finger
@@ -96,7 +100,8 @@ tp_may(tp_looking      tp_base tp_metadata tp_index tp_open_album tp_seen tp_sig
 
 # app/figures: measurements that end in tables and plots
 tp_may(tp_report       ${below_app} tp_aiming tp_handheld  USES Qt6::Gui Qt6::Svg)
-tp_may(tp_study_report tp_base tp_files tp_geometry tp_experiment tp_statistics tp_report  USES Qt6::Core Qt6::Gui)
+tp_may(tp_simulated    ${below_app} tp_experiment tp_study_folder tp_trials tp_participant  USES Threads::Threads)
+tp_may(tp_study_report tp_base tp_files tp_geometry tp_experiment tp_study_folder tp_statistics tp_report  USES Qt6::Core Qt6::Gui)
 tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_models tp_identity tp_extract tp_evaluation
                        tp_picture tp_report
                        USES Boost::headers nanoflann::nanoflann)
@@ -116,4 +121,4 @@ tp_may(tp_print        ${for_pages}  USES Qt6::Quick Qt6::Svg)
 # the two programs
 tp_may(tp_shell        ${for_pages} ${pages} tp_care tp_capture tp_camera tp_seeing tp_mend tp_print tp_identity tp_looking tp_grouping  USES Qt6::Quick)
 tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_check tp_people tp_seen tp_sight tp_words tp_scene tp_picture tp_tactile tp_devices
-                       tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_statistics tp_study_report  USES Qt6::Core Qt6::Gui Qt6::Network)
+                       tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_study_folder tp_statistics tp_study_report tp_simulated tp_trials  USES Qt6::Core Qt6::Gui Qt6::Network)

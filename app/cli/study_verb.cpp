@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
+#include "app/cli/long_work.hpp"
+#include "app/cli/study_simulation.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/study/study_report.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/experiment/trial_order.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/whole_file.hpp"
+#include "core/study_folder/study_check.hpp"
+#include "core/study_folder/study_export.hpp"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -113,16 +118,40 @@ int report_verb(const VerbLine& line, const std::filesystem::path& folder) {
     return exit_done;
 }
 
+void share_done(std::size_t done, std::size_t all) {
+    LongWork::share(static_cast<double>(done) / static_cast<double>(all));
+}
+
 int check_verb(const std::filesystem::path& folder) {
     const auto study = read_study(folder);
     if (!study)
         return refused(study.error());
-    for (const std::string& remark : study->remarks)
-        say(remark);
+    LongWork::step("checking the study");
+    const StudyFindings found = check_study(folder, *study, share_done, LongWork::stop_token());
+    if (LongWork::stop_asked())
+        return LongWork::stop_code();
+    if (found.running)
+        say("A program is running this study now; this is how far it has come.");
     for (const std::string& sentence : study_progress(*study))
         std::printf("%s\n", sentence.c_str());
     if (study->records.empty())
         std::printf("There are no trials yet.\n");
+    for (const std::string& fault : found.faults)
+        std::printf("%s\n", fault.c_str());
+    return found.faults.empty() ? exit_done : exit_bad_input;
+}
+
+int export_verb(const VerbLine& line, const std::filesystem::path& folder) {
+    if (!line.has("out"))
+        return wrong_usage("study", "--out FILE.zip is missing.");
+    LongWork::step("packing the study");
+    const auto done =
+        export_study(folder, line.text("out").toStdString(), share_done, LongWork::stop_token());
+    if (!done)
+        return refused(done.error());
+    for (const std::string& remark : done->remarks)
+        say(remark);
+    std::printf("%zu participants, %zu trials, %zu paths\n", done->participants, done->trials, done->paths);
     return exit_done;
 }
 
@@ -160,15 +189,23 @@ int study_verb(const QStringList& words) {
     VerbLine line(
         "study",
         "Experiments with people. plan FILE: the trials of one participant, in their order. check FOLDER:\n"
-        "how far each participant of a study has come. report FOLDER: what the study shows, as tables,\n"
-        "plots and one page: repeated-measures analysis of variance, Tukey's groups, what was called what.\n"
+        "how far each participant of a study has come, and what is wrong in its folder; ends with 1 if\n"
+        "something is. export FOLDER: all of it as one zip, without names. report FOLDER: what the study\n"
+        "shows, as tables, plots and one page: repeated-measures analysis of variance, Tukey's groups, what\n"
+        "was called what. simulate FILE: lets simulated people do the experiment, which fills such a "
+        "folder;\n"
+        "the same seed gives the same bytes.\n"
         "Experiments are files: resources/studies has the published ones.");
-    line.argument("what", "plan, check or report.", "plan|check|report")
+    line.argument("what", "plan, check, export, report or simulate.", "plan|check|export|report|simulate")
         .argument("from", "An experiment's file, or the folder of a study.", "FILE|FOLDER")
         .option("participant", "With plan: the number of the person.", "N", "1")
-        .option("seed", "With plan: the study's number; another one is another order.", "S", "1")
-        .option("out", "With report: folder for the results; made where it is missing.", "DIR")
-        .option("json", "With report: JSON instead of words.");
+        .option("seed", "With plan and simulate: the study's number; another one is another order.", "S", "1")
+        .option("out",
+                "With report: folder for the results; made where it is missing. With export: the zip. With "
+                "simulate: the study's folder, new or begun.",
+                "DIR|FILE")
+        .option("json", "With report and simulate: JSON instead of words.");
+    add_simulation_options(line);
     if (const auto ended = line.parse(words, 2, 2))
         return *ended;
     const QString what = line.arguments()[0];
@@ -177,10 +214,14 @@ int study_verb(const QStringList& words) {
         return plan_verb(line, from);
     if (what == "check")
         return check_verb(from);
+    if (what == "export")
+        return export_verb(line, from);
     if (what == "report")
         return report_verb(line, from);
+    if (what == "simulate")
+        return simulate_study_verb(line, from);
     return wrong_usage("study", "There is nothing called \"" + what.toStdString() +
-                                    "\"; plan, check and report are what can be done.");
+                                    "\"; plan, check, export, report and simulate are what can be done.");
 }
 
 } // namespace tp

@@ -18,6 +18,7 @@ std::optional<TwoNearest> two_nearest(const std::vector<Vec2>& vertices, Vec2 fi
     if (vertices.size() < 2)
         return std::nullopt;
     const auto distance = [&](std::size_t i) { return glm::length(vertices[i] - finger); };
+    const auto squared = [&](std::size_t i) { return glm::dot(vertices[i] - finger, vertices[i] - finger); };
     TwoNearest found{0, 1};
     double nearest = distance(0);
     double next = distance(1);
@@ -25,7 +26,11 @@ std::optional<TwoNearest> two_nearest(const std::vector<Vec2>& vertices, Vec2 fi
         std::swap(found.first, found.second);
         std::swap(nearest, next);
     }
+    double next_squared = squared(found.second);
     for (std::size_t i = 2; i < vertices.size(); ++i) {
+        // Most are farther away, which the square tells without a root; roots of ordered numbers are ordered.
+        if (squared(i) > next_squared)
+            continue;
         const double now = distance(i);
         if (now < nearest) {
             found = {i, found.first};
@@ -34,6 +39,7 @@ std::optional<TwoNearest> two_nearest(const std::vector<Vec2>& vertices, Vec2 fi
             found.second = i;
             next = now;
         }
+        next_squared = squared(found.second);
     }
     return found;
 }

@@ -3,7 +3,7 @@
 
 #include "core/aiming/advice.hpp"
 #include "core/aiming/aim_tone.hpp"
-#include "core/handheld/chance.hpp"
+#include "core/base/chance.hpp"
 #include "core/handheld/held_pose.hpp"
 
 #include <cstdint>

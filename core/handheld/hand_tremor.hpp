@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/handheld/chance.hpp"
+#include "core/base/chance.hpp"
 #include "core/handheld/held_pose.hpp"
 
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "core/aiming/aim_frame.hpp"
 #include "core/aiming/held_camera.hpp"
-#include "core/handheld/chance.hpp"
+#include "core/base/chance.hpp"
 #include "core/handheld/held_pose.hpp"
 
 #include <vector>

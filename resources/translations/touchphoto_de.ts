@@ -3975,6 +3975,166 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>the recording of who it is</source>
         <translation>die Aufnahme zur Person</translation>
     </message>
+    <message>
+        <source>it was changed meanwhile.</source>
+        <translation>sie wurde inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be gone on with: its trial %2 is not the one that the study has planned.</source>
+        <translation>Mit „%1“ kann es nicht weitergehen: Durchgang %2 darin ist nicht der, den die Studie vorgesehen hat.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has the trials of participant %2; name it &quot;%3&quot;.</source>
+        <translation>„%1“ enthält die Durchgänge von Person %2; nennen Sie die Datei „%3“.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: the last trial was being written when the program ended; it is done again.</source>
+        <translation>„%1“: Der letzte Durchgang wurde gerade geschrieben, als das Programm endete; er wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>Another program is running the study in &quot;%1&quot;; end it there, or choose another folder.</source>
+        <translation>Ein anderes Programm führt gerade die Studie in „%1“ durch; beenden Sie sie dort, oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot; lies a study of another experiment, or of another version of it; choose another folder for this one.</source>
+        <translation>In „%1“ liegt eine Studie zu einem anderen Experiment oder einer anderen Fassung davon; wählen Sie für diese einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot; lies a study with another seed or other participants; choose another folder for this one.</source>
+        <translation>In „%1“ liegt eine Studie mit anderer Startzahl oder anderen Teilnehmenden; wählen Sie für diese einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the study&apos;s terms %2.</source>
+        <translation>Zeile %1 der Festlegungen der Studie %2.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the table of sittings %2.</source>
+        <translation>Zeile %1 der Tabelle der Sitzungen %2.</translation>
+    </message>
+    <message>
+        <source>Participant %1: %2 trials of %3, %4 of them done again.</source>
+        <translation>Person %1: %2 von %3 Durchgängen, %4 davon wiederholt.</translation>
+    </message>
+    <message>
+        <source>Participant %1: %2 trials of %3, %4 of them done again; %5 are missing.</source>
+        <translation>Person %1: %2 von %3 Durchgängen, %4 davon wiederholt; %5 fehlen.</translation>
+    </message>
+    <message>
+        <source>Participant %1: %2 trials of %3.</source>
+        <translation>Person %1: %2 von %3 Durchgängen.</translation>
+    </message>
+    <message>
+        <source>Participant %1: %2 trials of %3; %4 are missing.</source>
+        <translation>Person %1: %2 von %3 Durchgängen; %4 fehlen.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be read.</source>
+        <translation>Der Ordner „%1“ kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; has other files in it; a study begins in an empty one.</source>
+        <translation>Im Ordner „%1“ liegen andere Dateien; eine Studie beginnt in einem leeren.</translation>
+    </message>
+    <message>
+        <source>The study cannot write &quot;%1&quot;: %2</source>
+        <translation>Die Studie kann „%1“ nicht schreiben: %2</translation>
+    </message>
+    <message>
+        <source>The study has more than %1 participants.</source>
+        <translation>Die Studie hat mehr als %1 Teilnehmende.</translation>
+    </message>
+    <message>
+        <source>The study in &quot;%1&quot; cannot go on: its file &quot;%2&quot; is missing.</source>
+        <translation>Die Studie in „%1“ kann nicht weitergehen: Ihre Datei „%2“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s terms do not say who takes part: a line &quot;participants: people&quot; or &quot;participants: simulated&quot; is missing.</source>
+        <translation>Die Festlegungen der Studie sagen nicht, wer teilnimmt: Eine Zeile „participants: people“ oder „participants: simulated“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s terms have no seed: a line &quot;seed: NUMBER&quot; is missing.</source>
+        <translation>In den Festlegungen der Studie fehlt die Startzahl: eine Zeile „seed: ZAHL“.</translation>
+    </message>
+    <message>
+        <source>The table of sittings has other columns than %1.</source>
+        <translation>Die Tabelle der Sitzungen hat andere Spalten als %1.</translation>
+    </message>
+    <message>
+        <source>The table of sittings is longer than %1 MB.</source>
+        <translation>Die Tabelle der Sitzungen ist länger als %1 MB.</translation>
+    </message>
+    <message>
+        <source>The terms of the study are longer than %1 KB.</source>
+        <translation>Die Festlegungen der Studie sind länger als %1 KB.</translation>
+    </message>
+    <message>
+        <source>The trial was not kept: it is not the one that comes next.</source>
+        <translation>Der Durchgang wurde nicht gespeichert: Er ist nicht der, der als nächster kommt.</translation>
+    </message>
+    <message>
+        <source>The trial was not kept: the finger&apos;s path in it is none.</source>
+        <translation>Der Durchgang wurde nicht gespeichert: Der Weg des Fingers darin ist keiner.</translation>
+    </message>
+    <message>
+        <source>There is no study in &quot;%1&quot;.</source>
+        <translation>In „%1“ liegt keine Studie.</translation>
+    </message>
+    <message>
+        <source>has another number of cells than there are columns</source>
+        <translation>hat eine andere Zahl von Zellen, als es Spalten gibt</translation>
+    </message>
+    <message>
+        <source>is not understood</source>
+        <translation>wird nicht verstanden</translation>
+    </message>
+    <message>
+        <source>it is gone.</source>
+        <translation>sie ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>needs a whole number</source>
+        <translation>braucht eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>needs people or simulated</source>
+        <translation>braucht „people“ oder „simulated“</translation>
+    </message>
+    <message>
+        <source>needs whole numbers from 1 to 1000000 in its first two cells</source>
+        <translation>braucht in den ersten zwei Zellen ganze Zahlen von 1 bis 1000000</translation>
+    </message>
+    <message>
+        <source>participant %1 is in &quot;%2&quot; already.</source>
+        <translation>Person %1 steht schon in „%2“.</translation>
+    </message>
+    <message>
+        <source>says it a second time</source>
+        <translation>sagt es ein zweites Mal</translation>
+    </message>
+    <message>
+        <source>the last trial was being written when the program ended; it is left out.</source>
+        <translation>der letzte Durchgang wurde gerade geschrieben, als das Programm endete; er ist nicht dabei.</translation>
+    </message>
+    <message>
+        <source>the trials of more than one participant are in it.</source>
+        <translation>sie enthält Durchgänge von mehr als einer Person.</translation>
+    </message>
+    <message>
+        <source>A face cannot be followed from a start to an end; the experiment %1 needs the task: name.</source>
+        <translation>Einem Gesicht kann man nicht von einem Anfang zu einem Ende folgen; das Experiment %1 braucht die Aufgabe „name“.</translation>
+    </message>
+    <message>
+        <source>A shape %1 mm wide and %2 mm high does not fit on a surface of %3 x %4 mm.</source>
+        <translation>Eine Form von %1 mm Breite und %2 mm Höhe passt nicht auf eine Fläche von %3 x %4 mm.</translation>
+    </message>
+    <message>
+        <source>The experiment %1 must have either a path, a shape or a face in every trial, as a factor or set for all.</source>
+        <translation>Das Experiment %1 muss in jedem Durchgang entweder einen Weg, eine Form oder ein Gesicht haben, als Faktor oder für alle festgelegt.</translation>
+    </message>
+    <message>
+        <source>The experiment %1 needs faces, and none are there.</source>
+        <translation>Das Experiment %1 braucht Gesichter, aber es sind keine da.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -3953,6 +3953,166 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>the recording of who it is</source>
         <translation>누구인지 알려 주는 녹음</translation>
     </message>
+    <message>
+        <source>it was changed meanwhile.</source>
+        <translation>그사이 내용이 바뀌었습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be gone on with: its trial %2 is not the one that the study has planned.</source>
+        <translation>“%1”: 이어서 할 수 없습니다. 시행 %2: 연구에서 계획한 것과 다릅니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has the trials of participant %2; name it &quot;%3&quot;.</source>
+        <translation>“%1”: 참가자 %2의 시행이 들어 있습니다. 파일 이름을 “%3” 그대로 바꾸세요.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: the last trial was being written when the program ended; it is done again.</source>
+        <translation>“%1”: 프로그램이 끝날 때 마지막 시행을 쓰고 있었습니다. 그 시행은 다시 합니다.</translation>
+    </message>
+    <message>
+        <source>Another program is running the study in &quot;%1&quot;; end it there, or choose another folder.</source>
+        <translation>다른 프로그램이 “%1”에서 연구를 진행하고 있습니다. 그 프로그램을 끝내거나 다른 폴더를 선택하세요.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot; lies a study of another experiment, or of another version of it; choose another folder for this one.</source>
+        <translation>“%1”에는 다른 실험이나 그 실험의 다른 판으로 한 연구가 있습니다. 이 연구에는 다른 폴더를 선택하세요.</translation>
+    </message>
+    <message>
+        <source>In &quot;%1&quot; lies a study with another seed or other participants; choose another folder for this one.</source>
+        <translation>“%1”에는 시작 값이나 참가자가 다른 연구가 있습니다. 이 연구에는 다른 폴더를 선택하세요.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the study&apos;s terms %2.</source>
+        <translation>연구 설정 %1번째 줄: %2.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the table of sittings %2.</source>
+        <translation>참가 기록 표 %1번째 줄: %2.</translation>
+    </message>
+    <message>
+        <source>Participant %1: %2 trials of %3, %4 of them done again.</source>
+        <translation>참가자 %1: 시행 %3회 중 %2회, 그중 %4회 다시 함.</translation>
+    </message>
+    <message>
+        <source>Participant %1: %2 trials of %3, %4 of them done again; %5 are missing.</source>
+        <translation>참가자 %1: 시행 %3회 중 %2회, 그중 %4회 다시 함. %5회가 남았습니다.</translation>
+    </message>
+    <message>
+        <source>Participant %1: %2 trials of %3.</source>
+        <translation>참가자 %1: 시행 %3회 중 %2회.</translation>
+    </message>
+    <message>
+        <source>Participant %1: %2 trials of %3; %4 are missing.</source>
+        <translation>참가자 %1: 시행 %3회 중 %2회. %4회가 남았습니다.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be read.</source>
+        <translation>폴더 “%1”: 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; has other files in it; a study begins in an empty one.</source>
+        <translation>폴더 “%1”: 다른 파일이 있습니다. 연구는 빈 폴더에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>The study cannot write &quot;%1&quot;: %2</source>
+        <translation>연구에서 “%1” 파일을 쓸 수 없습니다: %2</translation>
+    </message>
+    <message>
+        <source>The study has more than %1 participants.</source>
+        <translation>연구의 참가자가 %1명을 넘습니다.</translation>
+    </message>
+    <message>
+        <source>The study in &quot;%1&quot; cannot go on: its file &quot;%2&quot; is missing.</source>
+        <translation>“%1”의 연구를 이어서 할 수 없습니다: 파일 “%2”: 없습니다.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s terms do not say who takes part: a line &quot;participants: people&quot; or &quot;participants: simulated&quot; is missing.</source>
+        <translation>연구 설정에 누가 참가하는지 없습니다: “participants: people” 또는 “participants: simulated” 줄이 빠졌습니다.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s terms have no seed: a line &quot;seed: NUMBER&quot; is missing.</source>
+        <translation>연구 설정에 시작 값이 없습니다: “seed: 숫자” 줄이 빠졌습니다.</translation>
+    </message>
+    <message>
+        <source>The table of sittings has other columns than %1.</source>
+        <translation>참가 기록 표의 열이 다음과 다릅니다: %1.</translation>
+    </message>
+    <message>
+        <source>The table of sittings is longer than %1 MB.</source>
+        <translation>참가 기록 표가 %1 MB보다 깁니다.</translation>
+    </message>
+    <message>
+        <source>The terms of the study are longer than %1 KB.</source>
+        <translation>연구 설정이 %1 KB보다 깁니다.</translation>
+    </message>
+    <message>
+        <source>The trial was not kept: it is not the one that comes next.</source>
+        <translation>시행을 저장하지 않았습니다: 다음 차례의 시행이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The trial was not kept: the finger&apos;s path in it is none.</source>
+        <translation>시행을 저장하지 않았습니다: 손가락이 지나간 길이 올바르지 않습니다.</translation>
+    </message>
+    <message>
+        <source>There is no study in &quot;%1&quot;.</source>
+        <translation>“%1”에는 연구가 없습니다.</translation>
+    </message>
+    <message>
+        <source>has another number of cells than there are columns</source>
+        <translation>셀의 수가 열의 수와 다릅니다</translation>
+    </message>
+    <message>
+        <source>is not understood</source>
+        <translation>이해할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>it is gone.</source>
+        <translation>없어졌습니다.</translation>
+    </message>
+    <message>
+        <source>needs a whole number</source>
+        <translation>정수가 필요합니다</translation>
+    </message>
+    <message>
+        <source>needs people or simulated</source>
+        <translation>people 또는 simulated가 필요합니다</translation>
+    </message>
+    <message>
+        <source>needs whole numbers from 1 to 1000000 in its first two cells</source>
+        <translation>처음 두 셀에 1에서 1000000까지의 정수가 필요합니다</translation>
+    </message>
+    <message>
+        <source>participant %1 is in &quot;%2&quot; already.</source>
+        <translation>참가자 %1: 이미 “%2”에 있습니다.</translation>
+    </message>
+    <message>
+        <source>says it a second time</source>
+        <translation>같은 것을 두 번 말합니다</translation>
+    </message>
+    <message>
+        <source>the last trial was being written when the program ended; it is left out.</source>
+        <translation>프로그램이 끝날 때 마지막 시행을 쓰고 있었습니다. 그 시행은 뺐습니다.</translation>
+    </message>
+    <message>
+        <source>the trials of more than one participant are in it.</source>
+        <translation>여러 참가자의 시행이 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>A face cannot be followed from a start to an end; the experiment %1 needs the task: name.</source>
+        <translation>얼굴은 시작에서 끝까지 따라갈 수 없습니다. 실험 “%1”에는 과제 “name”이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>A shape %1 mm wide and %2 mm high does not fit on a surface of %3 x %4 mm.</source>
+        <translation>너비 %1 mm, 높이 %2 mm인 도형은 %3 x %4 mm 크기의 영역에 들어가지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The experiment %1 must have either a path, a shape or a face in every trial, as a factor or set for all.</source>
+        <translation>실험 “%1”의 모든 시행에는 경로, 도형, 얼굴 가운데 하나만 있어야 합니다. 요인으로 두거나 전체에 정해 주세요.</translation>
+    </message>
+    <message>
+        <source>The experiment %1 needs faces, and none are there.</source>
+        <translation>실험 “%1”에는 얼굴이 필요하지만 얼굴이 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

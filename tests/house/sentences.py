@@ -17,8 +17,10 @@ ROOMS = ["core", "device", "faces", "audio", "app"]
 NOT_ROOMS = [  # nothing of these reaches a page: tools, the shell's verbs, SQL
     "faces/evaluation", "faces/training", "faces/models/model_catalog.cpp", "faces/models/model_catalog.hpp",
     "faces/models/haar_file.cpp", "faces/detect/yunet_detector.cpp", "faces/detect/haar_detector.cpp",
-    "faces/contours/lbf_model.cpp", "faces/contours/mesh_model.cpp", "core/experiment", "core/statistics", "core/study",
-    "core/handheld", "app/cli", "app/figures/bench", "app/figures/report", "app/figures/study", "app/main.cpp",
+    "faces/contours/lbf_model.cpp", "faces/contours/mesh_model.cpp", "core/experiment", "core/packing", "core/statistics", "core/study",
+    "core/study_folder/path_file.cpp", "core/study_folder/study_check.cpp", "core/study_folder/study_export.cpp",
+    "core/study_folder/study_readme.cpp",
+    "core/handheld", "app/cli", "app/figures/bench", "app/figures/report", "app/figures/simulated", "app/figures/study", "app/main.cpp",
     "app/album/check", "app/album/index/album_news.cpp", "app/album/index/album_queries.cpp", "app/album/index/index_dump.cpp",
     "app/album/index/known_faces.cpp",
     "app/album/index/photo_store.cpp", "app/album/index/schema.cpp", "app/album/index/search_words.cpp",

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/figures/report/csv_table.hpp"
-#include "app/figures/study/study_folder.hpp"
 #include "core/statistics/pairwise.hpp"
 #include "core/statistics/repeated_anova.hpp"
+#include "core/study_folder/study_folder.hpp"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// `touchphoto-lab study`: plans, checks and reports, and what it refuses.
+// `touchphoto-lab study`: plans, checks, exports and reports, and what it refuses.
+#include "core/experiment/experiment_file.hpp"
+#include "core/files/whole_file.hpp"
+#include "core/study_folder/path_file.hpp"
+#include "core/study_folder/study_writer.hpp"
 #include "lab_process.hpp"
 #include "places.hpp"
 
@@ -12,7 +16,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -60,6 +66,26 @@ class StudyVerbTest : public QObject {
         }
     }
 
+    /// A study that a program of ours is running: one person has done 3 trials of it, with their paths.
+    std::unique_ptr<tp::StudyWriter> run_study(const QString& name) {
+        using namespace tp;
+        const auto protocol = read_whole(shipped("primitives").toStdString(), most_experiment_bytes);
+        auto writer = StudyWriter::open(path(name).toStdString(), read_experiment(*protocol).value(),
+                                        {7, false}, {"2026-11-26", "touchphoto 0.1.0", "mouse", ""});
+        if (!writer)
+            qFatal("%s", writer.error().c_str());
+        for (int i = 0; i < 3; ++i) {
+            TrialRecord record = begun_record((*writer)->next(4).value(), 4);
+            record.time_s = 2.0;
+            std::vector<FingerSample> samples;
+            for (int k = 0; k <= 200; ++k)
+                samples.push_back({0.01 * k, 0.1 * k, 0.0, 0.5, 0.0});
+            if (const std::string problem = (*writer)->keep(record, samples); !problem.empty())
+                qFatal("%s", problem.c_str());
+        }
+        return std::move(writer).value();
+    }
+
 private slots:
     void initTestCase() { QVERIFY(folder_.isValid()); }
 
@@ -76,8 +102,9 @@ private slots:
     void a_study_is_checked_and_reported() {
         make_study("one");
         const Run check = lab({"study", "check", path("one")});
-        QCOMPARE(check.code, 0);
+        QCOMPARE(check.code, 1); // no fingers' paths are in it
         QVERIFY(check.out.startsWith("Participant 1: 45 trials of 45.\nParticipant 2:"));
+        QVERIFY(check.out.contains("Participant 2: the finger's path is missing in these trials: 1, 2, 3, "));
         const Run run = lab({"study", "report", path("one"), "--out", path("out"), "--json"});
         QCOMPARE(run.err, QByteArray());
         QCOMPARE(run.code, 0);
@@ -99,6 +126,42 @@ private slots:
         QVERIFY(words.out.contains("radius 20 mm: ") &&
                 words.out.contains("radius 80 mm: 100.0 % named rightly"));
     }
+    void a_study_that_runs_is_checked_as_far_as_it_has_come() {
+        auto writer = run_study("running");
+        const Run running = lab({"study", "check", path("running")});
+        QCOMPARE(running.code, 0);
+        QCOMPARE(running.err,
+                 QByteArray("A program is running this study now; this is how far it has come.\n"));
+        QVERIFY(running.out.startsWith("Participant 4: ") && running.out.count('\n') == 1);
+        writer.reset();
+        const Run ended = lab({"study", "check", path("running")});
+        QCOMPARE(ended.code, 0);
+        QCOMPARE(ended.err, QByteArray());
+        write(path("running/paths/") + QString::fromStdString(tp::path_file_name(4, 2)), "torn");
+        const Run torn = lab({"study", "check", path("running")});
+        QCOMPARE(torn.code, 1);
+        QVERIFY(torn.out.contains("trial-0002.csv.gz\": The finger's path cannot be unpacked: it "));
+    }
+    void a_study_is_exported_as_one_zip() {
+        run_study("sent");
+        write(path("sent/Anna.txt"), "Anna is participant 4");
+        const QStringList words{"study", "export", path("sent"), "--out"};
+        const Run run = lab(words + QStringList{path("sent.zip")});
+        QCOMPARE(run.code, 0);
+        QCOMPARE(run.out, QByteArray("1 participants, 3 trials, 3 paths\n"));
+        QVERIFY(run.err.endsWith("Anna.txt\" is no file of the study; it is not in the zip.\n"));
+        QCOMPARE(lab(words + QStringList{path("again.zip")}).code, 0);
+        QFile one(path("sent.zip")), other(path("again.zip"));
+        QVERIFY(one.open(QIODevice::ReadOnly) && other.open(QIODevice::ReadOnly));
+        const QByteArray bytes = one.readAll();
+        QVERIFY(bytes.startsWith("PK") && bytes == other.readAll());
+        QVERIFY(bytes.contains("primitives/paths/participant-004-trial-0003.csv.gz") &&
+                !bytes.contains("Anna"));
+        QCOMPARE(lab({"study", "export", path("sent")}).code, 2);
+        const Run nowhere = lab(words + QStringList{path("no/where.zip")});
+        QCOMPARE(nowhere.code, 1);
+        QVERIFY(nowhere.err.contains("there is no folder"));
+    }
     void what_is_wrong_is_said() {
         QCOMPARE(lab({"study"}).code, 2);
         QCOMPARE(lab({"study", "dance", "."}).code, 2);
@@ -116,7 +179,8 @@ private slots:
     void a_study_without_trials_has_no_report() {
         QVERIFY(QDir(folder_.path()).mkpath("none"));
         QVERIFY(QFile::copy(shipped("primitives"), path("none/protocol.study")));
-        QCOMPARE(lab({"study", "check", path("none")}).out, QByteArray("There are no trials yet.\n"));
+        QVERIFY(lab({"study", "check", path("none")})
+                    .out.startsWith("There are no trials yet.\nThere is no file "));
         const Run run = lab({"study", "report", path("none"), "--out", path("none-out")});
         QCOMPARE(run.code, 1);
         QVERIFY(run.err.contains("There are no trials yet that count."));

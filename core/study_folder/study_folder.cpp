@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/figures/study/study_folder.hpp"
+#include "core/study_folder/study_folder.hpp"
 
 #include "core/experiment/experiment_file.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/whole_file.hpp"
 
@@ -44,6 +45,35 @@ std::string participant_file(int participant) {
     return "participant-" + number + ".csv";
 }
 
+Result<std::vector<ParticipantTable>> read_tables(const fs::path& folder, const Experiment& experiment) {
+    const auto files = tables_in(folder);
+    if (!files)
+        return Error{files.error()};
+    std::vector<ParticipantTable> tables;
+    std::map<int, fs::path> seen;
+    for (const fs::path& file : *files) {
+        const auto csv = read_whole(file, most_trial_table_bytes);
+        if (!csv)
+            return Error{csv.error()};
+        auto read = read_trials(experiment, *csv);
+        if (!read)
+            return Error{about(file, read.error())};
+        ParticipantTable table{file, 0, std::move(read->records), read->torn, csv->rfind('\n') + 1};
+        if (!table.records.empty()) {
+            const int participant = table.participant = table.records.front().participant;
+            if (!std::ranges::all_of(table.records, [&](const TrialRecord& record) {
+                    return record.participant == participant;
+                }))
+                return Error{about(file, "the trials of more than one participant are in it.")};
+            if (const auto [other, is_new] = seen.emplace(participant, file); !is_new)
+                return Error{about(file, "participant " + std::to_string(participant) + " is in " +
+                                             quoted(other->second) + " already.")};
+        }
+        tables.push_back(std::move(table));
+    }
+    return tables;
+}
+
 Result<StudyFolder> read_study(const fs::path& folder) {
     const fs::path protocol = folder / study_protocol_file;
     const auto text = read_whole(protocol, most_experiment_bytes);
@@ -52,32 +82,34 @@ Result<StudyFolder> read_study(const fs::path& folder) {
     auto experiment = read_experiment(*text);
     if (!experiment)
         return Error{about(protocol, experiment.error())};
-    const auto tables = tables_in(folder);
-    if (!tables)
-        return Error{tables.error()};
     StudyFolder study;
     study.experiment = std::move(*experiment);
-    std::map<int, fs::path> seen;
-    for (const fs::path& file : *tables) {
-        const auto csv = read_whole(file, most_trial_table_bytes);
+    if (const fs::path file = folder / study_terms_file; name_taken(file)) {
+        const auto bytes = read_whole(file, most_terms_bytes);
+        if (!bytes)
+            return Error{bytes.error()};
+        const auto terms = read_terms(*bytes);
+        if (!terms)
+            return Error{about(file, terms.error())};
+        study.terms = *terms;
+    }
+    if (const fs::path file = folder / study_sittings_file; name_taken(file)) {
+        const auto csv = read_whole(file, most_sittings_bytes);
         if (!csv)
             return Error{csv.error()};
-        const auto table = read_trials(study.experiment, *csv);
-        if (!table)
-            return Error{about(file, table.error())};
-        if (table->torn)
-            study.remarks.push_back(
-                about(file, "the last trial was being written when the program ended; it is left out."));
-        if (table->records.empty())
-            continue;
-        const int participant = table->records.front().participant;
-        if (std::ranges::any_of(table->records,
-                                [&](const TrialRecord& record) { return record.participant != participant; }))
-            return Error{about(file, "the trials of more than one participant are in it.")};
-        if (const auto [other, is_new] = seen.emplace(participant, file); !is_new)
-            return Error{about(file, "participant " + std::to_string(participant) + " is in " +
-                                         quoted(other->second) + " already.")};
-        study.records.insert(study.records.end(), table->records.begin(), table->records.end());
+        auto sittings = read_sittings(*csv);
+        if (!sittings)
+            return Error{about(file, sittings.error())};
+        study.sittings = std::move(*sittings);
+    }
+    const auto tables = read_tables(folder, study.experiment);
+    if (!tables)
+        return Error{tables.error()};
+    for (const ParticipantTable& table : *tables) {
+        if (table.torn)
+            study.remarks.push_back(about(
+                table.file, "the last trial was being written when the program ended; it is left out."));
+        study.records.insert(study.records.end(), table.records.begin(), table.records.end());
     }
     return study;
 }
@@ -104,12 +136,11 @@ std::vector<std::string> study_progress(const StudyFolder& study) {
             trials += static_cast<std::size_t>(count);
             missing += static_cast<std::size_t>(std::max(0, study.experiment.repetitions - count));
         }
-        std::string sentence = "Participant " + std::to_string(participant) + ": " + std::to_string(trials) +
-                               " trials of " + std::to_string(study.experiment.trials());
-        if (done.again > 0)
-            sentence += ", " + std::to_string(done.again) + " of them done again";
-        sentences.push_back(sentence +
-                            (missing > 0 ? "; " + std::to_string(missing) + " are missing." : "."));
+        sentences.push_back(
+            "Participant " + std::to_string(participant) + ": " + std::to_string(trials) + " trials of " +
+            std::to_string(study.experiment.trials()) +
+            (done.again > 0 ? ", " + std::to_string(done.again) + " of them done again" : "") +
+            (missing > 0 ? "; " + std::to_string(missing) + " are missing." : "."));
     }
     return sentences;
 }

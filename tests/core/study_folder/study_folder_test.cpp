@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/figures/study/study_folder.hpp"
+#include "core/study_folder/study_folder.hpp"
 #include "drawn_study.hpp"
 
 #include <QTemporaryDir>

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/study_simulation.hpp"
+
+#include "app/cli/expression_labels.hpp"
+#include "app/cli/long_work.hpp"
+#include "app/figures/simulated/simulated_study.hpp"
+#include "core/experiment/experiment_file.hpp"
+#include "core/experiment/number_text.hpp"
+#include "core/files/file_words.hpp"
+#include "core/files/whole_file.hpp"
+#include "core/study/expression.hpp"
+#include "core/svg/contour_sheet.hpp"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace tp {
+namespace {
+
+constexpr int most_jobs = 256;
+
+/// The experiment with one law for all trials; a sentence where its trials compare laws.
+std::string set_law(Experiment& experiment, const std::string& law) {
+    if (std::ranges::find(experiment.factors, StudyParameter::law, &StudyFactor::parameter) !=
+        experiment.factors.end())
+        return "The law varies in this experiment, so that --law cannot set it.";
+    std::erase_if(experiment.settings,
+                  [](const StudyFactor& setting) { return setting.parameter == StudyParameter::law; });
+    experiment.settings.push_back({StudyParameter::law, {law}});
+    return {};
+}
+
+Result<SimulatedBench> bench_of(const VerbLine& line) {
+    SimulatedBench bench;
+    const auto rate = line.positive("rate");
+    if (!rate || *rate < 100.0 || *rate > 4000.0)
+        return Error{rate ? "--rate is from 100 to 4000 Hz." : rate.error()};
+    bench.rate_hz = *rate;
+    const auto delay = line.whole("delay", 0, 16);
+    if (!delay)
+        return Error{delay.error()};
+    bench.delay_ticks = static_cast<std::size_t>(*delay);
+    bench.continuity.corner_cue = line.has("corner-cue");
+    if (line.has("blend")) {
+        const auto blend = line.positive("blend");
+        if (!blend)
+            return Error{blend.error()};
+        bench.continuity.blend_mm = *blend;
+    }
+    if (const std::string problem = bench.continuity.problem(); !problem.empty())
+        return Error{problem};
+    return bench;
+}
+
+/// What stands in the study's folder of the device. Without a day, so that the same people write the same bytes every day.
+StudyMachine machine_of(const SimulatedBench& bench) {
+    std::string device = "simulated device, " + shortest(bench.rate_hz) + " Hz, " +
+                         std::to_string(bench.delay_ticks) + " ticks of delay";
+    if (bench.continuity.blend_mm > 0.0)
+        device += ", blended over " + shortest(bench.continuity.blend_mm) + " mm";
+    if (bench.continuity.corner_cue)
+        device += ", corner cue";
+    return {"", std::string("touchphoto ") + TOUCHPHOTO_VERSION, device,
+            "millimetres and newtons as they are"};
+}
+
+/// The drawn contours of a folder, PERSON_EXPRESSION.svg: the number of a face counts the files of its expression by name.
+class FacesInFolder final : public StudyFaces {
+public:
+    static Result<FacesInFolder> read(const std::filesystem::path& folder) {
+        std::vector<std::filesystem::path> files;
+        std::error_code error;
+        for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+             at.increment(error))
+            if (at->path().extension() == ".svg")
+                files.push_back(at->path());
+        if (error)
+            return Error{"The folder " + quoted(folder) + " cannot be read."};
+        std::ranges::sort(files);
+        FacesInFolder faces;
+        for (const std::filesystem::path& file : files) {
+            const ExpressionLabel label = ExpressionLabels().of(file);
+            if (!label.shown)
+                continue;
+            const auto sheet = read_sheet(file, ContourSheet::Unit::pixel);
+            if (!sheet)
+                return Error{quoted(file) + ": " + sheet.error()};
+            faces.of_[std::string(name_of(*label.shown))].push_back(sheet->contours);
+        }
+        return faces;
+    }
+    Result<std::vector<Contour>> contours(std::string_view expression, std::string_view face) const override {
+        const auto all = of_.find(std::string(expression));
+        const auto number = number_in(face, std::size_t{1}, std::size_t{1000});
+        if (all == of_.end() || !number || *number > all->second.size())
+            return Error{"The folder of faces has no face number " + std::string(face) + " that is " +
+                         std::string(expression) + "."};
+        return all->second[*number - 1];
+    }
+
+private:
+    std::map<std::string, std::vector<std::vector<Contour>>> of_; ///< by expression
+};
+
+void tell(const VerbLine& line, const Experiment& experiment, int participants, const SimulatedStudy& study) {
+    for (const std::string& remark : study.remarks)
+        say(remark);
+    if (!line.has("json")) {
+        std::printf("%d participants, %zu trials, %zu done again, %.0f s at the device\n", participants,
+                    study.trials, study.repeated, study.simulated_s);
+        return;
+    }
+    QJsonArray remarks;
+    for (const std::string& remark : study.remarks)
+        remarks.append(QString::fromStdString(remark));
+    const QJsonObject object{{"experiment", QString::fromStdString(experiment.name)},
+                             {"participants", participants},
+                             {"trials", static_cast<int>(study.trials)},
+                             {"repeated", static_cast<int>(study.repeated)},
+                             {"seconds", study.simulated_s},
+                             {"remarks", remarks}};
+    std::printf("%s\n", QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
+}
+
+} // namespace
+
+void add_simulation_options(VerbLine& line) {
+    line.option("participants", "With simulate: how many simulated people.", "N", "10")
+        .option("jobs", "With simulate: people at a time; 0: one for each core.", "N", "1")
+        .option("law", "With simulate: exact or published, whatever the experiment sets.", "NAME")
+        .option("faces", "With simulate: a folder of faces' contours, named PERSON_EXPRESSION.svg.", "DIR")
+        .option("rate", "With simulate: the device's rate.", "HZ", "1000")
+        .option("delay", "With simulate: ticks between a force and its acting.", "N", "0")
+        .option("blend", "With simulate and the exact law: turns the force over a disc of this radius.", "MM")
+        .option("corner-cue", "With simulate and the exact law: a short tick at corners.");
+}
+
+int simulate_study_verb(const VerbLine& line, const std::filesystem::path& file) {
+    if (!line.has("out"))
+        return wrong_usage("study", "--out DIR is missing.");
+    const auto participants = line.whole("participants", 1, 10'000);
+    const auto seed = line.whole("seed", 0, 1'000'000'000);
+    const auto jobs = line.whole("jobs", 0, most_jobs);
+    if (!participants || !seed || !jobs)
+        return wrong_usage("study", !participants ? participants.error()
+                                    : !seed       ? seed.error()
+                                                  : jobs.error());
+    const auto bench = bench_of(line);
+    if (!bench)
+        return wrong_usage("study", bench.error());
+    const auto text = read_whole(file, most_experiment_bytes);
+    if (!text)
+        return refused(text.error());
+    auto experiment = read_experiment(*text);
+    if (!experiment)
+        return refused(experiment.error());
+    if (line.has("law")) {
+        const std::string law = line.text("law").toStdString();
+        if (!law_named(law))
+            return wrong_usage("study", "--law is exact or published, not \"" + law + "\".");
+        if (const std::string problem = set_law(*experiment, law); !problem.empty())
+            return wrong_usage("study", problem);
+    }
+    std::optional<FacesInFolder> faces;
+    if (line.has("faces")) {
+        auto read = FacesInFolder::read(line.text("faces").toStdString());
+        if (!read)
+            return refused(read.error());
+        faces = std::move(*read);
+    }
+    auto writer = StudyWriter::open(line.text("out").toStdString(), *experiment,
+                                    {static_cast<std::uint64_t>(*seed), true}, machine_of(*bench));
+    if (!writer)
+        return refused(writer.error());
+    for (const std::string& remark : (*writer)->remarks())
+        say(remark);
+    LongWork::step("simulating people");
+    const int at_a_time =
+        *jobs > 0 ? *jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    const auto study = simulate_study(
+        **writer, 1, *participants, *bench, faces ? &*faces : nullptr, at_a_time,
+        [](std::size_t done, std::size_t planned) {
+            LongWork::share(static_cast<double>(done) / static_cast<double>(planned));
+        },
+        [] { return LongWork::stop_asked().load(); });
+    if (LongWork::stop_asked())
+        return LongWork::stop_code();
+    if (!study)
+        return refused(study.error());
+    tell(line, *experiment, *participants, *study);
+    return exit_done;
+}
+
+} // namespace tp

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/figures/simulated/simulated_trial.hpp"
+
+#include "app/figures/simulated/simulated_hands.hpp"
+#include "core/servo/servo_loop.hpp"
+#include "device/simulated/simulated_device.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace tp {
+namespace {
+
+constexpr double settle_s = 0.7; // the force's ramp is over before a trial begins
+constexpr double hand_step_s = 0.005;
+
+SimulatedPlant plant_of(const Person& person, const SimulatedBench& bench) {
+    SimulatedPlant plant;
+    plant.mass = person.mass_kg;
+    plant.hand_stiffness = person.stiffness_n_per_mm;
+    plant.hand_damping = person.damping_n_s_per_m;
+    plant.delay_ticks = bench.delay_ticks;
+    plant.tick = 1.0 / bench.rate_hz;
+    return plant;
+}
+
+ServoSettings servo_of(const SimulatedBench& bench) {
+    ServoSettings settings;
+    settings.rate = bench.rate_hz;
+    return settings;
+}
+
+} // namespace
+
+Result<SimulatedTrial> simulate_trial(const StudyTrial& trial, const Person& person,
+                                      const SimulatedBench& bench, std::uint64_t seed) {
+    auto scene = haptic_scene_of(trial, bench.continuity);
+    if (!scene)
+        return Error{scene.error()};
+    VirtualClock clock;
+    SimulatedDevice device(trial.scene.width_mm, trial.scene.height_mm, plant_of(person, bench));
+    const Capabilities can = *device.open();
+    ServoLoop loop(device, can, clock, servo_of(bench));
+    device.place_finger(trial.start);
+    loop.render(std::move(*scene));
+    loop.engage();
+
+    const int ticks_a_step = std::max(1, static_cast<int>(std::lround(hand_step_s * bench.rate_hz)));
+    const double step_s = ticks_a_step / bench.rate_hz;
+    const auto pass = [&] {
+        for (int i = 0; i < ticks_a_step; ++i) {
+            clock.sleep_until(clock.now() + 1.0 / bench.rate_hz);
+            loop.tick();
+        }
+    };
+    while (clock.now() < settle_s)
+        pass();
+
+    const auto hand = hand_for(trial, person, step_s, seed);
+    TrialJudge judge(trial);
+    SimulatedTrial done;
+    const double begun = clock.now();
+    double next_sample = 0.0;
+    std::optional<double> answers_at;
+    while (judge.state() == TrialState::going) {
+        const ServoSnapshot view = loop.snapshot();
+        const double time = clock.now() - begun;
+        if (time >= next_sample - 1e-9) {
+            judge.feed(time, view.finger());
+            done.path.push_back({time, view.x, view.y, view.fx, view.fy});
+            next_sample += simulated_sample_s;
+        }
+        if (!answers_at)
+            if (const auto answer = hand->knows(done.path)) {
+                done.answer = *answer;
+                answers_at = time + person.answer_s;
+            }
+        if (answers_at && time >= *answers_at)
+            break;
+        if (!trial.longest_s && time >= longest_following_s)
+            break;
+        device.move_pointer(hand->step(view.finger(), view.force()));
+        pass();
+    }
+    if (!answers_at)
+        done.answer = hand->guess(done.path);
+    done.state = judge.state();
+    done.error_mm = judge.error_mm();
+    done.time_s = judge.time_s();
+    return done;
+}
+
+} // namespace tp

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/participant/felt_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace tp {
+namespace {
+
+constexpr double once = 2.0 * std::numbers::pi;
+constexpr std::size_t parts = 60; // of the way about: divides by 3, 4, 5 and 6
+constexpr double error_changes_mm =
+    30.0; // way over which the error of remembered places is another one (assumed)
+
+/// A polygon can be turned until it explains two of about a dozen independent errors; a circle cannot.
+constexpr double by_chance = 1.2;
+
+using Radii = std::array<double, parts>;
+
+Vec2 middle_of(std::span<const FeltPlace> round) {
+    Vec2 low = round.front().place, high = low;
+    for (const FeltPlace& felt : round) {
+        low = glm::min(low, felt.place);
+        high = glm::max(high, felt.place);
+    }
+    return 0.5 * (low + high);
+}
+
+std::size_t part_of(Vec2 from_middle) {
+    const double share = std::atan2(from_middle.y, from_middle.x) / once + 0.5;
+    return std::min(parts - 1, static_cast<std::size_t>(share * parts));
+}
+
+/// How far the places lie from the middle in each direction; nothing where some eighth of the way about has none.
+std::optional<Radii> radii_of(const std::vector<Vec2>& places, Vec2 middle) {
+    std::array<std::vector<double>, parts> all;
+    for (const Vec2 place : places)
+        all[part_of(place - middle)].push_back(length(place - middle));
+    Radii radii{};
+    std::vector<std::size_t> known;
+    for (std::size_t i = 0; i < parts; ++i)
+        if (!all[i].empty()) {
+            std::ranges::nth_element(all[i], all[i].begin() + static_cast<std::ptrdiff_t>(all[i].size() / 2));
+            radii[i] = all[i][all[i].size() / 2];
+            known.push_back(i);
+        }
+    for (std::size_t k = 0; k < known.size(); ++k) { // straight between the directions that are known
+        const std::size_t from = known[k];
+        const std::size_t to = known[(k + 1) % known.size()];
+        const std::size_t gap = known.size() == 1 ? parts : (to + parts - from) % parts;
+        if (gap > parts / 8)
+            return std::nullopt;
+        for (std::size_t step = 1; step < gap; ++step) {
+            const double share = static_cast<double>(step) / static_cast<double>(gap);
+            radii[(from + step) % parts] = (1.0 - share) * radii[from] + share * radii[to];
+        }
+    }
+    return known.empty() ? std::nullopt : std::optional(radii);
+}
+
+/// Of a polygon round which a circle of radius 1 goes, in the direction `angle` from one of its corners.
+double polygon_radius(double angle, int corners) {
+    if (corners == 0)
+        return 1.0;
+    const double side = once / corners;
+    const double from_corner = angle - side * std::floor(angle / side);
+    return std::cos(0.5 * side) / std::cos(from_corner - 0.5 * side);
+}
+
+/// Mean square of what is left beside the best polygon of so many corners, of any size, turn and place near the middle, as a share of
+/// the square of its radius.
+double misfit(const Radii& radii, int corners) {
+    double best = std::numeric_limits<double>::infinity();
+    const int phases = corners == 0 ? 1 : 30;
+    for (int phase = 0; phase < phases; ++phase) {
+        Radii shape{};
+        double both = 0.0, squares = 0.0;
+        for (std::size_t i = 0; i < parts; ++i) {
+            const double angle = once * (static_cast<double>(i) + 0.5) / parts;
+            shape[i] = polygon_radius(angle + once / std::max(1, corners) * phase / phases, corners);
+            both += shape[i] * radii[i];
+            squares += shape[i] * shape[i];
+        }
+        const double radius = both / squares;
+        double left = 0.0, right = 0.0, up = 0.0; // and how far it lies to the right of the middle, and above
+        for (std::size_t i = 0; i < parts; ++i) {
+            const double angle = once * (static_cast<double>(i) + 0.5) / parts;
+            const double rest = radii[i] - radius * shape[i];
+            left += rest * rest;
+            right += rest * std::cos(angle);
+            up += rest * std::sin(angle);
+        }
+        left -= 2.0 / parts * (right * right + up * up);
+        best = std::min(best, left / parts / (radius * radius));
+    }
+    return best;
+}
+
+} // namespace
+
+std::optional<std::size_t> round_end(std::span<const FeltPlace> trail, std::size_t from, double place_mm) {
+    double farthest = 0.0;
+    for (std::size_t i = from + 1; i < trail.size(); ++i) {
+        const double away = length(trail[i].place - trail[from].place);
+        farthest = std::max(farthest, away);
+        if (farthest < 3.0 * place_mm || away > 1.5 * place_mm)
+            continue;
+        const auto round = trail.subspan(from, i + 1 - from);
+        std::vector<Vec2> places;
+        for (const FeltPlace& felt : round)
+            places.push_back(felt.place);
+        if (radii_of(places, middle_of(round)))
+            return i + 1;
+    }
+    return std::nullopt;
+}
+
+std::optional<ShapeMisfits> misfits_of(std::span<const FeltPlace> round, const Person& person,
+                                       Chance& chance) {
+    if (round.empty())
+        return std::nullopt;
+    double size = 0.0;
+    const Vec2 middle = middle_of(round);
+    for (const FeltPlace& felt : round)
+        size = std::max(size, length(felt.place - middle));
+    const double error_mm = std::min(person.place_mm, person.length_share * size);
+    // Twice smoothed, so that directions are remembered too: to error_mm / error_changes_mm radians.
+    Vec2 drift{chance.normal(), chance.normal()};
+    Vec2 error = drift / std::sqrt(2.0);
+    std::vector<Vec2> places;
+    for (std::size_t i = 0; i < round.size(); ++i) {
+        if (i > 0) {
+            const double kept = std::exp(-length(round[i].place - round[i - 1].place) / error_changes_mm);
+            const double fresh = std::sqrt(1.0 - kept * kept);
+            drift = kept * drift + fresh * Vec2{chance.normal(), chance.normal()};
+            error = kept * error + (1.0 - kept) * drift;
+        }
+        places.push_back(round[i].place + std::sqrt(2.0) * error_mm * error);
+    }
+    const auto radii = radii_of(places, middle_of(round));
+    if (!radii)
+        return std::nullopt;
+    ShapeMisfits misfits{};
+    for (std::size_t shape = 0; shape < shape_corners.size(); ++shape)
+        misfits[shape] = misfit(*radii, shape_corners[shape]) * (shape_corners[shape] > 0 ? by_chance : 1.0);
+    return misfits;
+}
+
+std::optional<int> ShapeNamer::hear(std::span<const FeltPlace> trail) {
+    constexpr double sure = 1.5;   // the second best leaves so much more unexplained (assumed)
+    if (trail.size() < looked_at_) // the hand turned round
+        from_ = std::min(from_, trail.size());
+    if (trail.size() == looked_at_)
+        return std::nullopt;
+    looked_at_ = trail.size();
+    const auto end = round_end(trail, from_, person_.place_mm);
+    if (!end)
+        return std::nullopt;
+    const auto misfits = misfits_of(trail.subspan(from_, *end - from_), person_, chance_);
+    from_ = *end - 1;
+    if (!misfits)
+        return std::nullopt;
+    for (std::size_t i = 0; i < misfits_.size(); ++i)
+        misfits_[i] += (*misfits)[i];
+    ++rounds_;
+    ShapeMisfits sorted = misfits_;
+    std::ranges::sort(sorted);
+    return rounds_ >= person_.most_rounds || sorted[1] > sure * sorted[0] ? guess() : std::nullopt;
+}
+
+std::optional<int> ShapeNamer::guess() const {
+    if (rounds_ == 0)
+        return std::nullopt;
+    return shape_corners[static_cast<std::size_t>(std::ranges::min_element(misfits_) - misfits_.begin())];
+}
+
+} // namespace tp

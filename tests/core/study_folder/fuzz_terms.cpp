@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
+// A libFuzzer target: any bytes as a study's terms, and as its table of sittings.
+#include "fuzz_target.hpp"
+#include "study_folder_check.hpp"
+
+TP_FUZZ_TARGET(tp::test::complaint_about_terms)

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// A study under way is killed just before one of its calls to the disk, or half-way through a write, or that call and all later ones
+// fail: what was acknowledged is there, at most the running trial is lost, and the study goes on to the same end.
+// TP_MOMENTS=1000 tries as many moments.
+#include "core/files/durable_file.hpp"
+#include "core/files/whole_file.hpp"
+#include "core/study_folder/path_file.hpp"
+#include "faulty_run.hpp"
+#include "memory_folder.hpp"
+#include "worked_study.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <random>
+#include <utility>
+#include <vector>
+
+using namespace tp;
+using namespace tp::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Told {
+    std::vector<std::pair<int, int>> acknowledged; ///< participant, trial
+    std::optional<std::pair<int, int>> running;    ///< it was being kept when the program ended
+    int refused = 0, remarks = 0;
+    bool ended = false, said_why = true;
+};
+
+Told told_in(const QByteArray& output) {
+    Told told;
+    for (const QByteArray& line : output.split('\n')) {
+        const QList<QByteArray> words = line.split(' ');
+        const bool of_trial = words[0] == "TRY" || words[0] == "ACK";
+        const std::pair<int, int> trial =
+            of_trial ? std::pair(words[1].toInt(), words[2].toInt()) : std::pair(0, 0);
+        if (words[0] == "TRY")
+            told.running = trial;
+        if (words[0] == "ACK") {
+            told.acknowledged.push_back(trial);
+            told.running.reset();
+        }
+        if (words[0] == "SAID") {
+            ++told.refused;
+            told.said_why = told.said_why && line.size() > 30 && line.endsWith('.');
+        }
+        told.remarks += words[0] == "REMARK";
+        told.ended = told.ended || words[0] == "END";
+    }
+    return told;
+}
+
+struct Place {
+    MemoryFolder dir; // two hundred times twenty trials are brought to the disk
+    fs::path study = dir.path() / "study", count = dir.path() / "calls";
+
+    Told run(const QByteArray& fault) const {
+        return told_in(faulty_run(TP_FAILING_FILES, QStringLiteral(TP_STUDY_WORKER),
+                                  {QString::fromStdString(study.string())}, study, fault, count));
+    }
+    /// Name → bytes of the study.
+    std::map<fs::path, std::string> files() const {
+        std::map<fs::path, std::string> all;
+        for (const auto& file : fs::recursive_directory_iterator(study))
+            if (file.is_regular_file())
+                all[file.path().lexically_relative(study)] = read_whole(file.path(), 1 << 20).value();
+        return all;
+    }
+};
+
+/// What does not hold for the folder that the killed program left; empty where all does.
+std::string wrong_with(const Place& place, const Told& told) {
+    if (!told.said_why)
+        return "a refusal was no sentence";
+    if (!name_taken(place.study / study_protocol_file))
+        return told.acknowledged.empty() ? "" : "the study is gone";
+    const auto study = read_study(place.study);
+    if (!study)
+        return study.error();
+    std::size_t kept = 0;
+    for (const TrialRecord& record : study->records) {
+        const std::pair trial(record.participant, record.trial);
+        kept += std::ranges::find(told.acknowledged, trial) != told.acknowledged.end();
+        if (std::ranges::find(told.acknowledged, trial) == told.acknowledged.end() && told.running != trial)
+            return "a trial that was not done";
+        const auto path =
+            read_path(place.study / study_paths_folder / path_file_name(record.participant, record.trial));
+        if (!path)
+            return path.error();
+        if (path_bytes(*path) != path_bytes(worked_path(record)))
+            return "the path of another trial";
+        const auto sitting = std::ranges::find_if(study->sittings, [&](const StudySitting& one) {
+            return one.participant == record.participant && one.from_trial == (record.trial <= 3 ? 1 : 4);
+        });
+        if (sitting == study->sittings.end() ||
+            sitting->machine != (record.trial <= 3 ? worked_mouse : worked_pad))
+            return "nobody knows with which machine";
+    }
+    return kept == told.acknowledged.size() ? "" : "an acknowledged trial is lost";
+}
+
+} // namespace
+
+class KilledStudyTest : public QObject {
+    Q_OBJECT
+    std::map<fs::path, std::string> undisturbed_;
+    long calls_ = 0;
+
+private slots:
+    void a_program_that_is_left_alone_acknowledges_everything() {
+        const Place place;
+        const Told told = place.run("none@1");
+        calls_ = calls_in(place.count);
+        QVERIFY(told.ended && told.refused == 0);
+        QCOMPARE(told.acknowledged.size(), std::size_t{14});
+        QCOMPARE(wrong_with(place, told), std::string());
+        QVERIFY(calls_ > 100);
+        undisturbed_ = place.files();
+        QCOMPARE(undisturbed_.size(), std::size_t{4 + 2 + 14});
+    }
+    void nothing_acknowledged_is_lost() {
+        const int moments = std::max(1, qEnvironmentVariable("TP_MOMENTS", "200").toInt());
+        std::mt19937 random(20261126);
+        const std::vector<QByteArray> faults{"kill@", "kill@", "half@", "half@", "ENOSPC@", "EIO@", "EROFS@"};
+        int cut_off = 0, remarks = 0;
+        for (int i = 0; i < moments; ++i) {
+            const long at = 1 + static_cast<long>(random() % static_cast<unsigned long>(calls_));
+            const QByteArray fault =
+                faults[static_cast<std::size_t>(i) % faults.size()] + QByteArray::number(qlonglong{at});
+            const Place place;
+            const Told told = place.run(fault);
+            cut_off += !told.ended;
+            const std::string wrong = wrong_with(place, told);
+            QVERIFY2(wrong.empty(), (fault.toStdString() + ": " + wrong).c_str());
+            const Told after = place.run("none@1"); // the next day
+            remarks += after.remarks;
+            QVERIFY2(after.ended && after.refused == 0, fault.data());
+            const std::size_t again = told.acknowledged.size() + after.acknowledged.size();
+            QVERIFY2(again == 14 || again == 13, fault.data()); // 13: kept, and killed before it was said
+            QVERIFY2(place.files() == undisturbed_, fault.data());
+        }
+        QVERIFY2(cut_off > moments * 9 / 10, "the faults did not reach the program");
+        QVERIFY2(remarks > 0 || moments < 100, "no line was half-written");
+    }
+};
+
+QTEST_GUILESS_MAIN(KilledStudyTest)
+#include "killed_study_test.moc"

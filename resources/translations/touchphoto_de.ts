@@ -4119,6 +4119,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>the trials of more than one participant are in it.</source>
         <translation>sie enthält Durchgänge von mehr als einer Person.</translation>
     </message>
+    <message>
+        <source>The trial was not kept: a study has at most %1 participants.</source>
+        <translation>Der Durchgang wurde nicht gespeichert: Eine Studie hat höchstens %1 Teilnehmende.</translation>
+    </message>
+    <message>
+        <source>The trial was not kept: its error, time or answer is none that there can be.</source>
+        <translation>Der Durchgang wurde nicht gespeichert: Fehler, Zeit oder Antwort darin kann es so nicht geben.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -64,6 +64,12 @@ Result<std::unique_ptr<FolderLock>> locked(const fs::path& folder) {
     return lock;
 }
 
+/// Whether its line will be read as it is; one that is not would make the whole table unreadable.
+bool is_readable(const Experiment& experiment, const TrialRecord& record) {
+    const auto back = read_trials(experiment, trial_columns(experiment) + trial_line(experiment, record));
+    return back && back->records == std::vector<TrialRecord>{record};
+}
+
 } // namespace
 
 Opened StudyWriter::open(const fs::path& folder, const Experiment& experiment, const StudyTerms& terms,
@@ -194,9 +200,11 @@ void StudyWriter::use(const StudyMachine& machine) {
 }
 
 std::string StudyWriter::keep(const TrialRecord& record, std::span<const FingerSample> path) {
-    const auto planned = next(record.participant);
+    const auto planned = record.participant > 0 ? next(record.participant) : std::nullopt;
     if (!planned || !is_of(*planned, record))
         return "The trial was not kept: it is not the one that comes next.";
+    if (!is_readable(experiment_, record))
+        return "The trial was not kept: its error, time or answer is none that there can be.";
     if (!is_path(path))
         return "The trial was not kept: the finger's path in it is none.";
     const std::string bytes = path_bytes(path);
@@ -207,6 +215,9 @@ std::string StudyWriter::keep(const TrialRecord& record, std::span<const FingerS
     const std::lock_guard held(mutex_);
     if (std::string problem = put_sitting(record.participant, record.trial); !problem.empty())
         return problem;
+    if (tables_.size() >= most_study_participants && !tables_.contains(record.participant))
+        return "The trial was not kept: a study has at most " + std::to_string(most_study_participants) +
+               " participants.";
     Table& table = tables_[record.participant];
     if (table.file.empty())
         table.file = folder_ / participant_file(record.participant);

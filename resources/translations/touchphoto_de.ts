@@ -4135,6 +4135,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The experiment %1 needs faces, and none are there.</source>
         <translation>Das Experiment %1 braucht Gesichter, aber es sind keine da.</translation>
     </message>
+    <message>
+        <source>The trial was not kept: a study has at most %1 participants.</source>
+        <translation>Der Durchgang wurde nicht gespeichert: Eine Studie hat höchstens %1 Teilnehmende.</translation>
+    </message>
+    <message>
+        <source>The trial was not kept: its error, time or answer is none that there can be.</source>
+        <translation>Der Durchgang wurde nicht gespeichert: Fehler, Zeit oder Antwort darin kann es so nicht geben.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

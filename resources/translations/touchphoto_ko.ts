@@ -4113,6 +4113,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The experiment %1 needs faces, and none are there.</source>
         <translation>실험 “%1”에는 얼굴이 필요하지만 얼굴이 없습니다.</translation>
     </message>
+    <message>
+        <source>The trial was not kept: a study has at most %1 participants.</source>
+        <translation>시행을 저장하지 않았습니다: 연구의 참가자는 최대 %1명입니다.</translation>
+    </message>
+    <message>
+        <source>The trial was not kept: its error, time or answer is none that there can be.</source>
+        <translation>시행을 저장하지 않았습니다: 오차나 시간이나 답이 있을 수 없는 값입니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

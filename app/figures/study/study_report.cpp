@@ -118,6 +118,8 @@ Result<StudyReport> report_on(const StudyFolder& study) {
     StudyReport report;
     report.experiment = study.experiment;
     report.remarks = study.remarks;
+    if (study.terms && study.terms->simulated)
+        report.remarks.push_back("The participants are simulated people; nobody has felt anything.");
     std::set<int> participants;
     for (const TrialRecord& record : study.records) {
         participants.insert(record.participant);

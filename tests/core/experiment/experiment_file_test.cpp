@@ -113,8 +113,10 @@ private slots:
         QCOMPARE(QString::fromStdString(read_experiment(least + added.toStdString()).error()), said);
     }
     void what_is_missing_is_said() {
-        QCOMPARE(read_experiment("").error(), std::string("The experiment does not say what is done: a line "
-                                                          "\"task: follow\" or \"task: name\" is missing."));
+        for (const char* const text : {"", "experiment: a\nfactor range: 1, 2 mm\n"})
+            QCOMPARE(read_experiment(text).error(),
+                     std::string("The experiment does not say what is done: a line "
+                                 "\"task: follow\" or \"task: name\" is missing."));
         QCOMPARE(read_experiment("task: follow\n").error(),
                  std::string("The experiment has no name: a line \"experiment: NAME\" is missing."));
         QCOMPARE(read_experiment("task: follow\nexperiment: a\n").error(),

@@ -7,8 +7,16 @@
 
 #include <QTest>
 
+#include <iterator>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
+#include <vector>
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -261,7 +269,24 @@ private slots:
             TrialRecord other = begun_record(*writer->next(1), 1);
             QCOMPARE(writer->keep(other, std::vector<FingerSample>{{1.0}, {0.5}}),
                      std::string("The trial was not kept: the finger's path in it is none."));
+            for (const double number : {-1.0, std::numeric_limits<double>::quiet_NaN(), 1e7}) {
+                other = begun_record(*writer->next(1), 1);
+                other.error_mm = number;
+                QVERIFY(writer->keep(other, {}).ends_with(
+                    "its error, time or answer is none that there can be."));
+                other.error_mm.reset();
+                other.time_s = number;
+                QVERIFY(writer->keep(other, {}).ends_with(
+                    "its error, time or answer is none that there can be."));
+            }
+            other.time_s = 1.0;
+            other.answer = "a,b\n";
+            QVERIFY(
+                writer->keep(other, {}).ends_with("its error, time or answer is none that there can be."));
+            other.participant = 0;
+            QVERIFY(!writer->keep(other, {}).empty());
             QCOMPARE(writer->records_of(1).size(), std::size_t{1});
+            QVERIFY(!name_taken(folder_ / "paths" / path_file_name(1, 2)));
         }
         const fs::path table = folder_ / "participant-001.csv";
         const std::string whole = *read_whole(table, 10'000);
@@ -296,6 +321,33 @@ private slots:
         QCOMPARE(writer->records_of(1).size(), std::size_t{1});
         QCOMPARE(replace_file(table, whole), std::string());
         QCOMPARE(does(*writer, 1), std::string());
+    }
+    /// Said before anybody has begun.
+    void a_folder_that_cannot_be_written_to_is_said() {
+        QVERIFY(StudyWriter::open("/proc/study", small(), terms, mouse)
+                    .error()
+                    .starts_with("The study cannot write \"/proc/study\": "));
+        opened(folder_);
+        fs::permissions(place_.path(), fs::perms::group_exec | fs::perms::others_exec, fs::perm_options::add);
+        fs::permissions(folder_, fs::perms(0555));
+        const pid_t child = ::fork();
+        if (child == 0) {
+            constexpr uid_t nobody = 65534;
+            if (::geteuid() == 0 && ::seteuid(nobody) != 0)
+                ::_exit(77);
+            const std::string said = StudyWriter::go_on(folder_, mouse).error();
+            ::_exit(
+                said.ends_with("study-" + std::to_string(count_) + "\": you are not allowed to write there.")
+                    ? 7
+                    : 1);
+        }
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        fs::permissions(folder_, fs::perms::owner_all);
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 77)
+            QSKIP("the superuser may write everywhere");
+        QVERIFY(WIFEXITED(status));
+        QCOMPARE(WEXITSTATUS(status), 7);
     }
     void several_people_at_once_are_kept_apart() {
         const auto writer = opened(folder_);

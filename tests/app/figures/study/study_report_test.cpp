@@ -95,6 +95,13 @@ private slots:
         QVERIFY(report->remarks.empty());
         QVERIFY(report->confusions.empty());
     }
+    void that_participants_are_simulated_is_told() {
+        StudyFolder study = followed(folder("simulated"), 3);
+        for (const bool simulated : {true, false}) {
+            study.terms = StudyTerms{1, simulated};
+            QCOMPARE(report_on(study)->remarks.size(), std::size_t(simulated ? 1 : 0));
+        }
+    }
     void what_was_done_again_does_not_count() {
         StudyFolder study = followed(folder("b"), 3);
         TrialRecord again = study.records.back();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/experiment/next_trial.hpp"
 
-#include "core/experiment/chance.hpp"
+#include "core/experiment/split_mix.hpp"
 
 #include <cstdint>
 
@@ -10,7 +10,7 @@ namespace {
 
 /// Another seed for each attempt: what is random in a trial, such as where a shape lies, is not known from the one before.
 std::uint64_t seed_of(const PlannedTrial& trial, int attempts) {
-    Chance chance(trial.seed);
+    SplitMix chance(trial.seed);
     std::uint64_t seed = trial.seed;
     for (; attempts > 0; --attempts)
         seed = chance.next();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/experiment/trial_order.hpp"
 
-#include "core/experiment/chance.hpp"
+#include "core/experiment/split_mix.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -20,7 +20,7 @@ std::vector<std::size_t> latin_row(std::size_t conditions, std::size_t row) {
 }
 
 std::vector<PlannedTrial> trials_of(const Experiment& experiment, int participant, std::uint64_t seed) {
-    Chance person(Chance(seed).next() + static_cast<std::uint64_t>(participant));
+    SplitMix person(SplitMix(seed).next() + static_cast<std::uint64_t>(participant));
     const std::size_t conditions = experiment.conditions();
     std::vector<std::size_t> shuffled(conditions);
     std::iota(shuffled.begin(), shuffled.end(), std::size_t{0});

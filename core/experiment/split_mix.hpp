@@ -9,9 +9,9 @@
 namespace tp {
 
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): the standard's own generators and shuffle differ between libraries.
-class Chance {
+class SplitMix {
 public:
-    explicit Chance(std::uint64_t seed) : state_(seed) {}
+    explicit SplitMix(std::uint64_t seed) : state_(seed) {}
     std::uint64_t next() {
         std::uint64_t z = (state_ += 0x9E3779B97F4A7C15U);
         z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;

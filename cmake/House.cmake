@@ -94,6 +94,7 @@ tp_may(tp_work         USES Qt6::Core)
 tp_may(tp_preferences  tp_base tp_files tp_sentences  USES Qt6::Core)
 tp_may(tp_folders      ${below_app} tp_controls tp_narration  USES Qt6::Quick)
 tp_may(tp_devices      tp_base tp_files tp_geometry tp_servo tp_device tp_sentences  USES Qt6::Core)
+tp_may(tp_finger      tp_base tp_geometry tp_guidance tp_servo tp_device tp_sentences tp_devices  USES Qt6::Core)
 tp_may(tp_open_album   tp_base tp_files tp_sentences tp_recordings tp_metadata tp_index tp_keeper tp_preferences  USES Qt6::Core)
 tp_may(tp_grouping     tp_base tp_geometry tp_metadata tp_index tp_identity tp_people tp_open_album  USES Qt6::Core)
 tp_may(tp_looking      tp_base tp_metadata tp_index tp_open_album tp_seen tp_sight tp_words  USES Qt6::Core)
@@ -108,7 +109,7 @@ tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_face_base tp
 
 # app/pages: what a person meets; no page knows another
 set(for_pages ${below_app} tp_guide tp_metadata tp_index tp_keeper tp_open_album tp_people tp_seen tp_words tp_scene
-              tp_picture tp_tactile tp_controls tp_narration tp_work tp_preferences tp_folders tp_devices)
+              tp_picture tp_tactile tp_controls tp_narration tp_work tp_preferences tp_folders tp_devices tp_finger)
 set(pages tp_start tp_browse tp_explore tp_settings tp_lab)
 foreach(page IN LISTS pages)
   tp_may(${page}       ${for_pages}  USES Qt6::Quick)

@@ -3,7 +3,7 @@
 
 #include "app/pages/explore/explore_settings.hpp"
 #include "app/pages/explore/explore_words.hpp"
-#include "app/pages/explore/finger_servo.hpp"
+#include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/preferences/preferences.hpp"
 #include "app/photo/scene/extra_features.hpp"
 

@@ -5,9 +5,9 @@
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_words.hpp"
 #include "app/pages/explore/feature_tracker.hpp"
-#include "app/pages/explore/finger_servo.hpp"
+#include "app/parts/finger/finger_servo.hpp"
 #include "app/pages/explore/hand_state.hpp"
-#include "app/pages/explore/page_clock.hpp"
+#include "app/parts/finger/page_clock.hpp"
 #include "core/servo/servo_loop.hpp"
 
 #include <QObject>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/pages/explore/dwell.hpp"
-#include "app/pages/explore/finger_servo.hpp"
+#include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/devices/device_access.hpp"
 #include "app/photo/scene/extra_features.hpp"
 #include "app/photo/scene/scene_builder.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/pages/explore/page_clock.hpp"
+#include "app/parts/finger/page_clock.hpp"
 #include "app/parts/narration/narrator.hpp"
 #include "app/parts/preferences/preferences.hpp"
 #include "audio/sound/earcon_player.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/pages/explore/sheet_frame.hpp"
+#include "app/parts/finger/sheet_frame.hpp"
 #include "core/geometry/calibration.hpp"
 #include "core/geometry/transform.hpp"
 

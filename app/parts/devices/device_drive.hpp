@@ -13,8 +13,9 @@ namespace tp {
 /// thread, the force is gone first; a device that hangs may make that wait for a second.
 class DeviceDrive {
 public:
-    /// Ticks at the device's own rate, whatever `settings` say.
-    DeviceDrive(std::unique_ptr<ForceDevice> device, const Capabilities& can, ServoSettings settings);
+    /// Ticks at the device's own rate, whatever `settings` say. `clock` must outlive it; null: the machine's own.
+    DeviceDrive(std::unique_ptr<ForceDevice> device, const Capabilities& can, ServoSettings settings,
+                Clock* clock = nullptr);
 
     ServoLoop& loop() { return loop_; }
     const ServoLoop& loop() const { return loop_; }
@@ -22,7 +23,7 @@ public:
     const ForceDevice& device() const { return *device_; }
 
 private:
-    SteadyClock clock_;
+    SteadyClock own_clock_;
     std::unique_ptr<ForceDevice> device_;
     ServoLoop loop_; ///< after what it uses
 };

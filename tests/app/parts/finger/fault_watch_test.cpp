@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/pages/explore/fault_watch.hpp"
+#include "app/parts/finger/fault_watch.hpp"
 
 #include <QTest>
 

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/pages/explore/finger_servo.hpp"
+#include "app/parts/finger/finger_servo.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace tp {
+
+namespace {
+constexpr double tick_s = 0.001; ///< of the simulated device
+}
 
 ServoSettings settings_for_a_drawn_finger() {
     ServoSettings settings;
@@ -13,17 +18,16 @@ ServoSettings settings_for_a_drawn_finger() {
     return settings;
 }
 
-FingerServo::FingerServo(const SurfaceSize& surface, const ServoSettings& settings,
-                         const SimulatedPlant& plant)
-    : size_(surface), surface_{0.5 * Vec2(-surface.width_mm, -surface.height_mm),
-                               0.5 * Vec2(surface.width_mm, surface.height_mm)},
-      settings_(settings), plant_(plant), drive_(simulated_drive()), max_force_(settings.limits.max_force) {}
+FingerServo::FingerServo(Vec2 surface, const ServoSettings& settings, const SimulatedPlant& plant,
+                         VirtualClock* time)
+    : size_(surface), surface_{-0.5 * surface, 0.5 * surface}, settings_(settings), plant_(plant),
+      time_(time), drive_(simulated_drive()), max_force_(settings.limits.max_force) {}
 
 std::unique_ptr<DeviceDrive> FingerServo::simulated_drive() {
-    auto device = std::make_unique<SimulatedDevice>(size_.width_mm, size_.height_mm, plant_);
+    auto device = std::make_unique<SimulatedDevice>(size_.x, size_.y, plant_);
     simulated_ = device.get();
     const Capabilities can = device->open().value();
-    return std::make_unique<DeviceDrive>(std::move(device), can, settings_);
+    return std::make_unique<DeviceDrive>(std::move(device), can, settings_, time_);
 }
 
 std::unique_ptr<DeviceDrive> FingerServo::exchange(std::unique_ptr<DeviceDrive> drive) {
@@ -33,8 +37,8 @@ std::unique_ptr<DeviceDrive> FingerServo::exchange(std::unique_ptr<DeviceDrive> 
     seen_from_ = 0;
     std::unique_ptr<DeviceDrive> before = std::exchange(drive_, std::move(drive));
     drive_->loop().set_max_force(max_force_);
-    if (!felt_.lines.empty())
-        show(std::move(scene_));
+    if (make_)
+        render(std::move(make_));
     return before;
 }
 
@@ -42,7 +46,7 @@ std::unique_ptr<DeviceDrive> FingerServo::use(std::unique_ptr<DeviceDrive> real)
     simulated_ = nullptr;
     std::unique_ptr<DeviceDrive> before = exchange(std::move(real));
     stir();
-    drive_->loop().start();
+    start_threads();
     return before;
 }
 
@@ -54,10 +58,14 @@ std::unique_ptr<DeviceDrive> FingerServo::use_simulated() {
 }
 
 std::string FingerServo::show(Scene scene) {
-    Result<std::unique_ptr<HapticScene>> made = make_haptic_scene(scene);
+    return render([scene = std::move(scene)] { return make_haptic_scene(scene); });
+}
+
+std::string FingerServo::render(Make make) {
+    Result<std::unique_ptr<HapticScene>> made = make();
     if (!made)
         return made.error();
-    scene_ = std::move(scene);
+    make_ = std::move(make);
     felt_ = (*made)->flat;
     tour_number_ = 0;
     relax(false);
@@ -69,6 +77,11 @@ std::string FingerServo::show(Scene scene) {
 void FingerServo::start() {
     stir();
     if (state_ == State::awake || real())
+        start_threads();
+}
+
+void FingerServo::start_threads() {
+    if (time_ == nullptr)
         drive_->loop().start();
 }
 
@@ -84,7 +97,7 @@ void FingerServo::stir() {
     if (state_ != State::parked || felt_.lines.empty())
         return;
     state_ = State::awake;
-    drive_->loop().start();
+    start_threads();
     if (stirred_)
         stirred_();
 }
@@ -103,7 +116,7 @@ void FingerServo::wake() {
 }
 
 void FingerServo::clear() {
-    scene_ = {};
+    make_ = {};
     felt_ = {};
     tour_number_ = 0;
     relax(false);
@@ -141,10 +154,19 @@ void FingerServo::move(Vec2 pointer) {
 }
 
 void FingerServo::lead_along(std::size_t contour) {
-    Result<std::unique_ptr<HapticScene>> made = make_haptic_scene(scene_);
-    if (!made || contour >= felt_.lines.size())
+    if (contour < felt_.lines.size())
+        lead(felt_.lines[contour]);
+}
+
+void FingerServo::lead_to(Vec2 place) { lead({{place}, false}); }
+
+void FingerServo::lead(Polyline way) {
+    if (!make_)
         return;
-    (*made)->tour = felt_.lines[contour];
+    Result<std::unique_ptr<HapticScene>> made = make_();
+    if (!made)
+        return;
+    (*made)->tour = std::move(way);
     relax(true);
     stir();
     tour_number_ = drive_->loop().render(std::move(*made));
@@ -156,7 +178,7 @@ void FingerServo::let_go() {
     tour_number_ = 0;
     move(snapshot().finger());
     relax(false);
-    if (Result<std::unique_ptr<HapticScene>> made = make_haptic_scene(scene_))
+    if (Result<std::unique_ptr<HapticScene>> made = make_())
         drive_->loop().render(std::move(*made));
 }
 
@@ -175,6 +197,15 @@ void FingerServo::disengage() {
     stir();
     engaged_ = false;
     drive_->loop().disengage();
+}
+
+void FingerServo::pass(double seconds) {
+    if (time_ == nullptr)
+        return;
+    for (long left = std::lround(seconds / tick_s); left > 0; --left) {
+        drive_->loop().tick();
+        time_->sleep_until(time_->now() + tick_s);
+    }
 }
 
 void FingerServo::set_max_force(double newtons) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "app/parts/devices/device_drive.hpp"
-#include "app/photo/scene/scene_builder.hpp"
+#include "core/base/result.hpp"
+#include "core/guidance/haptic_scene.hpp"
+#include "core/servo/clock.hpp"
 #include "core/servo/servo_loop.hpp"
 #include "device/simulated/simulated_device.hpp"
 
@@ -31,8 +33,10 @@ ServoSettings settings_for_a_drawn_finger();
 /// | resting |        |       |         | awake |
 class FingerServo {
 public:
-    /// `settings` and `plant` are the simulated device's.
-    FingerServo(const SurfaceSize& surface, const ServoSettings& settings, const SimulatedPlant& plant);
+    /// `surface`: width and height, mm. `settings` and `plant` are the simulated device's. In `time`, which must outlive
+    /// it, nothing ticks but by `pass`; null: the machine's time, on threads of its own.
+    FingerServo(Vec2 surface, const ServoSettings& settings, const SimulatedPlant& plant,
+                VirtualClock* time = nullptr);
 
     /// An open device moves the finger from now on, without force until `engage`. Returns what moved it before, to be
     /// ended where that may wait.
@@ -46,6 +50,10 @@ public:
 
     /// Renders `scene` from now on; the sentence that says why not, or empty.
     std::string show(Scene scene);
+    /// Makes what is rendered; called again whenever it is rendered anew.
+    using Make = std::function<Result<std::unique_ptr<HapticScene>>()>;
+    /// The same for a scene that pulls in its own way.
+    std::string render(Make make);
     /// Nothing is felt any more, and nothing ticks.
     void clear();
     /// What is felt; empty where nothing is.
@@ -62,6 +70,8 @@ public:
 
     /// Leads the relaxed finger along that contour.
     void lead_along(std::size_t contour);
+    /// Leads it straight to a place.
+    void lead_to(Vec2 place);
     /// The hand takes hold again where the finger is; the whole scene is felt again.
     void let_go();
     bool leads() const { return tour_number_ != 0; }
@@ -89,6 +99,9 @@ public:
 
     ServoSnapshot snapshot() const { return drive_->loop().snapshot(); }
 
+    /// So much of `time` passes, where it was given.
+    void pass(double seconds);
+
 private:
     enum class State { awake, parked, resting };
 
@@ -96,15 +109,18 @@ private:
     std::unique_ptr<DeviceDrive> exchange(std::unique_ptr<DeviceDrive> drive);
     Vec2 inside(Vec2 p) const;
     void relax(bool relaxed);
+    void lead(Polyline way);
     void start();
+    void start_threads();
 
-    SurfaceSize size_;
+    Vec2 size_; ///< mm
     Rect surface_;
     ServoSettings settings_;
     SimulatedPlant plant_;
+    VirtualClock* time_; ///< null: the machine's
     SimulatedDevice* simulated_ = nullptr; ///< drive_'s, where it is that
     std::unique_ptr<DeviceDrive> drive_;
-    Scene scene_;
+    Make make_; ///< what is felt; empty: nothing
     FlatScene felt_;
     Vec2 pointer_{0.0};
     std::uint64_t seen_from_ = 0;   ///< tick from which on the servo knows where the finger was set down

@@ -73,6 +73,8 @@ tp_may(tp_sight        tp_base tp_geometry tp_study tp_decode tp_face_base tp_ex
                        USES opencv_core opencv_imgproc)
 tp_may(tp_towns        tp_base)
 tp_may(tp_scene        tp_base tp_files tp_geometry tp_guidance tp_svg tp_face_base)
+tp_may(tp_study_faces  tp_base tp_files tp_geometry tp_guidance tp_svg tp_experiment tp_trials tp_decode tp_face_base tp_extract tp_scene
+                       USES opencv_core)
 tp_may(tp_people       tp_base tp_geometry tp_face_base tp_metadata)
 tp_may(tp_words        tp_geometry tp_metadata tp_people tp_seen tp_towns  USES Qt6::Core)
 tp_may(tp_picture      ${below_app}  USES Qt6::Gui)
@@ -116,10 +118,11 @@ foreach(page IN LISTS pages)
 endforeach()
 tp_may(tp_care         ${for_pages} tp_identity tp_grouping  USES Qt6::Quick)
 tp_may(tp_capture      ${for_pages} tp_aiming tp_handheld tp_frames tp_camera tp_seeing tp_shutter  USES Qt6::Quick)
+tp_may(tp_study_page   ${for_pages} tp_experiment tp_trials tp_study_folder tp_study_faces  USES Qt6::Quick)
 tp_may(tp_mend         ${for_pages} tp_report  USES Qt6::Quick)
 tp_may(tp_print        ${for_pages}  USES Qt6::Quick Qt6::Svg)
 
 # the two programs
-tp_may(tp_shell        ${for_pages} ${pages} tp_care tp_capture tp_camera tp_seeing tp_mend tp_print tp_identity tp_looking tp_grouping  USES Qt6::Quick)
+tp_may(tp_shell        ${for_pages} ${pages} tp_care tp_capture tp_study_page tp_camera tp_seeing tp_mend tp_print tp_identity tp_looking tp_grouping  USES Qt6::Quick)
 tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_check tp_people tp_seen tp_sight tp_words tp_scene tp_picture tp_tactile tp_devices
                        tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_study_folder tp_statistics tp_study_report tp_simulated tp_trials  USES Qt6::Core Qt6::Gui Qt6::Network)

@@ -149,6 +149,7 @@ void Program::add_pages() {
     shell_.add({"print", [] { return tr("Print a tactile sheet"); }, [this] { print().enter(); },
                 [this] { print().leave(); }});
     shell_.add({"lab", [] { return tr("Lab"); }, [this] { lab().enter(); }, [this] { lab().leave(); }});
+    shell_.add({"study", [] { return tr("Studies"); }, [this] { study().enter(); }, [this] { study().leave(); }});
     shell_.add({"settings", [] { return tr("Settings"); }, [this] { settings().enter(); },
                 [this] { settings().leave(); }});
     connect(&start_, &StartSession::pageAsked, this, open);
@@ -162,7 +163,7 @@ QVariantMap Program::page_files() {
             {"explore", file("Explore/ExplorePage.qml")},   {"care", file("Care/CarePage.qml")},
             {"capture", file("Capture/CapturePage.qml")},   {"mend", file("Mend/MendPage.qml")},
             {"print", file("Print/PrintPage.qml")},         {"lab", file("Lab/LabPage.qml")},
-            {"settings", file("Settings/SettingsPage.qml")}};
+            {"study", file("Study/StudyPage.qml")},         {"settings", file("Settings/SettingsPage.qml")}};
 }
 
 QObject* Program::session(const QString& page) {
@@ -181,6 +182,8 @@ QObject* Program::session(const QString& page) {
         session = &print();
     else if (page == "lab")
         session = &lab();
+    else if (page == "study")
+        session = &study();
     else if (page == "settings")
         session = &settings();
     QQmlEngine::setObjectOwnership(
@@ -252,16 +255,6 @@ PrintSession& Program::print() {
     if (!print_)
         print_ = std::make_unique<PrintSession>(narrator_, earcons_, parts_.documents);
     return *print_;
-}
-
-LabSession& Program::lab() {
-    if (!lab_) {
-        LabSettings settings;
-        settings.folder = parts_.documents / "Lab";
-        lab_ = std::make_unique<LabSession>(narrator_, preferences_, settings);
-        connect(lab_.get(), &LabSession::pageAsked, &shell_, &Shell::open);
-    }
-    return *lab_;
 }
 
 void Program::feel(const QString& photo) {

@@ -15,6 +15,7 @@
 #include "app/pages/settings/settings_session.hpp"
 #include "app/pages/start/first_questions.hpp"
 #include "app/pages/start/start_session.hpp"
+#include "app/pages/study/study_session.hpp"
 #include "app/parts/controls/notification_announcer.hpp"
 #include "app/parts/narration/narrator.hpp"
 #include "app/parts/preferences/preferences.hpp"
@@ -80,6 +81,7 @@ public:
     MendSession& mend();
     PrintSession& print();
     LabSession& lab();
+    StudySession& study();
     SettingsSession& settings();
 
     /// The sound of the start, at once, and then the page: Start, or Explore with `photo` where one is given.
@@ -145,6 +147,7 @@ private:
     std::unique_ptr<MendSession> mend_;
     std::unique_ptr<PrintSession> print_;
     std::unique_ptr<LabSession> lab_;
+    std::unique_ptr<StudySession> study_;
     std::unique_ptr<SettingsSession> settings_;
 };
 

@@ -10,6 +10,7 @@
 #include "app/pages/print/print_module.hpp"
 #include "app/pages/settings/settings_module.hpp"
 #include "app/pages/start/start_module.hpp"
+#include "app/pages/study/study_module.hpp"
 #include "app/shell/focus_words.hpp"
 #include "app/shell/own_resources.hpp"
 
@@ -39,6 +40,7 @@ ProgramWindow::ProgramWindow(Program& program) : program_(program) {
     register_mend();
     register_print();
     register_lab();
+    register_study();
     register_settings();
     setResizeMode(SizeRootObjectToView);
     setMinimumSize({480, 480}); // a screen of 600 px has so much left below a title bar and beside a panel

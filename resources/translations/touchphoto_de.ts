@@ -775,6 +775,21 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>ExperimentDialog</name>
+    <message>
+        <source>Open an experiment</source>
+        <translation>Experiment öffnen</translation>
+    </message>
+    <message>
+        <source>Experiments (%1)</source>
+        <translation>Experimente (%1)</translation>
+    </message>
+    <message>
+        <source>All files (%1)</source>
+        <translation>Alle Dateien (%1)</translation>
+    </message>
+</context>
+<context>
     <name>ExplorePage</name>
     <message>
         <source>The file dialog is not installed. Drop a photograph on this window instead.</source>
@@ -2075,6 +2090,65 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Undo brings it back.</source>
         <translation>„Rückgängig“ bringt sie zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>RunView</name>
+    <message>
+        <source>This is tried out. Nothing is kept.</source>
+        <translation>Das ist ein Probelauf. Nichts wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>I agree</source>
+        <translation>Ich bin einverstanden</translation>
+    </message>
+    <message>
+        <source>Key: Enter</source>
+        <translation>Taste: Eingabetaste</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Start the trial</source>
+        <translation>Durchgang beginnen</translation>
+    </message>
+    <message>
+        <source>End the trial</source>
+        <translation>Durchgang beenden</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Key: Space</source>
+        <translation>Taste: Leertaste</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>The force is off at once. Key: P</source>
+        <translation>Die Kraft ist sofort aus. Taste: P</translation>
+    </message>
+    <message>
+        <source>I do not agree</source>
+        <translation>Ich bin nicht einverstanden</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Key: Escape</source>
+        <translation>Taste: Escape</translation>
     </message>
 </context>
 <context>
@@ -4143,6 +4217,22 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The trial was not kept: its error, time or answer is none that there can be.</source>
         <translation>Der Durchgang wurde nicht gespeichert: Fehler, Zeit oder Antwort darin kann es so nicht geben.</translation>
     </message>
+    <message>
+        <source>A face of the experiment is not there.</source>
+        <translation>Ein Gesicht des Experiments ist nicht da.</translation>
+    </message>
+    <message>
+        <source>No face was found in &quot;%1&quot;.</source>
+        <translation>In „%1“ wurde kein Gesicht gefunden.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; has too few people with every expression: %2. Name the files after person and expression, such as anna_smiling.jpg.</source>
+        <translation>Im Ordner „%1“ haben zu wenige Personen alle Ausdrücke: %2. Benennen Sie die Dateien nach Person und Ausdruck, etwa anna_smiling.jpg.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; has too many files.</source>
+        <translation>Im Ordner „%1“ liegen zu viele Dateien.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -4341,6 +4431,77 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Compare faces, to offer names</source>
         <translation>Gesichter vergleichen, um Namen vorzuschlagen</translation>
+    </message>
+</context>
+<context>
+    <name>SetupView</name>
+    <message>
+        <source>Experiment</source>
+        <translation>Experiment</translation>
+    </message>
+    <message>
+        <source>Open an experiment&apos;s file</source>
+        <translation>Datei eines Experiments öffnen</translation>
+    </message>
+    <message>
+        <source>Another experiment is a file, not a program. Key: O</source>
+        <translation>Ein weiteres Experiment ist eine Datei, kein Programm. Taste: O</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation type="unfinished">Gesichter</translation>
+    </message>
+    <message>
+        <source>Choose the folder with faces</source>
+        <translation>Ordner mit Gesichtern auswählen</translation>
+    </message>
+    <message>
+        <source>Photographs or drawings named after person and expression. Key: G</source>
+        <translation>Fotos oder Zeichnungen, benannt nach Person und Ausdruck. Taste: G</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another folder for the study</source>
+        <translation>Anderen Ordner für die Studie auswählen</translation>
+    </message>
+    <message>
+        <source>One with this study in it is continued. Key: F</source>
+        <translation>Liegt diese Studie darin, wird sie fortgesetzt. Taste: F</translation>
+    </message>
+    <message>
+        <source>Previous participant</source>
+        <translation>Vorherige Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Key: Minus</source>
+        <translation>Taste: Minus</translation>
+    </message>
+    <message>
+        <source>Next participant</source>
+        <translation>Nächste Versuchsperson</translation>
+    </message>
+    <message>
+        <source>Key: Plus</source>
+        <translation>Taste: Plus</translation>
+    </message>
+    <message>
+        <source>What moves the finger</source>
+        <translation>Was den Finger bewegt</translation>
+    </message>
+    <message>
+        <source>Show the scene, to try it out; nothing is kept</source>
+        <translation>Szene zeigen, zum Ausprobieren; nichts wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Start with participant %1</source>
+        <translation>Mit Versuchsperson %1 beginnen</translation>
+    </message>
+    <message>
+        <source>Asks for consent first. Key: S</source>
+        <translation>Fragt zuerst nach der Einwilligung. Taste: S</translation>
     </message>
 </context>
 <context>
@@ -4584,6 +4745,159 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.</source>
         <translation>Der Kraftstick wurde drei Minuten lang nicht gewogen; seine Kraft ist aus. Messen Sie ihn noch einmal, wenn eine Waage zur Hand ist.</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPage</name>
+    <message>
+        <source>Space starts and ends a trial, and goes on after a break. A number key gives an answer. Arrow keys move the hand by 2 millimetres, with Shift by 10, where no device does. P pauses, W says where you are. Escape stops; the force is then off at once.</source>
+        <translation>Die Leertaste beginnt und beendet einen Durchgang und führt nach einer Pause weiter. Eine Zifferntaste gibt eine Antwort. Wo kein Gerät den Finger bewegt, bewegen die Pfeiltasten die Hand um 2 Millimeter, mit Umschalt um 10. P macht eine Pause, W sagt, wo Sie sind. Escape hält an; die Kraft ist dann sofort aus.</translation>
+    </message>
+    <message>
+        <source>Keys 1 to 9: experiment. O: an experiment&apos;s file. F: the study&apos;s folder. G: the folder with faces. Minus and Plus: participant. M: what moves the finger. S: start. W: says where you are.</source>
+        <translation>Tasten 1 bis 9: Experiment. O: Datei eines Experiments. F: Ordner der Studie. G: Ordner mit Gesichtern. Minus und Plus: Versuchsperson. M: was den Finger bewegt. S: beginnen. W: sagt, wo Sie sind.</translation>
+    </message>
+</context>
+<context>
+    <name>StudySurface</name>
+    <message>
+        <source>Study surface</source>
+        <translation>Tastfläche der Studie</translation>
+    </message>
+</context>
+<context>
+    <name>StudyWords</name>
+    <message>
+        <source>Following contours, by stiffness and range</source>
+        <translation>Konturen folgen, nach Steifigkeit und Reichweite</translation>
+    </message>
+    <message>
+        <source>Naming shapes of three sizes</source>
+        <translation>Formen in drei Größen benennen</translation>
+    </message>
+    <message>
+        <source>Naming the expressions of faces</source>
+        <translation>Gesichtsausdrücke benennen</translation>
+    </message>
+    <message>
+        <source>Following contours by the exact and the published law</source>
+        <translation>Konturen folgen, mit dem exakten und dem veröffentlichten Führungsgesetz</translation>
+    </message>
+    <message>
+        <source>Naming expressions by the exact and the published law</source>
+        <translation>Gesichtsausdrücke benennen, mit dem exakten und dem veröffentlichten Führungsgesetz</translation>
+    </message>
+    <message>
+        <source>Follow a line with your finger from its start to its end, as exactly and as fast as you can; a closed line once round. The trial ends by itself at the end of the line. If you think that you are there and nothing happens, press Space.</source>
+        <translation>Folgen Sie einer Linie mit dem Finger von ihrem Anfang bis zu ihrem Ende, so genau und so schnell Sie können; einer geschlossenen Linie einmal herum. Am Ende der Linie endet der Durchgang von selbst. Wenn Sie meinen, dort zu sein, und nichts geschieht, drücken Sie die Leertaste.</translation>
+    </message>
+    <message>
+        <source>Feel a face until you know how it looks. Then press Space, and the number of your answer.</source>
+        <translation>Ertasten Sie ein Gesicht, bis Sie wissen, wie es aussieht. Drücken Sie dann die Leertaste und die Ziffer Ihrer Antwort.</translation>
+    </message>
+    <message>
+        <source>Feel a shape until you know which it is. Then press Space, and the number of your answer.</source>
+        <translation>Ertasten Sie eine Form, bis Sie wissen, welche es ist. Drücken Sie dann die Leertaste und die Ziffer Ihrer Antwort.</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <translation>Versuchsperson %1</translation>
+    </message>
+    <message>
+        <source>%1 has done all %2 trials.</source>
+        <translation>%1 hat alle %2 Durchgänge abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>%1 has done %2 of %3 trials.</source>
+        <translation>%1 hat %2 von %3 Durchgängen abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Training %1 of %2</source>
+        <translation>Übung %1 von %2</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <translation>Durchgang %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, once more</source>
+        <translation>%1, noch einmal</translation>
+    </message>
+    <message>
+        <source>Feel the shape.</source>
+        <translation>Ertasten Sie die Form.</translation>
+    </message>
+    <message>
+        <source>Follow the line.</source>
+        <translation>Folgen Sie der Linie.</translation>
+    </message>
+    <message>
+        <source>Feel the face.</source>
+        <translation>Ertasten Sie das Gesicht.</translation>
+    </message>
+    <message>
+        <source>%1. %2 Press Space to start.</source>
+        <translation>%1. %2 Die Leertaste beginnt.</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>pentagon</source>
+        <translation>Fünfeck</translation>
+    </message>
+    <message>
+        <source>hexagon</source>
+        <translation>Sechseck</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>smiling</source>
+        <translation>lächelnd</translation>
+    </message>
+    <message>
+        <source>surprised</source>
+        <translation>überrascht</translation>
+    </message>
+    <message>
+        <source>sad</source>
+        <translation>traurig</translation>
+    </message>
+    <message>
+        <source>angry</source>
+        <translation>wütend</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>How did the face look?</source>
+        <translation>Wie sah das Gesicht aus?</translation>
+    </message>
+    <message>
+        <source>Which was it?</source>
+        <translation>Welche Form war es?</translation>
+    </message>
+    <message>
+        <source>The time is over. %1</source>
+        <translation>Die Zeit ist um. %1</translation>
+    </message>
+    <message>
+        <source>You are asked to take part in a study: %1. It has %3 trials. What is kept is the way of your finger, the force on it, times and answers, on this computer only, under the number %2 and without your name. You may pause at any time with P and stop with Escape, without giving a reason; the force is then off at once. Nothing has been kept so far. If you agree, press Enter. If you do not, press Escape.</source>
+        <translation>Sie werden gebeten, an einer Studie teilzunehmen: %1. Sie hat %3 Durchgänge. Gespeichert werden der Weg Ihres Fingers, die Kraft auf ihn, Zeiten und Antworten, nur auf diesem Computer, unter der Nummer %2 und ohne Ihren Namen. Sie können jederzeit mit P eine Pause machen und mit Escape aufhören, ohne einen Grund zu nennen; die Kraft ist dann sofort aus. Bisher ist nichts gespeichert. Wenn Sie einverstanden sind, drücken Sie die Eingabetaste. Wenn nicht, drücken Sie Escape.</translation>
     </message>
 </context>
 <context>
@@ -6765,6 +7079,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Take a photograph</source>
         <translation>Ein Foto machen</translation>
     </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
 </context>
 <context>
     <name>tp::Questions</name>
@@ -7193,10 +7511,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Studien</translation>
     </message>
     <message>
-        <source>Not available yet</source>
-        <translation>Noch nicht verfügbar</translation>
-    </message>
-    <message>
         <source>TouchPhoto, start page. 1: %1. 2: %2. More below; F1 for help.</source>
         <translation>TouchPhoto, Startseite. 1: %1. 2: %2. Weiter unten mehr; F1 für Hilfe.</translation>
     </message>
@@ -7237,6 +7551,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The camera is led to a face by words and a tone</source>
         <translation>Worte und ein Ton führen die Kamera zu einem Gesicht</translation>
+    </message>
+    <message>
+        <source>For researchers: the published experiments, with people</source>
+        <translation>Für die Forschung: die veröffentlichten Experimente, mit Menschen</translation>
     </message>
 </context>
 <context>
@@ -7308,6 +7626,242 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Faces are not compared. What was kept about them is deleted; names stay.</source>
         <translation>Gesichter werden nicht verglichen. Was über sie gespeichert war, ist gelöscht; Namen bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StudyFinger</name>
+    <message>
+        <source>The force device is not there. Connect it.</source>
+        <translation>Das Kraftgerät ist nicht da. Schließen Sie es an.</translation>
+    </message>
+    <message>
+        <source>The device does not reach all of the experiment&apos;s surface, %1 by %2 millimetres: %3. Write a smaller surface into the experiment&apos;s file, or use the mouse.</source>
+        <translation>Das Gerät erreicht nicht die ganze Fläche des Experiments, %1 mal %2 Millimeter: %3. Schreiben Sie eine kleinere Fläche in die Datei des Experiments oder verwenden Sie die Maus.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StudyKeeping</name>
+    <message>
+        <source>In this folder lies a study of another experiment, or of another version of it. Choose another folder.</source>
+        <translation>In diesem Ordner liegt eine Studie mit einem anderen Experiment oder mit einer anderen Fassung davon. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>In this folder lies a study with simulated participants. Choose another folder.</source>
+        <translation>In diesem Ordner liegt eine Studie mit simulierten Versuchspersonen. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder cannot be read, because the computer reports: %1</source>
+        <translation>Der Ordner der Studie kann nicht gelesen werden, denn der Computer meldet: %1</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder cannot be opened, because the computer reports: %1</source>
+        <translation>Der Ordner der Studie kann nicht geöffnet werden, denn der Computer meldet: %1</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder is not open.</source>
+        <translation>Der Ordner der Studie ist nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>The trial cannot be kept, because the computer reports: %1</source>
+        <translation>Der Durchgang kann nicht gespeichert werden, denn der Computer meldet: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StudyRun</name>
+    <message>
+        <source>%1 Press Space to try again.</source>
+        <translation>%1 Die Leertaste versucht es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Your hand moves the finger with the mouse, on the screen or with the arrow keys, from where each trial begins. A tone says where the line is: faster is nearer, high is up, and it comes from the side where the line is.</source>
+        <translation>Ihre Hand bewegt den Finger mit der Maus, auf dem Bildschirm oder mit den Pfeiltasten, von dort aus, wo der Durchgang beginnt. Ein Ton sagt, wo die Linie ist: schneller heißt näher, hoch heißt oben, und er kommt von der Seite, auf der die Linie ist.</translation>
+    </message>
+    <message>
+        <source>That was the last trial. %1 Thank you. Press Space to end.</source>
+        <translation>Das war der letzte Durchgang. %1 Vielen Dank. Die Leertaste beendet.</translation>
+    </message>
+    <message>
+        <source>Time for a break. %1 Press Space to go on.</source>
+        <translation>Zeit für eine Pause. %1 Mit der Leertaste geht es weiter.</translation>
+    </message>
+    <message>
+        <source>The device brings your finger to the start. Let it lead you.</source>
+        <translation>Das Gerät bringt Ihren Finger zum Anfang. Lassen Sie sich führen.</translation>
+    </message>
+    <message>
+        <source>The device brings your finger to the start again.</source>
+        <translation>Das Gerät bringt Ihren Finger noch einmal zum Anfang.</translation>
+    </message>
+    <message>
+        <source>This trial has gone on for half an hour. Paused; it is done again. Press Space to go on.</source>
+        <translation>Der Durchgang dauert schon eine halbe Stunde. Pause; der Durchgang wird wiederholt. Mit der Leertaste geht es weiter.</translation>
+    </message>
+    <message>
+        <source>A part of the line was left out; the trial is done again.</source>
+        <translation>Ein Teil der Linie wurde ausgelassen; der Durchgang wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>The time is over; the trial is done again.</source>
+        <translation>Die Zeit ist um; der Durchgang wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>%1 The trial could not be kept and does not count. Press Space to do it again.</source>
+        <translation>%1 Der Durchgang konnte nicht gespeichert werden und zählt nicht. Die Leertaste wiederholt ihn.</translation>
+    </message>
+    <message>
+        <source>The end of the line was not reached; the trial is done again.</source>
+        <translation>Das Ende der Linie wurde nicht erreicht; der Durchgang wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>The study has ended for participant %1.</source>
+        <translation>Die Studie ist für Versuchsperson %1 zu Ende.</translation>
+    </message>
+    <message>
+        <source>Paused. The trial is done again. Press Space to go on.</source>
+        <translation>Pause. Der Durchgang wird wiederholt. Mit der Leertaste geht es weiter.</translation>
+    </message>
+    <message>
+        <source>Paused. Press Space to go on.</source>
+        <translation>Pause. Mit der Leertaste geht es weiter.</translation>
+    </message>
+    <message>
+        <source>Nothing has been kept.</source>
+        <translation>Es wurde nichts gespeichert.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Stopped. Everything is kept. %1</source>
+        <translation>Angehalten. Alles ist gespeichert. %1</translation>
+    </message>
+    <message>
+        <source>Stop the study? The force is off. Press Escape again to stop, or Space to go on.</source>
+        <translation>Studie beenden? Die Kraft ist aus. Noch einmal Escape beendet sie, mit der Leertaste geht es weiter.</translation>
+    </message>
+    <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2.</translation>
+    </message>
+    <message>
+        <source>Waiting for consent</source>
+        <translation>Wartet auf die Einwilligung</translation>
+    </message>
+    <message>
+        <source>Getting ready</source>
+        <translation>Wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>The finger is brought to the start</source>
+        <translation>Der Finger wird zum Anfang gebracht</translation>
+    </message>
+    <message>
+        <source>Press Space to start</source>
+        <translation>Die Leertaste beginnt</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Waiting for an answer</source>
+        <translation>Wartet auf eine Antwort</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Break. Press Space to go on</source>
+        <translation>Erholungspause. Mit der Leertaste geht es weiter</translation>
+    </message>
+    <message>
+        <source>Paused. Press Space to go on</source>
+        <translation>Pause. Mit der Leertaste geht es weiter</translation>
+    </message>
+    <message>
+        <source>Stop? Escape stops, Space goes on</source>
+        <translation>Beenden? Escape beendet, mit der Leertaste geht es weiter</translation>
+    </message>
+    <message>
+        <source>All trials are done. Press Space to end</source>
+        <translation>Alle Durchgänge sind abgeschlossen. Die Leertaste beendet</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StudySetup</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>Only a file on this computer can be opened.</source>
+        <translation>Nur eine Datei auf diesem Computer kann geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as an experiment. %2</source>
+        <translation>%1 kann nicht als Experiment verwendet werden. %2</translation>
+    </message>
+    <message>
+        <source>The experiment has more than 9 answers, which have no keys.</source>
+        <translation>Das Experiment hat mehr als 9 Antworten; so viele Tasten gibt es dafür nicht.</translation>
+    </message>
+    <message>
+        <source>Participants have numbers from 1 to %1.</source>
+        <translation>Versuchspersonen haben Nummern von 1 bis %1.</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <translation>Versuchsperson %1</translation>
+    </message>
+    <message>
+        <source>Participant %1 is new.</source>
+        <translation>Versuchsperson %1 ist neu.</translation>
+    </message>
+    <message>
+        <source>The program&apos;s experiments are not there. Open an experiment&apos;s file.</source>
+        <translation>Die Experimente des Programms sind nicht da. Öffnen Sie die Datei eines Experiments.</translation>
+    </message>
+    <message>
+        <source>This experiment needs faces. Choose a folder with photographs named after person and expression, such as anna_smiling.jpg.</source>
+        <translation>Dieses Experiment braucht Gesichter. Wählen Sie einen Ordner mit Fotos aus, die nach Person und Ausdruck benannt sind, etwa anna_smiling.jpg.</translation>
+    </message>
+    <message>
+        <source>The faces are being read.</source>
+        <translation>Die Gesichter werden gelesen.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder is being read.</source>
+        <translation>Der Ordner der Studie wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The study lies in %1.</source>
+        <translation>Die Studie liegt in %1.</translation>
+    </message>
+    <message>
+        <source>No folder is chosen.</source>
+        <translation>Es ist kein Ordner ausgewählt.</translation>
+    </message>
+    <message>
+        <source>The faces are ready.</source>
+        <translation>Die Gesichter sind bereit.</translation>
+    </message>
+    <message>
+        <source>Mouse, touch or keys, with a tone</source>
+        <translation>Maus, Berührung oder Tasten, mit einem Ton</translation>
+    </message>
+    <message>
+        <source>The scene is shown, to try it out. Nothing is kept.</source>
+        <translation>Die Szene wird zum Ausprobieren gezeigt. Nichts wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>The scene is not shown.</source>
+        <translation>Die Szene wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Studies. %1. Keys 1 to %2 choose the experiment, S starts it, F1 says more.</source>
+        <translation>Studien. %1. Die Tasten 1 bis %2 wählen das Experiment, S beginnt es, F1 sagt mehr.</translation>
     </message>
 </context>
 <context>

@@ -763,6 +763,21 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>ExperimentDialog</name>
+    <message>
+        <source>Open an experiment</source>
+        <translation>실험 열기</translation>
+    </message>
+    <message>
+        <source>Experiments (%1)</source>
+        <translation>실험 (%1)</translation>
+    </message>
+    <message>
+        <source>All files (%1)</source>
+        <translation>모든 파일 (%1)</translation>
+    </message>
+</context>
+<context>
     <name>ExplorePage</name>
     <message>
         <source>The file dialog is not installed. Drop a photograph on this window instead.</source>
@@ -2053,6 +2068,65 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Undo brings it back.</source>
         <translation>되돌리기로 되살릴 수 있습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>RunView</name>
+    <message>
+        <source>This is tried out. Nothing is kept.</source>
+        <translation>시험 실행입니다. 아무것도 저장되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>I agree</source>
+        <translation>동의합니다</translation>
+    </message>
+    <message>
+        <source>Key: Enter</source>
+        <translation>엔터 키</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Start the trial</source>
+        <translation>시행 시작</translation>
+    </message>
+    <message>
+        <source>End the trial</source>
+        <translation>시행 끝내기</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>끝내기</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>계속</translation>
+    </message>
+    <message>
+        <source>Key: Space</source>
+        <translation>스페이스바</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>일시 정지</translation>
+    </message>
+    <message>
+        <source>The force is off at once. Key: P</source>
+        <translation>힘이 바로 꺼집니다. P 키</translation>
+    </message>
+    <message>
+        <source>I do not agree</source>
+        <translation>동의하지 않습니다</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>멈춤</translation>
+    </message>
+    <message>
+        <source>Key: Escape</source>
+        <translation>Escape 키</translation>
     </message>
 </context>
 <context>
@@ -4121,6 +4195,22 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The trial was not kept: its error, time or answer is none that there can be.</source>
         <translation>시행을 저장하지 않았습니다: 오차나 시간이나 답이 있을 수 없는 값입니다.</translation>
     </message>
+    <message>
+        <source>A face of the experiment is not there.</source>
+        <translation>실험에 쓸 얼굴 하나가 없습니다.</translation>
+    </message>
+    <message>
+        <source>No face was found in &quot;%1&quot;.</source>
+        <translation>“%1”에서 얼굴을 찾지 못했습니다.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; has too few people with every expression: %2. Name the files after person and expression, such as anna_smiling.jpg.</source>
+        <translation>폴더 “%1”: 모든 표정이 있는 사람이 너무 적습니다(%2명). 파일 이름을 anna_smiling.jpg처럼 사람과 표정으로 지어 주세요.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; has too many files.</source>
+        <translation>폴더 “%1”: 파일이 너무 많습니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -4319,6 +4409,77 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Compare faces, to offer names</source>
         <translation>얼굴을 비교해 이름 제안</translation>
+    </message>
+</context>
+<context>
+    <name>SetupView</name>
+    <message>
+        <source>Experiment</source>
+        <translation>실험</translation>
+    </message>
+    <message>
+        <source>Open an experiment&apos;s file</source>
+        <translation>실험 파일 열기</translation>
+    </message>
+    <message>
+        <source>Another experiment is a file, not a program. Key: O</source>
+        <translation>다른 실험은 프로그램이 아니라 파일입니다. O 키</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation type="unfinished">얼굴</translation>
+    </message>
+    <message>
+        <source>Choose the folder with faces</source>
+        <translation>얼굴 폴더 선택</translation>
+    </message>
+    <message>
+        <source>Photographs or drawings named after person and expression. Key: G</source>
+        <translation>사람과 표정으로 이름을 지은 사진이나 그림. G 키</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another folder for the study</source>
+        <translation>연구를 저장할 다른 폴더 선택</translation>
+    </message>
+    <message>
+        <source>One with this study in it is continued. Key: F</source>
+        <translation>이 연구가 들어 있는 폴더면 이어서 진행합니다. F 키</translation>
+    </message>
+    <message>
+        <source>Previous participant</source>
+        <translation>이전 참가자</translation>
+    </message>
+    <message>
+        <source>Key: Minus</source>
+        <translation>빼기 키</translation>
+    </message>
+    <message>
+        <source>Next participant</source>
+        <translation>다음 참가자</translation>
+    </message>
+    <message>
+        <source>Key: Plus</source>
+        <translation>더하기 키</translation>
+    </message>
+    <message>
+        <source>What moves the finger</source>
+        <translation>손가락을 움직이는 것</translation>
+    </message>
+    <message>
+        <source>Show the scene, to try it out; nothing is kept</source>
+        <translation>시험 삼아 장면 보기, 저장하지 않음</translation>
+    </message>
+    <message>
+        <source>Start with participant %1</source>
+        <translation>참가자 %1번 시작</translation>
+    </message>
+    <message>
+        <source>Asks for consent first. Key: S</source>
+        <translation>먼저 동의를 구합니다. S 키</translation>
     </message>
 </context>
 <context>
@@ -4562,6 +4723,159 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.</source>
         <translation>3분 동안 무게를 재지 않아 스틱의 힘을 껐습니다. 저울이 준비되면 다시 측정하세요.</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPage</name>
+    <message>
+        <source>Space starts and ends a trial, and goes on after a break. A number key gives an answer. Arrow keys move the hand by 2 millimetres, with Shift by 10, where no device does. P pauses, W says where you are. Escape stops; the force is then off at once.</source>
+        <translation>스페이스바는 시행을 시작하고 끝내며, 휴식 뒤에는 계속합니다. 숫자 키로 답합니다. 장치가 없으면 화살표 키로 손을 2밀리미터씩, Shift와 함께 누르면 10밀리미터씩 움직입니다. P는 일시 정지, W는 현재 위치입니다. Escape 키를 누르면 멈추고 힘이 바로 꺼집니다.</translation>
+    </message>
+    <message>
+        <source>Keys 1 to 9: experiment. O: an experiment&apos;s file. F: the study&apos;s folder. G: the folder with faces. Minus and Plus: participant. M: what moves the finger. S: start. W: says where you are.</source>
+        <translation>1에서 9까지의 키: 실험. O: 실험 파일. F: 연구 폴더. G: 얼굴 폴더. 빼기와 더하기: 참가자. M: 손가락을 움직이는 것. S: 시작. W: 현재 위치.</translation>
+    </message>
+</context>
+<context>
+    <name>StudySurface</name>
+    <message>
+        <source>Study surface</source>
+        <translation>연구 터치 영역</translation>
+    </message>
+</context>
+<context>
+    <name>StudyWords</name>
+    <message>
+        <source>Following contours, by stiffness and range</source>
+        <translation>강성과 범위에 따른 윤곽선 따라가기</translation>
+    </message>
+    <message>
+        <source>Naming shapes of three sizes</source>
+        <translation>세 가지 크기의 도형 맞히기</translation>
+    </message>
+    <message>
+        <source>Naming the expressions of faces</source>
+        <translation>얼굴 표정 맞히기</translation>
+    </message>
+    <message>
+        <source>Following contours by the exact and the published law</source>
+        <translation>정확한 유도 법칙과 논문의 유도 법칙으로 윤곽선 따라가기</translation>
+    </message>
+    <message>
+        <source>Naming expressions by the exact and the published law</source>
+        <translation>정확한 유도 법칙과 논문의 유도 법칙으로 표정 맞히기</translation>
+    </message>
+    <message>
+        <source>Follow a line with your finger from its start to its end, as exactly and as fast as you can; a closed line once round. The trial ends by itself at the end of the line. If you think that you are there and nothing happens, press Space.</source>
+        <translation>손가락으로 선을 시작점에서 끝점까지 되도록 정확하고 빠르게 따라가세요. 닫힌 선은 한 바퀴 돕니다. 선의 끝에 이르면 시행이 저절로 끝납니다. 끝에 온 것 같은데 아무 일도 없으면 스페이스바를 누르세요.</translation>
+    </message>
+    <message>
+        <source>Feel a face until you know how it looks. Then press Space, and the number of your answer.</source>
+        <translation>어떤 표정인지 알 때까지 얼굴을 만져 보세요. 그런 다음 스페이스바를 누르고 답의 번호를 누르세요.</translation>
+    </message>
+    <message>
+        <source>Feel a shape until you know which it is. Then press Space, and the number of your answer.</source>
+        <translation>어떤 도형인지 알 때까지 만져 보세요. 그런 다음 스페이스바를 누르고 답의 번호를 누르세요.</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <translation>참가자 %1번</translation>
+    </message>
+    <message>
+        <source>%1 has done all %2 trials.</source>
+        <translation>%1: 시행 %2회를 모두 마쳤습니다.</translation>
+    </message>
+    <message>
+        <source>%1 has done %2 of %3 trials.</source>
+        <translation>%1: 시행 %3회 중 %2회를 마쳤습니다.</translation>
+    </message>
+    <message>
+        <source>Training %1 of %2</source>
+        <translation>연습 %2회 중 %1번째</translation>
+    </message>
+    <message>
+        <source>Trial %1 of %2</source>
+        <translation>시행 %2회 중 %1번째</translation>
+    </message>
+    <message>
+        <source>%1, once more</source>
+        <translation>%1, 다시 한번</translation>
+    </message>
+    <message>
+        <source>Feel the shape.</source>
+        <translation>도형을 만져 보세요.</translation>
+    </message>
+    <message>
+        <source>Follow the line.</source>
+        <translation>선을 따라가세요.</translation>
+    </message>
+    <message>
+        <source>Feel the face.</source>
+        <translation>얼굴을 만져 보세요.</translation>
+    </message>
+    <message>
+        <source>%1. %2 Press Space to start.</source>
+        <translation>%1. %2 스페이스바를 누르면 시작합니다.</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>원</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>삼각형</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>정사각형</translation>
+    </message>
+    <message>
+        <source>pentagon</source>
+        <translation>오각형</translation>
+    </message>
+    <message>
+        <source>hexagon</source>
+        <translation>육각형</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>곡선</translation>
+    </message>
+    <message>
+        <source>smiling</source>
+        <translation>웃는 얼굴</translation>
+    </message>
+    <message>
+        <source>surprised</source>
+        <translation>놀란 얼굴</translation>
+    </message>
+    <message>
+        <source>sad</source>
+        <translation>슬픈 얼굴</translation>
+    </message>
+    <message>
+        <source>angry</source>
+        <translation>화난 얼굴</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>How did the face look?</source>
+        <translation>어떤 표정이었나요?</translation>
+    </message>
+    <message>
+        <source>Which was it?</source>
+        <translation>어떤 도형이었나요?</translation>
+    </message>
+    <message>
+        <source>The time is over. %1</source>
+        <translation>시간이 다 되었습니다. %1</translation>
+    </message>
+    <message>
+        <source>You are asked to take part in a study: %1. It has %3 trials. What is kept is the way of your finger, the force on it, times and answers, on this computer only, under the number %2 and without your name. You may pause at any time with P and stop with Escape, without giving a reason; the force is then off at once. Nothing has been kept so far. If you agree, press Enter. If you do not, press Escape.</source>
+        <translation>연구에 참여해 주시기를 부탁드립니다: %1. 시행은 모두 %3회입니다. 손가락이 움직인 길과 손가락에 가해진 힘, 시간, 답이 이름 없이 번호 %2로 이 컴퓨터에만 저장됩니다. 이유를 말하지 않아도 언제든지 P 키로 쉬거나 Escape 키로 그만둘 수 있으며, 그러면 힘이 바로 꺼집니다. 지금까지는 아무것도 저장되지 않았습니다. 동의하시면 엔터 키를, 동의하지 않으시면 Escape 키를 누르세요.</translation>
     </message>
 </context>
 <context>
@@ -6713,6 +7027,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Take a photograph</source>
         <translation>사진 찍기</translation>
     </message>
+    <message>
+        <source>Studies</source>
+        <translation>연구</translation>
+    </message>
 </context>
 <context>
     <name>tp::Questions</name>
@@ -7141,10 +7459,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>연구</translation>
     </message>
     <message>
-        <source>Not available yet</source>
-        <translation>아직 없습니다</translation>
-    </message>
-    <message>
         <source>TouchPhoto, start page. 1: %1. 2: %2. More below; F1 for help.</source>
         <translation>TouchPhoto, 시작 페이지. 1: %1. 2: %2. 아래에 더 있습니다. 도움말은 F1 키입니다.</translation>
     </message>
@@ -7183,6 +7497,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The camera is led to a face by words and a tone</source>
         <translation>말과 소리가 카메라를 얼굴로 안내합니다</translation>
+    </message>
+    <message>
+        <source>For researchers: the published experiments, with people</source>
+        <translation>연구자용: 논문의 실험을 사람과 함께 진행하기</translation>
     </message>
 </context>
 <context>
@@ -7254,6 +7572,242 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Faces are not compared. What was kept about them is deleted; names stay.</source>
         <translation>얼굴을 비교하지 않습니다. 저장해 둔 얼굴 정보는 삭제되고 이름은 남습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StudyFinger</name>
+    <message>
+        <source>The force device is not there. Connect it.</source>
+        <translation>힘 장치가 없습니다. 장치를 연결하세요.</translation>
+    </message>
+    <message>
+        <source>The device does not reach all of the experiment&apos;s surface, %1 by %2 millimetres: %3. Write a smaller surface into the experiment&apos;s file, or use the mouse.</source>
+        <translation>장치가 실험 영역 전체(%1 x %2밀리미터)에 닿지 않습니다: %3. 실험 파일에 더 작은 영역을 적거나 마우스를 쓰세요.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StudyKeeping</name>
+    <message>
+        <source>In this folder lies a study of another experiment, or of another version of it. Choose another folder.</source>
+        <translation>이 폴더에는 다른 실험이나 다른 판의 연구가 있습니다. 다른 폴더를 선택하세요.</translation>
+    </message>
+    <message>
+        <source>In this folder lies a study with simulated participants. Choose another folder.</source>
+        <translation>이 폴더에는 모의 참가자의 연구가 있습니다. 다른 폴더를 선택하세요.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder cannot be read, because the computer reports: %1</source>
+        <translation>컴퓨터가 다음과 같이 알려서 연구 폴더를 읽을 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder cannot be opened, because the computer reports: %1</source>
+        <translation>컴퓨터가 다음과 같이 알려서 연구 폴더를 열 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder is not open.</source>
+        <translation>연구 폴더가 열려 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The trial cannot be kept, because the computer reports: %1</source>
+        <translation>컴퓨터가 다음과 같이 알려서 시행을 저장할 수 없습니다: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StudyRun</name>
+    <message>
+        <source>%1 Press Space to try again.</source>
+        <translation>%1 스페이스바를 누르면 다시 시도합니다.</translation>
+    </message>
+    <message>
+        <source>Your hand moves the finger with the mouse, on the screen or with the arrow keys, from where each trial begins. A tone says where the line is: faster is nearer, high is up, and it comes from the side where the line is.</source>
+        <translation>마우스나 화면, 화살표 키로 각 시행의 시작점에서부터 손가락을 움직입니다. 소리가 선의 위치를 알려 줍니다. 빠를수록 가깝고, 높으면 위쪽이며, 선이 있는 쪽에서 들립니다.</translation>
+    </message>
+    <message>
+        <source>That was the last trial. %1 Thank you. Press Space to end.</source>
+        <translation>마지막 시행이었습니다. %1 감사합니다. 스페이스바를 누르면 끝납니다.</translation>
+    </message>
+    <message>
+        <source>Time for a break. %1 Press Space to go on.</source>
+        <translation>쉬는 시간입니다. %1 스페이스바를 누르면 계속합니다.</translation>
+    </message>
+    <message>
+        <source>The device brings your finger to the start. Let it lead you.</source>
+        <translation>장치가 손가락을 시작점으로 데려갑니다. 이끄는 대로 따라가세요.</translation>
+    </message>
+    <message>
+        <source>The device brings your finger to the start again.</source>
+        <translation>장치가 손가락을 다시 시작점으로 데려갑니다.</translation>
+    </message>
+    <message>
+        <source>This trial has gone on for half an hour. Paused; it is done again. Press Space to go on.</source>
+        <translation>시행이 30분째 이어지고 있습니다. 일시 정지했으며 처음부터 다시 합니다. 스페이스바를 누르면 계속합니다.</translation>
+    </message>
+    <message>
+        <source>A part of the line was left out; the trial is done again.</source>
+        <translation>선의 일부를 지나지 않았습니다. 이 시행은 다시 합니다.</translation>
+    </message>
+    <message>
+        <source>The time is over; the trial is done again.</source>
+        <translation>시간이 다 되었습니다. 이 시행은 다시 합니다.</translation>
+    </message>
+    <message>
+        <source>%1 The trial could not be kept and does not count. Press Space to do it again.</source>
+        <translation>%1 이 시행은 저장하지 못해 인정되지 않습니다. 스페이스바를 누르면 다시 합니다.</translation>
+    </message>
+    <message>
+        <source>The end of the line was not reached; the trial is done again.</source>
+        <translation>선의 끝에 이르지 않았습니다. 이 시행은 다시 합니다.</translation>
+    </message>
+    <message>
+        <source>The study has ended for participant %1.</source>
+        <translation>참가자 %1번의 연구가 끝났습니다.</translation>
+    </message>
+    <message>
+        <source>Paused. The trial is done again. Press Space to go on.</source>
+        <translation>일시 정지했습니다. 이 시행은 다시 합니다. 스페이스바를 누르면 계속합니다.</translation>
+    </message>
+    <message>
+        <source>Paused. Press Space to go on.</source>
+        <translation>일시 정지했습니다. 스페이스바를 누르면 계속합니다.</translation>
+    </message>
+    <message>
+        <source>Nothing has been kept.</source>
+        <translation>아무것도 저장되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>Stopped. Everything is kept. %1</source>
+        <translation>멈췄습니다. 모두 저장되었습니다. %1</translation>
+    </message>
+    <message>
+        <source>Stop the study? The force is off. Press Escape again to stop, or Space to go on.</source>
+        <translation>연구를 그만둘까요? 힘은 꺼져 있습니다. Escape 키를 다시 누르면 그만두고, 스페이스바를 누르면 계속합니다.</translation>
+    </message>
+    <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2.</translation>
+    </message>
+    <message>
+        <source>Waiting for consent</source>
+        <translation>동의를 기다리는 중</translation>
+    </message>
+    <message>
+        <source>Getting ready</source>
+        <translation>준비하는 중</translation>
+    </message>
+    <message>
+        <source>The finger is brought to the start</source>
+        <translation>손가락을 시작점으로 옮기는 중</translation>
+    </message>
+    <message>
+        <source>Press Space to start</source>
+        <translation>스페이스바를 누르면 시작</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>진행 중</translation>
+    </message>
+    <message>
+        <source>Waiting for an answer</source>
+        <translation>답을 기다리는 중</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>저장하는 중</translation>
+    </message>
+    <message>
+        <source>Break. Press Space to go on</source>
+        <translation>휴식. 스페이스바를 누르면 계속</translation>
+    </message>
+    <message>
+        <source>Paused. Press Space to go on</source>
+        <translation>일시 정지. 스페이스바를 누르면 계속</translation>
+    </message>
+    <message>
+        <source>Stop? Escape stops, Space goes on</source>
+        <translation>그만둘까요? Escape 키는 그만두기, 스페이스바는 계속</translation>
+    </message>
+    <message>
+        <source>All trials are done. Press Space to end</source>
+        <translation>모든 시행을 마쳤습니다. 스페이스바를 누르면 끝</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StudySetup</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>Only a file on this computer can be opened.</source>
+        <translation>이 컴퓨터에 있는 파일만 열 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as an experiment. %2</source>
+        <translation>%1: 실험으로 쓸 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The experiment has more than 9 answers, which have no keys.</source>
+        <translation>실험의 답이 9개를 넘어 숫자 키로 답할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Participants have numbers from 1 to %1.</source>
+        <translation>참가자 번호는 1에서 %1까지입니다.</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <translation>참가자 %1번</translation>
+    </message>
+    <message>
+        <source>Participant %1 is new.</source>
+        <translation>참가자 %1번은 새 참가자입니다.</translation>
+    </message>
+    <message>
+        <source>The program&apos;s experiments are not there. Open an experiment&apos;s file.</source>
+        <translation>프로그램에 들어 있는 실험이 없습니다. 실험 파일을 여세요.</translation>
+    </message>
+    <message>
+        <source>This experiment needs faces. Choose a folder with photographs named after person and expression, such as anna_smiling.jpg.</source>
+        <translation>이 실험에는 얼굴이 필요합니다. anna_smiling.jpg처럼 사람과 표정으로 이름을 지은 사진이 있는 폴더를 선택하세요.</translation>
+    </message>
+    <message>
+        <source>The faces are being read.</source>
+        <translation>얼굴을 읽는 중입니다.</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder is being read.</source>
+        <translation>연구 폴더를 읽는 중입니다.</translation>
+    </message>
+    <message>
+        <source>The study lies in %1.</source>
+        <translation>연구 폴더: %1.</translation>
+    </message>
+    <message>
+        <source>No folder is chosen.</source>
+        <translation>선택한 폴더가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The faces are ready.</source>
+        <translation>얼굴이 준비되었습니다.</translation>
+    </message>
+    <message>
+        <source>Mouse, touch or keys, with a tone</source>
+        <translation>마우스나 터치, 키와 소리</translation>
+    </message>
+    <message>
+        <source>The scene is shown, to try it out. Nothing is kept.</source>
+        <translation>시험 삼아 장면을 보여 줍니다. 아무것도 저장되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The scene is not shown.</source>
+        <translation>장면을 보여 주지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Studies. %1. Keys 1 to %2 choose the experiment, S starts it, F1 says more.</source>
+        <translation>연구. %1. 1에서 %2까지의 키로 실험을 고르고, S 키로 시작합니다. F1 키를 누르면 도움말이 나옵니다.</translation>
     </message>
 </context>
 <context>

@@ -18,7 +18,7 @@ from album import Album, preferences
 LANGUAGES = ("en", "de", "ko")
 WIDE, TALL = (1280, 800), (800, 1280)
 SMALLEST = 48  # px, a caregiver's target; DESIGN.md, section 10
-BY_NUMBER = {"browse": "1", "explore": "2", "care": "3", "settings": "4", "lab": "5", "capture": "6"}  # of the start page
+BY_NUMBER = {"browse": "1", "explore": "2", "care": "3", "settings": "4", "lab": "5", "capture": "6", "study": "7"}  # of the start page
 MOST_STOPS = 400  # of Tab on one page; more is no way round
 
 

@@ -32,6 +32,7 @@ NOT_SAID = {  # file: what of its texts is no sentence, or none that is heard on
     "app/album/looking/album_looks.cpp": {"album looks"},
     "app/album/keeper/keeper_recordings.cpp": {"%1 of %2"},
     "app/pages/care/face_finder.cpp": {"care faces"},
+    "app/pages/study/study_finger.cpp": {"at most", "drawn finger", "mouse or touchscreen or keys", "tone"},
     "app/pages/mend/mend_editing.cpp": {"nudge %1 %2 %3"},
     "app/pages/mend/mend_work.cpp": {"face %1 %2"},
     "app/photo/scene/corrections.cpp": {" removed", "face %1 %2", "face "},

@@ -35,7 +35,9 @@ QVariantList StartSession::destinations() const {
     const QVariantMap capture{{"page", "capture"},
                               {"title", tr("Take a photograph")},
                               {"hint", tr("The camera is led to a face by words and a tone")}};
-    const QVariantMap study{{"page", ""}, {"title", tr("Studies")}, {"hint", tr("Not available yet")}};
+    const QVariantMap study{{"page", "study"},
+                            {"title", tr("Studies")},
+                            {"hint", tr("For researchers: the published experiments, with people")}};
     const bool caregiver = preferences_.choices().user == Choices::User::caregiver;
     QVariantList list = caregiver ? QVariantList{care, browse, explore} : QVariantList{browse, explore, care};
     list << settings << lab << capture << study;
@@ -96,11 +98,7 @@ void StartSession::go(int index) {
     const QVariantList all = destinations();
     if (asking() || index < 0 || index >= all.size())
         return;
-    const QVariantMap destination = all[index].toMap();
-    if (destination["page"].toString().isEmpty())
-        return narrator_.tell(destination["title"].toString() + ": " + destination["hint"].toString() + ".",
-                              Priority::touch);
-    emit pageAsked(destination["page"].toString());
+    emit pageAsked(all[index].toMap()["page"].toString());
 }
 
 } // namespace tp

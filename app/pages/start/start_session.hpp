@@ -21,7 +21,7 @@ class StartSession final : public QObject {
 
     Q_PROPERTY(tp::FirstQuestions* questions READ questions CONSTANT)
     Q_PROPERTY(bool asking READ asking NOTIFY changed)
-    /// {page, title, hint}; the first two are the main ones. `page` is empty where the page is not there yet.
+    /// {page, title, hint}; the first two are the main ones.
     Q_PROPERTY(QVariantList destinations READ destinations NOTIFY changed)
     /// "12 new photographs, 9 with people."; empty: nothing is new
     Q_PROPERTY(QString news READ news NOTIFY changed)

@@ -23,7 +23,7 @@ private slots:
     void a_page_survives_and_escape_leads_home_data() {
         QTest::addColumn<QString>("page");
         for (const char* page :
-             {"start", "browse", "explore", "care", "capture", "mend", "print", "lab", "settings"})
+             {"start", "browse", "explore", "care", "capture", "mend", "print", "lab", "study", "settings"})
             QTest::newRow(page) << page;
     }
     void a_page_survives_and_escape_leads_home() {

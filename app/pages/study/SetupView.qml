@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+import QtQuick
+import TouchPhoto.Controls
+import TouchPhoto.Folders
+import TouchPhoto.Study
+
+// What the researcher chooses before a participant comes.
+TpScroll {
+    id: view
+
+    required property StudySession session
+    readonly property StudySetup setup: session.setup
+    signal openAsked
+
+    margin: 2 * Theme.gap
+
+    TpStatus {
+        objectName: "problem"
+        width: parent.width
+        visible: text !== ""
+        text: view.setup.problem
+        color: Theme.finger
+    }
+    TpChoice {
+        width: parent.width
+        label: qsTr("Experiment")
+        options: view.setup.experiments
+        current: view.setup.experiment
+        onPicked: (index) => view.setup.choose(index)
+    }
+    TpButton {
+        width: parent.width
+        text: qsTr("Open an experiment's file")
+        hint: qsTr("Another experiment is a file, not a program. Key: O")
+        onClicked: view.openAsked()
+    }
+    TpStatus {
+        width: parent.width
+        visible: view.setup.needsFaces
+        label: qsTr("Faces")
+        text: view.setup.faces
+        wrapMode: Text.WrapAnywhere
+    }
+    TpButton {
+        width: parent.width
+        visible: view.setup.needsFaces
+        text: qsTr("Choose the folder with faces")
+        hint: qsTr("Photographs or drawings named after person and expression. Key: G")
+        onClicked: view.setup.chooseFaces()
+    }
+    TpStatus {
+        width: parent.width
+        label: qsTr("The study's folder")
+        text: view.setup.folder
+        wrapMode: Text.WrapAnywhere
+    }
+    TpButton {
+        width: parent.width
+        text: qsTr("Choose another folder for the study")
+        hint: qsTr("One with this study in it is continued. Key: F")
+        onClicked: view.setup.chooseFolder()
+    }
+    TpStatus {
+        objectName: "progress"
+        width: parent.width
+        visible: text !== ""
+        text: view.setup.progress
+        font.bold: true
+    }
+    Row {
+        width: parent.width
+        spacing: Theme.gap
+        TpButton {
+            width: (parent.width - Theme.gap) / 2
+            text: qsTr("Previous participant")
+            enabled: view.setup.participant > 1
+            hint: qsTr("Key: Minus")
+            onClicked: view.setup.setParticipant(view.setup.participant - 1)
+        }
+        TpButton {
+            width: (parent.width - Theme.gap) / 2
+            text: qsTr("Next participant")
+            hint: qsTr("Key: Plus")
+            onClicked: view.setup.setParticipant(view.setup.participant + 1)
+        }
+    }
+    TpChoice {
+        width: parent.width
+        label: qsTr("What moves the finger")
+        options: view.setup.hands
+        current: view.setup.hand
+        onPicked: (index) => view.setup.chooseHand(index)
+    }
+    TpToggle {
+        width: parent.width
+        text: qsTr("Show the scene, to try it out; nothing is kept")
+        on: view.setup.showScene
+        onSwitched: (on) => view.setup.setShowScene(on)
+    }
+    TpButton {
+        objectName: "begin"
+        width: parent.width
+        primary: true
+        large: true
+        enabled: view.setup.problem === ""
+        text: qsTr("Start with participant %1").arg(view.setup.participant)
+        hint: qsTr("Asks for consent first. Key: S")
+        onClicked: view.session.begin()
+    }
+}

@@ -4448,20 +4448,12 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Ein weiteres Experiment ist eine Datei, kein Programm. Taste: O</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation type="unfinished">Gesichter</translation>
-    </message>
-    <message>
         <source>Choose the folder with faces</source>
         <translation>Ordner mit Gesichtern auswählen</translation>
     </message>
     <message>
         <source>Photographs or drawings named after person and expression. Key: G</source>
         <translation>Fotos oder Zeichnungen, benannt nach Person und Ausdruck. Taste: G</translation>
-    </message>
-    <message>
-        <source>The study&apos;s folder</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose another folder for the study</source>
@@ -4502,6 +4494,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Asks for consent first. Key: S</source>
         <translation>Fragt zuerst nach der Einwilligung. Taste: S</translation>
+    </message>
+    <message>
+        <source>Faces: %1</source>
+        <translation>Gesichter: %1</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder: %1</source>
+        <translation>Ordner der Studie: %1</translation>
     </message>
 </context>
 <context>

@@ -4426,20 +4426,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>다른 실험은 프로그램이 아니라 파일입니다. O 키</translation>
     </message>
     <message>
-        <source>Faces</source>
-        <translation type="unfinished">얼굴</translation>
-    </message>
-    <message>
         <source>Choose the folder with faces</source>
         <translation>얼굴 폴더 선택</translation>
     </message>
     <message>
         <source>Photographs or drawings named after person and expression. Key: G</source>
         <translation>사람과 표정으로 이름을 지은 사진이나 그림. G 키</translation>
-    </message>
-    <message>
-        <source>The study&apos;s folder</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose another folder for the study</source>
@@ -4480,6 +4472,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Asks for consent first. Key: S</source>
         <translation>먼저 동의를 구합니다. S 키</translation>
+    </message>
+    <message>
+        <source>Faces: %1</source>
+        <translation>얼굴: %1</translation>
+    </message>
+    <message>
+        <source>The study&apos;s folder: %1</source>
+        <translation>연구 폴더: %1</translation>
     </message>
 </context>
 <context>

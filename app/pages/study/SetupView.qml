@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import QtQuick
+import QtQuick.Layouts
 import TouchPhoto.Controls
 import TouchPhoto.Folders
 import TouchPhoto.Study
@@ -13,6 +14,16 @@ TpScroll {
     signal openAsked
 
     margin: 2 * Theme.gap
+
+    component Pair: RowLayout {
+        width: parent.width
+        spacing: Theme.gap
+    }
+    component Half: TpButton {
+        Layout.fillWidth: true
+        Layout.fillHeight: true
+        Layout.preferredWidth: 1
+    }
 
     TpStatus {
         objectName: "problem"
@@ -28,17 +39,10 @@ TpScroll {
         current: view.setup.experiment
         onPicked: (index) => view.setup.choose(index)
     }
-    TpButton {
-        width: parent.width
-        text: qsTr("Open an experiment's file")
-        hint: qsTr("Another experiment is a file, not a program. Key: O")
-        onClicked: view.openAsked()
-    }
     TpStatus {
         width: parent.width
         visible: view.setup.needsFaces
-        label: qsTr("Faces")
-        text: view.setup.faces
+        text: qsTr("Faces: %1").arg(view.setup.faces)
         wrapMode: Text.WrapAnywhere
     }
     TpButton {
@@ -50,15 +54,20 @@ TpScroll {
     }
     TpStatus {
         width: parent.width
-        label: qsTr("The study's folder")
-        text: view.setup.folder
+        text: qsTr("The study's folder: %1").arg(view.setup.folder)
         wrapMode: Text.WrapAnywhere
     }
-    TpButton {
-        width: parent.width
-        text: qsTr("Choose another folder for the study")
-        hint: qsTr("One with this study in it is continued. Key: F")
-        onClicked: view.setup.chooseFolder()
+    Pair {
+        Half {
+            text: qsTr("Open an experiment's file")
+            hint: qsTr("Another experiment is a file, not a program. Key: O")
+            onClicked: view.openAsked()
+        }
+        Half {
+            text: qsTr("Choose another folder for the study")
+            hint: qsTr("One with this study in it is continued. Key: F")
+            onClicked: view.setup.chooseFolder()
+        }
     }
     TpStatus {
         objectName: "progress"
@@ -67,18 +76,14 @@ TpScroll {
         text: view.setup.progress
         font.bold: true
     }
-    Row {
-        width: parent.width
-        spacing: Theme.gap
-        TpButton {
-            width: (parent.width - Theme.gap) / 2
+    Pair {
+        Half {
             text: qsTr("Previous participant")
             enabled: view.setup.participant > 1
             hint: qsTr("Key: Minus")
             onClicked: view.setup.setParticipant(view.setup.participant - 1)
         }
-        TpButton {
-            width: (parent.width - Theme.gap) / 2
+        Half {
             text: qsTr("Next participant")
             hint: qsTr("Key: Plus")
             onClicked: view.setup.setParticipant(view.setup.participant + 1)

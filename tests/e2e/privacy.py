@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""The page and the verbs of an album under strace: they talk to this machine's sound, speech, display and accessibility
+"""The pages, the camera and the verbs of an album under strace: they talk to this machine's sound, speech, display and accessibility
 servers and to nobody else, and what they write of a family only its owner may read.
 
 privacy.py PROGRAM LAB PHOTO [TEST...]    ends in 77 where something that it needs is missing
@@ -19,6 +19,7 @@ import wave
 
 import desk
 import network_trace
+from album import Album as FamilyAlbum
 from album import preferences
 from every_page import BY_NUMBER, WIDE, Focus, Walker
 from hostile_album import HostileAlbum, Listener
@@ -334,6 +335,61 @@ class HostileWords(unittest.TestCase):
                 self.walk(pages, *words)
         self.assertEqual(self.listener.callers, [])
         self.assertEqual(self.shown, set(self.album.words) - self.ON_NO_PAGE)
+
+
+class Camera(unittest.TestCase):
+    """A camera looks, the microphone of the moment hears: what goes anywhere, and what is kept."""
+
+    CALLS = network_trace.CALLS + ",open,openat,openat2,creat"
+    WRITES = re.compile(r"(?:open|openat|openat2|creat)\(.*?\"([^\"]*)\".*(?:O_WRONLY|O_RDWR|O_CREAT)")
+    NO_PLACE_TO_KEEP = ("/dev/", "/proc/", "/sys/")
+    PICTURE_OR_SOUND = (b"\xff\xd8\xff", b"\x89PNG", b"RIFF", b"fLaC", b"OggS", b"\x1aE\xdf\xa3")
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder, True)
+        self.album = FamilyAlbum(LAB, [PHOTO], self.folder)
+        self.own = tuple(os.path.join(self.folder, name) for name in ("config", "cache"))
+
+    def look(self, keys, until):
+        """With the camera and the microphone on, until that is to be seen; what was opened to be written."""
+        environment = preferences(self.folder, asked=True, voice="screen_reader", language="en", capture_told=True,
+                                  shutter_by_itself=False, keep_moment=True, album_folders=[self.album.folder])
+        trace = os.path.join(self.folder, "trace")
+        command = [PROGRAM, "--camera", "simulated:" + PHOTO, "--page", "capture"]
+        running = subprocess.Popen(network_trace.traced(command, trace, self.CALLS), env=environment)
+        try:
+            page = desk.Page()
+            page.await_name("The microphone is on.")
+            page.await_name("What to do: …")
+            page.keys(*keys)
+            page.await_name(until)
+            time.sleep(2.0)  # twenty frames
+            self.assertIsNone(running.poll(), "the program has ended")
+        finally:
+            running.terminate()
+            running.wait(20)
+        wait_until(lambda: is_whole(trace))
+        self.assertEqual(judged(trace).offences, [])
+        with open(trace, encoding="utf-8", errors="replace") as file:
+            return {found[1] for line in file if (found := self.WRITES.search(line))}
+
+    def test_without_the_shutter_nothing_is_kept(self):
+        before = sorted(files_below(self.album.folder))
+        written = self.look((), "Take the photograph")
+        self.assertTrue(any(path.startswith(self.own) for path in written), f"strace saw nothing of {written}")
+        elsewhere = sorted(path for path in written if not path.startswith(self.own + self.NO_PLACE_TO_KEEP))
+        self.assertEqual(elsewhere, [])
+        self.assertEqual(sorted(files_below(self.album.folder)), before)
+        for path in files_below(self.folder):
+            if os.path.isfile(path) and not path.startswith(self.album.folder):
+                with open(path, "rb") as file:
+                    self.assertFalse(file.read(8).startswith(self.PICTURE_OR_SOUND), path)
+
+    def test_with_it_one_photograph_is_kept_in_the_album(self):
+        self.look(("space",), "Last photograph: Taken…")
+        photographs = [path for path in files_below(self.album.folder) if path.endswith(".jpg")]
+        self.assertEqual(len(photographs), 2)
 
 
 def outer():

@@ -82,6 +82,35 @@ private slots:
         QVERIFY(!study->sittings[0].machine.calibration.empty());
     }
 
+    void a_pause_while_the_device_leads_takes_its_force() {
+        DeviceBench with;
+        with.begin(small_shapes);
+        with.bench.session->advance(0.3);
+        QVERIFY(length(with.socket.force()) > 0.1);
+        with.bench.run().pause();
+        QCOMPARE(with.bench.run().state(), State::Paused);
+        with.bench.session->advance(0.03); // a ramp of 20 ms
+        QVERIFY(with.socket.force() == Vec2(0.0));
+        with.bench.session->advance(2.0);
+        QVERIFY(with.socket.force() == Vec2(0.0));
+        QCOMPARE(with.bench.records().size(), std::size_t(0));
+        with.bench.run().goOn();
+        QCOMPARE(with.bench.run().state(), State::Coming);
+    }
+
+    void motors_that_switch_off_pause_with_the_device_s_own_words() {
+        DeviceBench with;
+        with.begin(small_shapes);
+        with.be_led(20.0);
+        with.bench.run().goOn();
+        with.bench.session->advance(0.5);
+        with.socket.switch_motors_off("The force pad is too hot. Let it cool down.");
+        with.bench.session->advance(1.0);
+        with.bench.settle();
+        QCOMPARE(with.bench.run().state(), State::Paused);
+        QVERIFY2(with.bench.said().startsWith("The force pad is too hot."), qPrintable(with.bench.said()));
+    }
+
     void a_finger_that_has_gone_away_is_brought_again() {
         DeviceBench with;
         with.begin(small_shapes);

@@ -108,6 +108,11 @@ private slots:
         QVERIFY(named);
         QVERIFY(namer.rounds() > 1 && namer.rounds() <= 3);
     }
+    /// A polygon has a turn to choose, and would otherwise explain any uneven circle better.
+    void a_circle_that_is_remembered_inexactly_is_mostly_a_circle() {
+        QVERIFY2(rightly(Person{}, 0, 80.0, 40) >= 24,
+                 qPrintable(QString::number(rightly(Person{}, 0, 80.0, 40))));
+    }
     void a_memory_without_error_is_better_than_one_with_much() {
         Person bad;
         bad.length_share = 0.5;

@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Orca, the screen reader of the Linux desktop, and a person who hears it. What it gives its voice comes from its own debug
 file."""
+import contextlib
 import os
 import queue
 import re
 import subprocess
+import sys
 import threading
 import time
 import tty
 
 import desk
+import sound_server
 
 SPEECH = re.compile(r"^[0-9:.]+ - SPEECH OUTPUT: '(.*?)'(?: voice=\w+)? ?(?:[\[{].*)?$")
 KEY_OF = re.compile(r"^\S+( \S+)? $")  # its echo of a key
@@ -88,3 +91,27 @@ class Listener:
 
     def types(self, text):
         self.page.type(text)
+
+
+@contextlib.contextmanager
+def beside(program, folder, environment):
+    """Orca and then the program, with sound and speech of their own; both still run at the end."""
+    with contextlib.ExitStack() as desk_of_both:
+        for helper in (sound_server.Server(folder), sound_server.Speech()):
+            desk_of_both.callback(helper.end)
+        orca = Orca(folder)
+        desk_of_both.callback(orca.end)
+        orca.says("Screen reader on.")
+        # Where no GPU is, OpenGL keeps Orca's questions waiting for pictures.
+        running = subprocess.Popen([program], env=dict(environment, QT_QUICK_BACKEND="software"))
+        desk_of_both.callback(running.wait, timeout=20)
+        desk_of_both.callback(running.terminate)
+        yield orca
+        assert running.poll() is None, "the program has ended"
+
+
+def journey(script, inner):
+    """The exit status of a journey with Orca: PROGRAM LAB PHOTOS... on the command line."""
+    if desk.is_at_a_desk():
+        return desk.verdict(inner, sys.argv[1], sys.argv[2], sys.argv[3:])
+    return desk.at_a_desk(script, "xdotool", "pulseaudio", "pactl", "speech-dispatcher", "orca")

@@ -6,14 +6,12 @@ somebody, and takes that back. What Orca gives its voice is asserted in order, a
 orca_people.py PROGRAM LAB PHOTOS...    ends in 77 where something that it needs is missing
 PHOTOS: Ben is on three of them, ben_angry.jpg the newest and ben_and_clara.jpg the next; somebody else on two.
 """
-import subprocess
 import sys
 import tempfile
 
 import desk
-import sound_server
 from album import Album, preferences
-from orca import Listener, Orca
+from orca import Listener, beside, journey
 
 ONE, OTHER = "Who is this?, 3 photographs, ", "Who is this?, 2 photographs, "
 
@@ -71,34 +69,18 @@ class Caregiver(Listener):
 
 def inner(program, lab, photos):
     with tempfile.TemporaryDirectory() as folder, desk.Desk():
-        server = sound_server.Server(folder)
-        speech = sound_server.Speech()
         album = Album(lab, photos, folder)
         environment = preferences(folder, asked=True, user="caregiver", voice="screen_reader", language="en",
                                   album_folders=[album.folder])
-        environment["QT_QUICK_BACKEND"] = "software"  # where no GPU is, OpenGL keeps Orca's questions waiting for pictures
-        orca = Orca(folder)
-        running = None
-        try:
-            orca.says("Screen reader on.")
-            running = subprocess.Popen([program], env=environment)
+        with beside(program, folder, environment) as orca:
             caregiver = Caregiver(desk.Page(), orca)
             caregiver.opens_the_people()
             caregiver.hears_the_groups()
             caregiver.takes_a_face_out_and_back()
             caregiver.names_somebody_and_takes_it_back()
-            assert running.poll() is None, "the program has ended"
-        finally:
-            if running is not None:
-                running.terminate()
-                running.wait(timeout=20)
-            orca.end()
-            speech.end()
-            server.end()
 
 
 if __name__ == "__main__":
     if len(sys.argv) < 4:
         sys.exit(__doc__)
-    sys.exit(desk.verdict(inner, sys.argv[1], sys.argv[2], sys.argv[3:]) if desk.is_at_a_desk()
-             else desk.at_a_desk(__file__, "xdotool", "pulseaudio", "pactl", "speech-dispatcher", "orca"))
+    sys.exit(journey(__file__, inner))

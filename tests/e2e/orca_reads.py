@@ -6,14 +6,12 @@ only. What Orca gives its voice is asserted in order.
 orca_reads.py PROGRAM LAB PHOTOS...    ends in 77 where something that it needs is missing
 """
 import os
-import subprocess
 import sys
 import tempfile
 
 import desk
-import sound_server
 from album import Album, preferences
-from orca import Listener, Orca
+from orca import Listener, beside, journey
 
 SCREEN_READER = "3: No, my screen reader speaks"
 
@@ -90,17 +88,10 @@ class Reader(Listener):
 
 def inner(program, lab, photos):
     with tempfile.TemporaryDirectory() as folder, desk.Desk():
-        server = sound_server.Server(folder)
-        speech = sound_server.Speech()
         album = Album(lab, photos, folder)
         album.run("person", "name", "--face", "0.5,0.4,0.4,0.5", album.photos[0], "Anna")
         environment = preferences(folder, language="en", album_folders=[album.folder])
-        environment["QT_QUICK_BACKEND"] = "software"  # where no GPU is, OpenGL keeps Orca's questions waiting for pictures
-        orca = Orca(folder)
-        running = None
-        try:
-            orca.says("Screen reader on.")
-            running = subprocess.Popen([program], env=environment)
+        with beside(program, folder, environment) as orca:
             listener = Reader(desk.Page(), orca)
             listener.answers_the_five_questions()
             listener.goes_over_the_start_page()
@@ -108,18 +99,9 @@ def inner(program, lab, photos):
             listener.browses()
             listener.feels_a_face()
             listener.looks_after_the_album()
-            assert running.poll() is None, "the program has ended"
-        finally:
-            if running is not None:
-                running.terminate()
-                running.wait(timeout=20)
-            orca.end()
-            speech.end()
-            server.end()
 
 
 if __name__ == "__main__":
     if len(sys.argv) < 4:
         sys.exit(__doc__)
-    sys.exit(desk.verdict(inner, sys.argv[1], sys.argv[2], sys.argv[3:]) if desk.is_at_a_desk()
-             else desk.at_a_desk(__file__, "xdotool", "pulseaudio", "pactl", "speech-dispatcher", "orca"))
+    sys.exit(journey(__file__, inner))

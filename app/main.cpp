@@ -76,7 +76,8 @@ int main(int argc, char** argv) {
     const QCommandLineOption voice_option(
         "voice", "Whether the program speaks: on, off, or as it was chosen (default).", "on|off");
     const QCommandLineOption page_option(
-        "page", "The page to begin with: start, browse, explore, care, capture, mend, print, settings, lab, study.",
+        "page",
+        "The page to begin with: start, browse, explore, care, capture, mend, print, settings, lab, study.",
         "name");
     const QCommandLineOption picture_option("screenshot", "Writes a picture of the page to <file> and ends.",
                                             "file");

@@ -149,7 +149,8 @@ void Program::add_pages() {
     shell_.add({"print", [] { return tr("Print a tactile sheet"); }, [this] { print().enter(); },
                 [this] { print().leave(); }});
     shell_.add({"lab", [] { return tr("Lab"); }, [this] { lab().enter(); }, [this] { lab().leave(); }});
-    shell_.add({"study", [] { return tr("Studies"); }, [this] { study().enter(); }, [this] { study().leave(); }});
+    shell_.add(
+        {"study", [] { return tr("Studies"); }, [this] { study().enter(); }, [this] { study().leave(); }});
     shell_.add({"settings", [] { return tr("Settings"); }, [this] { settings().enter(); },
                 [this] { settings().leave(); }});
     connect(&start_, &StartSession::pageAsked, this, open);
@@ -159,11 +160,11 @@ QVariantMap Program::page_files() {
     const auto file = [](const char* path) {
         return QString("qrc:/qt-project.org/imports/TouchPhoto/") + path;
     };
-    return {{"start", file("Start/StartPage.qml")},         {"browse", file("Browse/BrowsePage.qml")},
-            {"explore", file("Explore/ExplorePage.qml")},   {"care", file("Care/CarePage.qml")},
-            {"capture", file("Capture/CapturePage.qml")},   {"mend", file("Mend/MendPage.qml")},
-            {"print", file("Print/PrintPage.qml")},         {"lab", file("Lab/LabPage.qml")},
-            {"study", file("Study/StudyPage.qml")},         {"settings", file("Settings/SettingsPage.qml")}};
+    return {{"start", file("Start/StartPage.qml")},       {"browse", file("Browse/BrowsePage.qml")},
+            {"explore", file("Explore/ExplorePage.qml")}, {"care", file("Care/CarePage.qml")},
+            {"capture", file("Capture/CapturePage.qml")}, {"mend", file("Mend/MendPage.qml")},
+            {"print", file("Print/PrintPage.qml")},       {"lab", file("Lab/LabPage.qml")},
+            {"study", file("Study/StudyPage.qml")},       {"settings", file("Settings/SettingsPage.qml")}};
 }
 
 QObject* Program::session(const QString& page) {

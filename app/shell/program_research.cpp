@@ -29,7 +29,8 @@ StudySession& Program::study() {
         settings.version =
             (QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion())
                 .toStdString();
-        study_ = std::make_unique<StudySession>(narrator_, earcons_, guide_, preferences_, std::move(settings));
+        study_ =
+            std::make_unique<StudySession>(narrator_, earcons_, guide_, preferences_, std::move(settings));
     }
     return *study_;
 }

@@ -98,13 +98,15 @@ void StudyFinger::use(OpenDevice& open) {
     opening_ = false;
     if (!reaches(open)) {
         const QString about = in_persons_language(open.listed.about);
-        desk_.release(std::make_unique<DeviceDrive>(std::move(open.device), open.can, settings_.device_servo));
+        desk_.release(
+            std::make_unique<DeviceDrive>(std::move(open.device), open.can, settings_.device_servo));
         give_back();
-        return emit refused(tr("The device does not reach all of the experiment's surface, %1 by %2 millimetres: %3. "
-                               "Write a smaller surface into the experiment's file, or use the mouse.")
-                                .arg(surface_.x)
-                                .arg(surface_.y)
-                                .arg(about));
+        return emit refused(
+            tr("The device does not reach all of the experiment's surface, %1 by %2 millimetres: %3. "
+               "Write a smaller surface into the experiment's file, or use the mouse.")
+                .arg(surface_.x)
+                .arg(surface_.y)
+                .arg(about));
     }
     ServoSettings servo = settings_.device_servo;
     servo.device_to_surface = middle_on_middle(open.can);
@@ -113,8 +115,8 @@ void StudyFinger::use(OpenDevice& open) {
         about << QString::fromStdString(open.can.serial_number);
     about_ = recorded(about, std::min(strongest(), open.can.max_force));
     calibration_ = words_of(servo.device_to_surface);
-    desk_.release(servo_->use(
-        std::make_unique<DeviceDrive>(std::move(open.device), open.can, servo, settings_.time)));
+    desk_.release(
+        servo_->use(std::make_unique<DeviceDrive>(std::move(open.device), open.can, servo, settings_.time)));
     servo_->set_max_force(strongest());
     emit taken();
 }

@@ -40,8 +40,9 @@ StudyKeeping::Known StudyKeeping::known_of(const Result<StudyFolder>& study, con
         return known;
     }
     if (experiment_text(study->experiment) != experiment_text(experiment))
-        known.problem = tr("In this folder lies a study of another experiment, or of another version of it. Choose "
-                           "another folder.");
+        known.problem =
+            tr("In this folder lies a study of another experiment, or of another version of it. Choose "
+               "another folder.");
     else if (study->terms && study->terms->simulated)
         known.problem = tr("In this folder lies a study with simulated participants. Choose another folder.");
     if (study->terms)

@@ -33,7 +33,7 @@ public:
         std::vector<TrialRecord> records;  ///< the participant's, as they were done
         int next_participant = 1;          ///< the first number that nobody has, above all that are there
         QString notice;                    ///< what is not as it should be, in sentences; empty: nothing
-        QString problem; ///< why the folder cannot be used, in a sentence; empty: it can
+        QString problem;                   ///< why the folder cannot be used, in a sentence; empty: it can
     };
     /// What one sitting of a participant is.
     struct Sitting {
@@ -55,7 +55,8 @@ public:
     void open(Sitting sitting, Then then);
     /// The path, then the trial's line; both are on the disk when `then` is called with no words. Else they say why not, and the
     /// trial is not in the folder.
-    void keep(TrialRecord record, std::vector<FingerSample> path, std::function<void(const QString& problem)> then);
+    void keep(TrialRecord record, std::vector<FingerSample> path,
+              std::function<void(const QString& problem)> then);
     /// The folder is let go.
     void close();
 

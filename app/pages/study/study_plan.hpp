@@ -14,8 +14,8 @@ struct StudyPlan {
     Experiment experiment;
     std::filesystem::path folder;
     int participant = 1;
-    bool device = false;     ///< a force device moves the finger; else it is drawn
-    bool show_scene = false; ///< to try it out; then nothing is kept
+    bool device = false;                     ///< a force device moves the finger; else it is drawn
+    bool show_scene = false;                 ///< to try it out; then nothing is kept
     std::shared_ptr<const StudyFaces> faces; ///< null: the experiment has none
 };
 

@@ -32,8 +32,8 @@ StudyRun::StudyRun(const StudySettings& settings, StudyFinger& finger, StudyKeep
 
 void StudyRun::become(State state) {
     state_ = state;
-    const bool moves = state == State::Coming || state == State::Feeling ||
-                       (state == State::Ready && finger_.real());
+    const bool moves =
+        state == State::Coming || state == State::Feeling || (state == State::Ready && finger_.real());
     if (moves && settings_.time == nullptr)
         timer_.start();
     else
@@ -120,13 +120,16 @@ void StudyRun::offer(const QString& before) {
             add(StudyWords::so_far(progress()));
         add(StudyWords::task(plan_.experiment));
         if (!finger_.real())
-            add(tr("Your hand moves the finger with the mouse, on the screen or with the arrow keys, from where each "
-                   "trial begins. A tone says where the line is: faster is nearer, high is up, and it comes from the "
+            add(tr("Your hand moves the finger with the mouse, on the screen or with the arrow keys, from "
+                   "where each "
+                   "trial begins. A tone says where the line is: faster is nearer, high is up, and it comes "
+                   "from the "
                    "side where the line is."));
     }
     if (!next_) {
         become(State::Done);
-        add(tr("That was the last trial. %1 Thank you. Press Space to end.").arg(StudyWords::so_far(progress())));
+        add(tr("That was the last trial. %1 Thank you. Press Space to end.")
+                .arg(StudyWords::so_far(progress())));
         return teller_.did(Earcon::list_end, told);
     }
     if (next_->break_due && rested_before_ != next_->number) {
@@ -165,7 +168,8 @@ void StudyRun::start() {
     teller_.hush();
     teller_.sound(Earcon::ready);
     finger_.feel(laid_->start);
-    felt_ = std::make_unique<FeltTrial>(*next_, *laid_, finger_.seen().ticks + 2); // one under way does not know of it
+    felt_ = std::make_unique<FeltTrial>(*next_, *laid_,
+                                        finger_.seen().ticks + 2); // one under way does not know of it
     become(State::Feeling);
 }
 
@@ -252,7 +256,8 @@ void StudyRun::kept(const QString& problem) {
             after_ = State::Paused;
         become(after_);
         return teller_.problem(
-            tr("%1 The trial could not be kept and does not count. Press Space to do it again.").arg(problem));
+            tr("%1 The trial could not be kept and does not count. Press Space to do it again.")
+                .arg(problem));
     }
     if (after_ == State::Coming)
         return offer(said_after_);

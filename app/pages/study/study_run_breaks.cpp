@@ -69,8 +69,9 @@ bool StudyRun::stop() {
     case State::Opening:
     case State::Stopping:
     case State::Done:
-        end(trying() || !is_open_ ? tr("Stopped.")
-                     : tr("Stopped. Everything is kept. %1").arg(StudyWords::so_far(progress())));
+        end(trying() || !is_open_
+                ? tr("Stopped.")
+                : tr("Stopped. Everything is kept. %1").arg(StudyWords::so_far(progress())));
         return true;
     default:
         break_off(State::Stopping,

@@ -13,8 +13,9 @@ constexpr double step_s = 0.005; ///< of a test's time between two looks at the 
 
 StudySession::StudySession(Narrator& narrator, EarconPlayer& earcons, SonifiedGuide& guide,
                            Preferences& preferences, StudySettings settings)
-    : settings_(std::move(settings)), teller_(narrator, earcons), ear_(guide), finger_(settings_, preferences),
-      setup_(settings_, finger_, keeping_, teller_, narrator), run_(settings_, finger_, keeping_, ear_, teller_) {
+    : settings_(std::move(settings)), teller_(narrator, earcons), ear_(guide),
+      finger_(settings_, preferences), setup_(settings_, finger_, keeping_, teller_, narrator),
+      run_(settings_, finger_, keeping_, ear_, teller_) {
     connect(&preferences, &Preferences::changed, this, [this] { // the language may be another
         emit setup_.changed();
         emit run_.changed();

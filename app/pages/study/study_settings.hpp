@@ -25,7 +25,7 @@ struct StudySettings {
     ServoSettings device_servo;   ///< theirs
     ServoSettings servo = settings_for_a_drawn_finger();
     SimulatedPlant plant;
-    std::string version;                                ///< of the program, for the record
+    std::string version;                                  ///< of the program, for the record
     std::function<std::uint64_t()> new_seed = drawn_seed; ///< of a study that begins
     VirtualClock* time = nullptr; ///< nothing ticks but by StudySession::advance; null: the machine's time
 };

@@ -20,7 +20,8 @@ constexpr int most_participants = 9999;
 constexpr int most_answers = 9; ///< a key each
 
 /// The program's own experiments, in the order in which they are offered.
-constexpr const char* own_experiments[]{"tracking", "primitives", "expressions", "laws-tracking", "laws-expressions"};
+constexpr const char* own_experiments[]{"tracking", "primitives", "expressions", "laws-tracking",
+                                        "laws-expressions"};
 
 QString text_of(const std::filesystem::path& path) { return QString::fromStdU16String(path.u16string()); }
 
@@ -133,10 +134,11 @@ QString StudySetup::problem() const {
     if (known_ && !known_->problem.isEmpty())
         return known_->problem;
     if (needs_faces() && !faces_)
-        return !faces_problem_.isEmpty()    ? faces_problem_
-               : faces_folder_.empty()      ? tr("This experiment needs faces. Choose a folder with photographs named "
-                                                 "after person and expression, such as anna_smiling.jpg.")
-                                            : tr("The faces are being read.");
+        return !faces_problem_.isEmpty() ? faces_problem_
+               : faces_folder_.empty()
+                   ? tr("This experiment needs faces. Choose a folder with photographs named "
+                        "after person and expression, such as anna_smiling.jpg.")
+                   : tr("The faces are being read.");
     return known_ ? QString() : tr("The study's folder is being read.");
 }
 
@@ -167,7 +169,8 @@ void StudySetup::take_folder(const QString& folder) {
         look(true);
     }
     emit changed();
-    teller_.tell(what == Choosing::faces ? tr("The faces are being read.") : tr("The study lies in %1.").arg(folder));
+    teller_.tell(what == Choosing::faces ? tr("The faces are being read.")
+                                         : tr("The study lies in %1.").arg(folder));
 }
 
 bool StudySetup::needs_faces() const { return !experiments_.empty() && tp::needs_faces(now()); }
@@ -181,7 +184,8 @@ void StudySetup::read_faces() {
     faces_problem_.clear();
     if (!needs_faces() || faces_folder_.empty())
         return reading_.cancel();
-    reading_.ask([this, folder = faces_folder_, experiment = now()](const std::stop_token& stop) -> NewestWork::Answer {
+    reading_.ask([this, folder = faces_folder_,
+                  experiment = now()](const std::stop_token& stop) -> NewestWork::Answer {
         auto read = FolderFaces::read(folder, experiment, stop);
         return [this, read = std::move(read)] {
             if (read)
@@ -217,7 +221,8 @@ void StudySetup::setShowScene(bool on) {
         return;
     show_scene_ = on;
     emit changed();
-    teller_.tell(on ? tr("The scene is shown, to try it out. Nothing is kept.") : tr("The scene is not shown."));
+    teller_.tell(on ? tr("The scene is shown, to try it out. Nothing is kept.")
+                    : tr("The scene is not shown."));
 }
 
 // --- coming and going ---

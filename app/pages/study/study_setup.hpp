@@ -51,8 +51,8 @@ class StudySetup final : public QObject {
     Q_PROPERTY(tp::FolderChooser* chooser READ chooser CONSTANT)
 public:
     /// All must outlive it.
-    StudySetup(const StudySettings& settings, StudyFinger& finger, StudyKeeping& keeping,
-               StudyTeller& teller, Narrator& narrator);
+    StudySetup(const StudySettings& settings, StudyFinger& finger, StudyKeeping& keeping, StudyTeller& teller,
+               Narrator& narrator);
 
     QStringList experiments() const;
     int experiment_index() const { return static_cast<int>(chosen_); }

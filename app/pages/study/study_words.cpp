@@ -17,9 +17,8 @@ namespace {
     QT_TRANSLATE_NOOP("StudyWords", "Naming expressions by the exact and the published law")};
 
 const StudyFactor* asked_for(const Experiment& experiment) {
-    const auto found = std::ranges::find_if(experiment.factors, [&](const StudyFactor& factor) {
-        return factor.parameter == experiment.answer;
-    });
+    const auto found = std::ranges::find_if(
+        experiment.factors, [&](const StudyFactor& factor) { return factor.parameter == experiment.answer; });
     return found == experiment.factors.end() ? nullptr : &*found;
 }
 
@@ -32,11 +31,13 @@ QString StudyWords::title(const Experiment& experiment) {
 
 QString StudyWords::task(const Experiment& experiment) {
     if (experiment.task == StudyTask::follow)
-        return tr("Follow a line with your finger from its start to its end, as exactly and as fast as you can; a "
-                  "closed line once round. The trial ends by itself at the end of the line. If you think that you "
-                  "are there and nothing happens, press Space.");
+        return tr(
+            "Follow a line with your finger from its start to its end, as exactly and as fast as you can; a "
+            "closed line once round. The trial ends by itself at the end of the line. If you think that you "
+            "are there and nothing happens, press Space.");
     if (experiment.answer == StudyParameter::expression)
-        return tr("Feel a face until you know how it looks. Then press Space, and the number of your answer.");
+        return tr(
+            "Feel a face until you know how it looks. Then press Space, and the number of your answer.");
     return tr("Feel a shape until you know which it is. Then press Space, and the number of your answer.");
 }
 
@@ -90,8 +91,8 @@ QString StudyWords::question(const Experiment& experiment, bool out_of_time) {
     QStringList keys;
     for (const QString& answer : answers(experiment))
         keys << tr("%1: %2.").arg(keys.size() + 1).arg(answer);
-    const QString asked = experiment.answer == StudyParameter::expression ? tr("How did the face look?")
-                                                                          : tr("Which was it?");
+    const QString asked =
+        experiment.answer == StudyParameter::expression ? tr("How did the face look?") : tr("Which was it?");
     const QString question = asked + ' ' + keys.join(' ');
     return out_of_time ? tr("The time is over. %1").arg(question) : question;
 }

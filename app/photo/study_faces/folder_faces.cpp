@@ -95,23 +95,24 @@ bool needs_faces(const Experiment& experiment) {
            !levels_of(experiment, StudyParameter::expression).empty();
 }
 
-Result<std::shared_ptr<const FolderFaces>> FolderFaces::read(const fs::path& folder, const Experiment& experiment,
-                                                             const std::stop_token& stop) {
+Result<std::shared_ptr<const FolderFaces>>
+FolderFaces::read(const fs::path& folder, const Experiment& experiment, const std::stop_token& stop) {
     const auto files = labelled_files(folder);
     if (!files)
         return Error{files.error()};
     const std::vector<std::string> expressions = levels_of(experiment, StudyParameter::expression);
     std::vector<const Labelled::value_type*> people; ///< who have every expression
     for (const auto& person : *files)
-        if (std::ranges::all_of(expressions, [&](const std::string& one) { return person.second.contains(one); }))
+        if (std::ranges::all_of(expressions,
+                                [&](const std::string& one) { return person.second.contains(one); }))
             people.push_back(&person);
     auto faces = std::make_shared<FolderFaces>();
     std::optional<FaceExtractor> extractor;
     for (const std::string& level : levels_of(experiment, StudyParameter::face)) {
         const auto number = number_in<std::size_t>(level, 1, 1000);
         if (!number || *number > people.size())
-            return Error{"The folder " + quoted(folder) + " has too few people with every expression: " +
-                         std::to_string(people.size()) +
+            return Error{"The folder " + quoted(folder) +
+                         " has too few people with every expression: " + std::to_string(people.size()) +
                          ". Name the files after person and expression, such as anna_smiling.jpg."};
         for (const std::string& expression : expressions) {
             if (stop.stop_requested())

@@ -23,9 +23,8 @@ class FolderFaces final : public StudyFaces {
 public:
     /// The faces that `experiment` needs of `folder`; takes a second or so for each photograph. An error, in one sentence, where
     /// one is not there or has no face. It may be stopped; then the error is empty.
-    static Result<std::shared_ptr<const FolderFaces>> read(const std::filesystem::path& folder,
-                                                           const Experiment& experiment,
-                                                           const std::stop_token& stop = {});
+    static Result<std::shared_ptr<const FolderFaces>>
+    read(const std::filesystem::path& folder, const Experiment& experiment, const std::stop_token& stop = {});
 
     Result<std::vector<Contour>> contours(std::string_view expression, std::string_view face) const override;
     std::size_t count() const { return faces_.size(); }

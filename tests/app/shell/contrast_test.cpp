@@ -19,8 +19,9 @@ namespace {
 
 constexpr double text_bound = 7.0; // WCAG 2.1, 1.4.6, which the house promises for every text
 constexpr double look_bound = 3.0; // 1.4.11: what shows a control and where the keyboard is
-const QStringList all_pages{"start", "browse", "search", "explore",  "care",      "capture",
-                            "mend",  "print",  "lab",    "study",    "consent",  "sitting",   "settings",  "questions", "folders"};
+const QStringList all_pages{"start",   "browse",  "search",   "explore",   "care",
+                            "capture", "mend",    "print",    "lab",       "study",
+                            "consent", "sitting", "settings", "questions", "folders"};
 
 /// Everything below an item that is seen and can be used; WCAG leaves out what cannot.
 void collect_seen(QQuickItem* root, QList<QQuickItem*>& into) {
@@ -63,12 +64,13 @@ class DrawnPage {
 public:
     DrawnPage(WholeProgram& whole, const QString& page) : whole_(whole) {
         const bool of_study = page == "consent" || page == "sitting";
-        whole.program->open_page(page == "search"                            ? "browse"
+        whole.program->open_page(page == "search"                           ? "browse"
                                  : page == "questions" || page == "folders" ? "start"
                                  : of_study                                 ? "study"
                                                                             : page);
         if (of_study)
-            QTRY_VERIFY_WITH_TIMEOUT((whole.program->study().begin(), whole.program->study().run()->running()), 60000);
+            QTRY_VERIFY_WITH_TIMEOUT(
+                (whole.program->study().begin(), whole.program->study().run()->running()), 60000);
         if (page == "sitting") {
             whole.program->study().run()->agree();
             QTRY_COMPARE_WITH_TIMEOUT(whole.program->study().run()->state(), StudyRun::State::Ready, 60000);

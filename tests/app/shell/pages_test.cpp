@@ -16,8 +16,8 @@ using namespace tp;
 
 namespace {
 
-const QStringList every_page{"start", "browse", "explore", "care",    "capture",
-                             "mend",  "print",  "lab",     "study",   "settings"};
+const QStringList every_page{"start", "browse", "explore", "care",  "capture",
+                             "mend",  "print",  "lab",     "study", "settings"};
 
 /// Marks every text that goes through translation.
 class PseudoLocale : public QTranslator {

@@ -85,8 +85,8 @@ private slots:
         Monkey monkey(whole, 20260501);
         Disturbances disturbances(whole, socket, 20260502);
         std::mt19937 random(20260503);
-        const QStringList pages{"start", "browse", "explore", "care",    "capture",
-                                "mend",  "print",  "lab",     "study",   "settings"};
+        const QStringList pages{"start", "browse", "explore", "care",  "capture",
+                                "mend",  "print",  "lab",     "study", "settings"};
         std::vector<LoadLook> looks;
         const auto deeds = static_cast<int>(std::lround(3600.0 * hours() / deed_s));
         const auto deeds_between = static_cast<int>(std::lround(3600.0 * look_every_h / deed_s));

@@ -26,9 +26,10 @@
 struct StudyBench {
     static constexpr std::uint64_t seed = 7;
     /// Two lines, each once, with a training trial.
-    static constexpr const char* lines = "experiment: lines\ntitle: Two lines\ntask: follow\n"
-                                         "factor path: circle, curve\nset stiffness: 0.5 N/mm\nset range: 10 mm\n"
-                                         "training: 1\n";
+    static constexpr const char* lines =
+        "experiment: lines\ntitle: Two lines\ntask: follow\n"
+        "factor path: circle, curve\nset stiffness: 0.5 N/mm\nset range: 10 mm\n"
+        "training: 1\n";
     /// Two shapes, each twice, in a time.
     static constexpr const char* shapes = "experiment: shapes\ntitle: Two shapes\ntask: name\n"
                                           "factor shape: circle, square\nanswer: shape\nrepetitions: 2\n"
@@ -82,7 +83,8 @@ struct StudyBench {
     }
     std::filesystem::path study_folder() const { return (documents() + '/').toStdString() + experiment.name; }
     std::vector<tp::FingerSample> path_of(int trial) const {
-        const auto path = tp::read_path(study_folder() / tp::study_paths_folder / tp::path_file_name(participant, trial));
+        const auto path =
+            tp::read_path(study_folder() / tp::study_paths_folder / tp::path_file_name(participant, trial));
         return path ? *path : std::vector<tp::FingerSample>();
     }
 

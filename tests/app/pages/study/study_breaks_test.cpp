@@ -119,7 +119,8 @@ private slots:
         bench.session->advance(FeltTrial::longest_s + 1.0);
         bench.settle();
         QCOMPARE(bench.run().state(), State::Paused);
-        QVERIFY2(bench.said().startsWith("This trial has gone on for half an hour."), qPrintable(bench.said()));
+        QVERIFY2(bench.said().startsWith("This trial has gone on for half an hour."),
+                 qPrintable(bench.said()));
         QVERIFY(forceless(bench));
     }
 

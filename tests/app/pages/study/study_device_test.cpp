@@ -10,8 +10,9 @@ using State = StudyRun::State;
 namespace {
 
 /// On a surface that the device reaches; its middle is the device's (0, 100).
-constexpr const char* small_shapes = "experiment: small\ntask: name\nfactor shape: circle, square\nset radius: 40 mm\n"
-                                     "set stiffness: 0.5 N/mm\nset range: 10 mm\nanswer: shape\nsurface: 160 x 120 mm\n";
+constexpr const char* small_shapes =
+    "experiment: small\ntask: name\nfactor shape: circle, square\nset radius: 40 mm\n"
+    "set stiffness: 0.5 N/mm\nset range: 10 mm\nanswer: shape\nsurface: 160 x 120 mm\n";
 
 struct DeviceBench {
     DeviceSocket socket;
@@ -49,7 +50,8 @@ private slots:
         DeviceBench with;
         with.begin(small_shapes);
         QCOMPARE(with.bench.run().state(), State::Coming);
-        QVERIFY2(with.bench.said().contains("brings your finger to the start"), qPrintable(with.bench.said()));
+        QVERIFY2(with.bench.said().contains("brings your finger to the start"),
+                 qPrintable(with.bench.said()));
         with.bench.run().goOn(); // too early
         QCOMPARE(with.bench.run().state(), State::Coming);
         with.be_led(20.0);
@@ -141,7 +143,8 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(with.bench.session->setup()->hands().size(), 1, 60000);
         with.bench.run().goOn();
         QCOMPARE(with.bench.run().state(), State::Paused); // never by the mouse instead
-        QVERIFY2(with.bench.said().startsWith("The force device is not there. Connect it."), qPrintable(with.bench.said()));
+        QVERIFY2(with.bench.said().startsWith("The force device is not there. Connect it."),
+                 qPrintable(with.bench.said()));
         with.socket.plug_in();
         QTRY_COMPARE_WITH_TIMEOUT(with.bench.session->setup()->hands().size(), 2, 60000);
         with.bench.run().goOn();
@@ -171,7 +174,8 @@ private slots:
         DeviceBench wide;
         wide.begin(StudyBench::lines); // 200 × 200 mm
         QCOMPARE(wide.bench.run().state(), State::SetUp);
-        QVERIFY2(wide.bench.has_said("The device does not reach all of the experiment's surface, 200 by 200 millimetres"),
+        QVERIFY2(wide.bench.has_said(
+                     "The device does not reach all of the experiment's surface, 200 by 200 millimetres"),
                  qPrintable(wide.bench.said()));
         QVERIFY(!QDir(wide.bench.documents()).exists());
     }

@@ -16,15 +16,17 @@ private slots:
         StudyBench bench;
         bench.session->enter();
         const StudySetup& setup = *bench.session->setup();
-        QCOMPARE(setup.experiments(), QStringList({"Following contours, by stiffness and range",
-                                                   "Naming shapes of three sizes", "Naming the expressions of faces",
-                                                   "Following contours by the exact and the published law",
-                                                   "Naming expressions by the exact and the published law"}));
+        QCOMPARE(setup.experiments(),
+                 QStringList({"Following contours, by stiffness and range", "Naming shapes of three sizes",
+                              "Naming the expressions of faces",
+                              "Following contours by the exact and the published law",
+                              "Naming expressions by the exact and the published law"}));
         QTRY_COMPARE_WITH_TIMEOUT(setup.problem(), QString(), 60000);
         QCOMPARE(setup.folder(), bench.documents() + "/tracking");
         QCOMPARE(setup.participant(), 1);
         QCOMPARE(setup.progress(), QString("Participant 1 is new."));
-        QVERIFY2(bench.said().startsWith("Studies. Following contours, by stiffness and range."), qPrintable(bench.said()));
+        QVERIFY2(bench.said().startsWith("Studies. Following contours, by stiffness and range."),
+                 qPrintable(bench.said()));
         QVERIFY(!QDir(bench.documents()).exists());
     }
 
@@ -36,7 +38,8 @@ private slots:
         file.write("experiment: wrong\ntask: dance\n");
         file.close();
         bench.session->setup()->openFile(QUrl::fromLocalFile(file.fileName()));
-        QVERIFY2(bench.said().startsWith("wrong.study cannot be used as an experiment."), qPrintable(bench.said()));
+        QVERIFY2(bench.said().startsWith("wrong.study cannot be used as an experiment."),
+                 qPrintable(bench.said()));
         bench.session->setup()->openFile(QUrl::fromLocalFile(bench.folder.filePath("nowhere.study")));
         QVERIFY2(bench.said().contains("nowhere.study"), qPrintable(bench.said()));
         bench.session->setup()->openFile(QUrl("https://example.org/a.study"));
@@ -69,9 +72,11 @@ private slots:
         bench.session->setup()->choose(0);
         bench.session->setup()->choose(5);
         QTRY_COMPARE_WITH_TIMEOUT(bench.session->setup()->participant(), 2, 60000);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session->setup()->progress(), QString("Participant 2 is new."), 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session->setup()->progress(), QString("Participant 2 is new."),
+                                  60000);
         bench.session->setup()->setParticipant(1);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session->setup()->progress(), QString("Participant 1 has done 1 of 4 trials."), 60000);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session->setup()->progress(),
+                                  QString("Participant 1 has done 1 of 4 trials."), 60000);
         bench.session->setup()->setParticipant(0);
         QCOMPARE(bench.said(), QString("Participants have numbers from 1 to 9999."));
         QCOMPARE(bench.session->setup()->participant(), 1);
@@ -85,13 +90,15 @@ private slots:
         QVERIFY(QFileInfo::exists(bench.documents() + "/shapes/protocol.study"));
         QFile file(bench.folder.filePath("other.study"));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("experiment: shapes\ntask: name\nfactor shape: circle, square\nanswer: shape\nrepetitions: 3\n");
+        file.write(
+            "experiment: shapes\ntask: name\nfactor shape: circle, square\nanswer: shape\nrepetitions: 3\n");
         file.close();
         bench.session->setup()->openFile(QUrl::fromLocalFile(file.fileName()));
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session->setup()->problem(),
-                                  QString("In this folder lies a study of another experiment, or of another version of it. "
-                                          "Choose another folder."),
-                                  60000);
+        QTRY_COMPARE_WITH_TIMEOUT(
+            bench.session->setup()->problem(),
+            QString("In this folder lies a study of another experiment, or of another version of it. "
+                    "Choose another folder."),
+            60000);
         bench.session->begin();
         QCOMPARE(bench.run().state(), State::SetUp);
     }
@@ -101,15 +108,18 @@ private slots:
         bench.session->enter();
         bench.session->setup()->choose(2);
         QVERIFY(bench.session->setup()->needs_faces());
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session->setup()->problem().startsWith("This experiment needs faces."), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session->setup()->problem().startsWith("This experiment needs faces."),
+                                 60000);
         bench.session->begin();
         QCOMPARE(bench.run().state(), State::SetUp);
         QVERIFY(bench.said().startsWith("This experiment needs faces."));
         bench.session->setup()->chooseFaces();
         QVERIFY(bench.session->setup()->choosing());
-        emit bench.session->setup()->chooser()->chosen(QString::fromStdString(test::in_source("resources/samples")));
+        emit bench.session->setup()->chooser()->chosen(
+            QString::fromStdString(test::in_source("resources/samples")));
         QVERIFY(!bench.session->setup()->choosing());
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session->setup()->problem().contains("too few people with every expression: 1"), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bench.session->setup()->problem().contains("too few people with every expression: 1"), 60000);
     }
 
     void escape_ends_choosing_a_folder() {

@@ -15,7 +15,8 @@ private slots:
         bench.set_up(StudyBench::lines);
         bench.session->begin();
         QCOMPARE(bench.run().state(), State::Consent);
-        QVERIFY2(bench.said().contains("press Enter") && bench.said().contains("Escape"), qPrintable(bench.said()));
+        QVERIFY2(bench.said().contains("press Enter") && bench.said().contains("Escape"),
+                 qPrintable(bench.said()));
         QVERIFY(!QDir(bench.documents()).exists());
         QVERIFY(bench.session->stop());
         QCOMPARE(bench.run().state(), State::SetUp);
@@ -34,7 +35,8 @@ private slots:
         StudyBench bench;
         bench.begin(StudyBench::lines);
         QCOMPARE(bench.run().state(), State::Ready);
-        QVERIFY2(bench.said().endsWith("Training 1 of 1. Follow the line. Press Space to start."), qPrintable(bench.said()));
+        QVERIFY2(bench.said().endsWith("Training 1 of 1. Follow the line. Press Space to start."),
+                 qPrintable(bench.said()));
         for (int trial = 0; trial < 3; ++trial) {
             QCOMPARE(bench.run().state(), State::Ready);
             bench.follow();
@@ -85,13 +87,16 @@ private slots:
             QCOMPARE(bench.records().back().answer, std::string("square"));
             if (trial == 2) {
                 QCOMPARE(bench.run().state(), State::Break);
-                QVERIFY2(bench.said().contains("Participant 1 has done 2 of 4 trials."), qPrintable(bench.said()));
+                QVERIFY2(bench.said().contains("Participant 1 has done 2 of 4 trials."),
+                         qPrintable(bench.said()));
                 bench.run().goOn();
             }
         }
         QCOMPARE(bench.run().state(), State::Done);
         const auto records = bench.records();
-        QCOMPARE(std::ranges::count_if(records, [&](const TrialRecord& one) { return is_right(bench.experiment, one); }), 2);
+        QCOMPARE(std::ranges::count_if(
+                     records, [&](const TrialRecord& one) { return is_right(bench.experiment, one); }),
+                 2);
     }
 
     void when_the_time_is_over_the_answer_is_asked_for() {
@@ -135,7 +140,8 @@ private slots:
         for (int i = 0; i < 400 && bench.run().state() == State::Feeling; ++i)
             bench.session->advance(0.005);
         bench.settle();
-        QVERIFY2(bench.said().startsWith("A part of the line was left out; the trial is done again."), qPrintable(bench.said()));
+        QVERIFY2(bench.said().startsWith("A part of the line was left out; the trial is done again."),
+                 qPrintable(bench.said()));
         QVERIFY(bench.said().contains(", once more"));
         QCOMPARE(bench.records().size(), before + 1);
         QVERIFY(bench.records().back().repeated);
@@ -164,8 +170,10 @@ private slots:
         QVERIFY(bench.session->stop());
         QVERIFY(bench.session->stop());
         QCOMPARE(bench.run().state(), State::SetUp);
-        QVERIFY2(bench.said().contains("Everything is kept. Participant 1 has done 2 of 4 trials."), qPrintable(bench.said()));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session->setup()->progress() == "Participant 1 has done 2 of 4 trials.", 60000);
+        QVERIFY2(bench.said().contains("Everything is kept. Participant 1 has done 2 of 4 trials."),
+                 qPrintable(bench.said()));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bench.session->setup()->progress() == "Participant 1 has done 2 of 4 trials.", 60000);
         bench.session->begin();
         bench.run().agree();
         QTRY_VERIFY_WITH_TIMEOUT(bench.run().state() != State::Opening, 60000);

@@ -87,7 +87,8 @@ private slots:
 
     void only_expressions_and_faces_need_a_folder() {
         QVERIFY(needs_faces(four_expressions()));
-        const auto shapes = read_experiment("experiment: a\ntask: name\nfactor shape: circle, square\nanswer: shape\n");
+        const auto shapes =
+            read_experiment("experiment: a\ntask: name\nfactor shape: circle, square\nanswer: shape\n");
         QVERIFY(shapes && !needs_faces(*shapes));
     }
 };

@@ -9,6 +9,8 @@
 #include <limits>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 using namespace tp;
 using namespace tp::testing;
@@ -288,6 +290,29 @@ private slots:
         QCOMPARE(front.stare(frame_of(0.0, {})).advice, Advice::look_left);
     }
 
+    void a_lost_face_is_looked_for_five_seconds_long() {
+        Watched watched;
+        watched.stare(face_at(0.5, 0.85));
+        AimInstruction now = watched.see(frame_of(0.0, {}));
+        while (now.faces > 0) // it flickers, perhaps
+            now = watched.see(frame_of(0.0, {}));
+        int frames = 0;
+        for (; now.advice == Advice::look_down; ++frames)
+            now = watched.see(frame_of(0.0, {}));
+        QVERIFY2(frames >= 49 && frames <= 51, QByteArray::number(frames));
+        QCOMPARE(now.advice, Advice::look_left); // as everybody is who was never there
+    }
+
+    void only_who_was_a_fifth_beside_has_gone_off_that_way() {
+        const auto looked_for = [](double x) {
+            Watched watched;
+            watched.stare(face_at(x, 0.45));
+            return watched.stare(frame_of(0.0, {})).advice;
+        };
+        QCOMPARE(looked_for(0.29), Advice::look_left);
+        QCOMPARE(looked_for(0.31), Advice::look_right); // that is how looking for somebody begins
+    }
+
     void who_was_too_large_is_stepped_back_from() {
         Watched watched;
         watched.stare(face_at(0.5, 0.5, 0.8));
@@ -310,6 +335,77 @@ private slots:
             advices.insert(watched.see(tipped).advice);
         QCOMPARE(advices,
                  (std::set{Advice::look_left, Advice::look_right, Advice::look_up, Advice::look_down}));
+    }
+
+    void looking_goes_one_way_then_the_other_as_long_as_it_says() {
+        Watched watched;
+        std::vector<std::pair<Advice, int>> ways; // frames each
+        for (int i = 0; i < 300; ++i) {
+            const Advice advice = watched.see(frame_of(0.0, {})).advice;
+            if (ways.empty() || ways.back().first != advice)
+                ways.push_back({advice, 0});
+            ++ways.back().second;
+        }
+        const std::vector<std::pair<Advice, double>> wanted{
+            {Advice::look_right, 25}, {Advice::look_left, 50}, {Advice::look_right, 25},
+            {Advice::look_up, 12.5},  {Advice::look_down, 25}, {Advice::look_up, 12.5},
+            {Advice::look_right, 25}, {Advice::look_left, 50}};
+        QVERIFY(ways.size() >= wanted.size());
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            QCOMPARE(ways[i].first, wanted[i].first);
+            QVERIFY2(std::abs(ways[i].second - wanted[i].second) <= 1.5, QByteArray::number(ways[i].second));
+        }
+    }
+
+    void eight_degrees_are_upright_enough() {
+        const auto see = [](double elevation) {
+            AimFrame frame = frame_of(0.0, {});
+            frame.elevation_deg = elevation;
+            return Watched().see(frame);
+        };
+        QCOMPARE(see(7.9).advice, Advice::look_right);
+        QCOMPARE(see(8.1).advice, Advice::move_down);
+        QCOMPARE(see(-8.1).advice, Advice::move_up);
+        QCOMPARE(see(14.0).step, AimStep::some);
+        QCOMPARE(see(15.0).step, AimStep::much);
+    }
+
+    void a_tone_halves_what_words_are_needed_for() {
+        const auto advice = [](double x, double tilt) {
+            Watched watched;
+            watched.adviser.with_tone(true);
+            return watched.stare(face_at(x, 0.45, 0.27, tilt)).advice;
+        };
+        QCOMPARE(advice(0.69, 7.2), Advice::turn_clockwise); // 1.9 and 1.03 times their limits
+        QCOMPARE(advice(0.72, 7.2), Advice::move_right);
+    }
+
+    void the_advice_changes_to_what_is_so_much_worse() {
+        const auto advice_then = [](double tilt) {
+            Watched watched;
+            const Advice first = watched.stare(face_at(0.62, 0.45)).advice; // 1.2 times its limit
+            return first != Advice::move_right ? first
+                                               : watched.stare(face_at(0.62, 0.45, 0.27, tilt)).advice;
+        };
+        QCOMPARE(advice_then(11.2), Advice::move_right);     // 1.33 times as bad
+        QCOMPARE(advice_then(12.3), Advice::turn_clockwise); // 1.46
+    }
+
+    void light_behind_and_blur_are_so_bad() {
+        const auto fault = [](AimFault which, double brightness, double surroundings, double sharpness) {
+            AimFace face = face_at(0.5, 0.45);
+            face.brightness = brightness;
+            AimFrame frame = frame_of(0.0, {face});
+            frame.surroundings = surroundings;
+            frame.sharpness = sharpness;
+            Watched watched;
+            watched.stare(frame);
+            return watched.adviser.faults()[static_cast<std::size_t>(which)];
+        };
+        QVERIFY(std::abs(fault(AimFault::light, 0.3, 0.8, 1.0) - 2.0) < 1e-9);
+        QVERIFY(fault(AimFault::light, 0.44, 0.95, 1.0) > 2.0);
+        QVERIFY(fault(AimFault::light, 0.46, 0.95, 1.0) < 1.0); // light enough before any background
+        QVERIFY(std::abs(fault(AimFault::blur, 0.5, 0.5, 0.15) - 2.0) < 1e-9);
     }
 
     void for_everybody_a_missing_one_is_stepped_back_for() {

@@ -145,6 +145,80 @@ private slots:
         QCOMPARE(tracks.faces()[0].name, std::string("Anna"));
     }
 
+    /// Of a track with a name the same name elsewhere is as like as a quarter of a face's size beside it.
+    void a_name_that_jumps_yields_to_a_face_that_is_nearer_than_a_quarter() {
+        for (const bool nearer : {false, true}) {
+            FaceTracks tracks;
+            AimFace anna = face_at(0.2, 0.4);
+            anna.name = "Anna";
+            for (int i = 0; i < 3; ++i)
+                tracks.see(frame_of(0.1 * i, {anna, face_at(0.6, 0.4)}));
+            const auto annas = std::ranges::find(tracks.faces(), "Anna", &TrackedFace::name);
+            QVERIFY(annas != tracks.faces().end());
+            const std::uint32_t id = annas->id;
+            AimFace there = face_at(0.6 + (nearer ? 0.2 : 0.3) * size_of(anna.box), 0.4);
+            there.name = "Anna";
+            tracks.see(frame_of(0.3, {there}));
+            const auto now = std::ranges::find(tracks.faces(), 0.3, &TrackedFace::seen_s);
+            QVERIFY(now != tracks.faces().end());
+            QCOMPARE(now->id == id, !nearer);
+        }
+    }
+
+    void an_unseen_face_is_thought_to_go_on_for_a_third_of_a_second() {
+        for (const double beside : {-0.9, 0.9}) {
+            FaceTracks tracks;
+            int frame = 0;
+            for (; frame < 12; ++frame)
+                tracks.see(
+                    frame_of(0.05 * frame, {face_at(0.1 + 0.02 * frame, 0.4, 0.1), face_at(0.5, 0.8, 0.3)}));
+            const TrackedFace runner = tracks.faces().back();
+            const double expected = runner.box.centre().x + 0.3 * runner.speed.x;
+            const AimFace again = face_at(expected + beside * size_of(runner.box), 0.4, 0.1);
+            tracks.see(frame_of(runner.seen_s + 0.45, {again, face_at(0.5, 0.8, 0.3)}));
+            QCOMPARE(tracks.faces().size(), std::size_t{2});
+            QCOMPARE(tracks.faces().back().id, runner.id);
+            QCOMPARE(tracks.faces().back().seen_s, runner.seen_s + 0.45);
+        }
+    }
+
+    void a_swung_face_is_less_than_twice_as_large_data() {
+        QTest::addColumn<double>("height");
+        QTest::addColumn<bool>("same");
+        QTest::newRow("larger") << 0.175 << true;
+        QTest::newRow("much larger") << 0.185 << false;
+        QTest::newRow("smaller") << 0.1 / 1.75 << true;
+        QTest::newRow("much smaller") << 0.1 / 1.85 << false;
+    }
+    void a_swung_face_is_less_than_twice_as_large() {
+        QFETCH(double, height);
+        QFETCH(bool, same);
+        FaceTracks tracks;
+        for (int i = 0; i < 3; ++i)
+            tracks.see(frame_of(0.1 * i, {face_at(0.1, 0.4, 0.1)}));
+        const std::uint32_t id = tracks.faces()[0].id;
+        tracks.see(frame_of(0.3, {face_at(0.8, 0.4, height)}));
+        QCOMPARE(tracks.faces()[0].id, id);
+        QCOMPARE(tracks.faces()[0].seen_s > 0.25, same);
+    }
+
+    void a_face_is_sure_from_a_half_on_and_a_break_longer_than_a_second_is_one() {
+        for (const double confidence : {0.49, 0.5}) {
+            AimFace face = face_at(0.3, 0.4);
+            face.confidence = confidence;
+            FaceTracks tracks;
+            tracks.see(frame_of(0.0, {face}));
+            tracks.see(frame_of(0.1, {face}));
+            QCOMPARE(tracks.faces().size(), confidence < 0.5 ? std::size_t{0} : std::size_t{1});
+        }
+        for (const double gap : {0.99, 1.01}) {
+            FaceTracks tracks;
+            tracks.see(frame_of(0.0, {}));
+            tracks.see(frame_of(gap, {}));
+            QCOMPARE(tracks.breaks(), gap > 1.0 ? 1U : 0U);
+        }
+    }
+
     void a_camera_that_is_swung_takes_its_only_face_along() {
         FaceTracks tracks;
         tracks.see(frame_of(0.0, {face_at(0.1, 0.4, 0.1)}));

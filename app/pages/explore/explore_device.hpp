@@ -8,11 +8,11 @@
 #include "app/pages/explore/explore_tour.hpp"
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_words.hpp"
+#include "app/pages/explore/sheet_place.hpp"
+#include "app/parts/devices/device_desk.hpp"
 #include "app/parts/finger/fault_watch.hpp"
 #include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/finger/page_clock.hpp"
-#include "app/pages/explore/sheet_place.hpp"
-#include "app/parts/devices/device_desk.hpp"
 #include "core/servo/fault.hpp"
 
 #include <QObject>

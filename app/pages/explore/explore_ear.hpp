@@ -8,9 +8,9 @@
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_words.hpp"
 #include "app/pages/explore/explore_zoom.hpp"
+#include "app/pages/explore/way_watch.hpp"
 #include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/finger/page_clock.hpp"
-#include "app/pages/explore/way_watch.hpp"
 #include "audio/guide/sonified_guide.hpp"
 #include "audio/sound/earcon_player.hpp"
 

@@ -5,8 +5,8 @@
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_words.hpp"
 #include "app/pages/explore/feature_tracker.hpp"
-#include "app/parts/finger/finger_servo.hpp"
 #include "app/pages/explore/hand_state.hpp"
+#include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/finger/page_clock.hpp"
 #include "core/servo/servo_loop.hpp"
 

@@ -6,9 +6,9 @@
 #include "app/pages/explore/explore_tour.hpp"
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_words.hpp"
+#include "app/pages/explore/touch_gestures.hpp"
 #include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/finger/page_clock.hpp"
-#include "app/pages/explore/touch_gestures.hpp"
 
 #include <QObject>
 #include <QtQml/qqmlregistration.h>

@@ -10,7 +10,8 @@ namespace tp {
 
 ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, SonifiedGuide& guide,
                                Preferences& preferences, ExploreSettings settings)
-    : now_(settings.now), servo_({settings.surface.width_mm, settings.surface.height_mm}, settings.servo, settings.plant),
+    : now_(settings.now),
+      servo_({settings.surface.width_mm, settings.surface.height_mm}, settings.servo, settings.plant),
       words_(narrator, earcons, preferences, now_), choices_(preferences, servo_, words_, settings),
       view_(settings, servo_, words_, choices_), walk_(settings, view_, words_),
       finger_(servo_, view_, words_, now_, settings.dwell_s), tour_(servo_, view_, finger_, words_, now_),

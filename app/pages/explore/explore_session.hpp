@@ -12,10 +12,10 @@
 #include "app/pages/explore/explore_walk.hpp"
 #include "app/pages/explore/explore_words.hpp"
 #include "app/pages/explore/explore_zoom.hpp"
-#include "app/parts/finger/finger_servo.hpp"
-#include "app/parts/finger/page_clock.hpp"
 #include "app/pages/explore/rest_watch.hpp"
 #include "app/pages/explore/touch_gestures.hpp"
+#include "app/parts/finger/finger_servo.hpp"
+#include "app/parts/finger/page_clock.hpp"
 
 #include <QEvent>
 #include <QObject>

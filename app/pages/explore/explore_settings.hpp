@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/pages/explore/dwell.hpp"
-#include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/devices/device_access.hpp"
+#include "app/parts/finger/finger_servo.hpp"
 #include "app/photo/scene/extra_features.hpp"
 #include "app/photo/scene/scene_builder.hpp"
 #include "core/servo/servo_loop.hpp"

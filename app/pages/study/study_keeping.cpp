@@ -58,7 +58,7 @@ StudyKeeping::Known StudyKeeping::known_of(const Result<StudyFolder>& study, con
 
 void StudyKeeping::look(const std::filesystem::path& folder, const Experiment& experiment, int participant,
                         Then then) {
-    work([=, this]() -> std::function<void()> {
+    work([folder, experiment, participant, then = std::move(then)]() -> std::function<void()> {
         Known known;
         try {
             if (name_taken(folder / study_protocol_file))

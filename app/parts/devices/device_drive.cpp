@@ -18,8 +18,8 @@ ServoSettings at_rate(ServoSettings settings, double rate) {
 
 DeviceDrive::DeviceDrive(std::unique_ptr<ForceDevice> device, const Capabilities& can, ServoSettings settings,
                          Clock* clock)
-    : device_(std::move(device)), loop_(*device_, can, clock != nullptr ? *clock : own_clock_,
-                                        at_rate(settings, can.rate)) {}
+    : device_(std::move(device)),
+      loop_(*device_, can, clock != nullptr ? *clock : own_clock_, at_rate(settings, can.rate)) {}
 
 std::vector<Vec2> reach_of(const Capabilities& can, const Affine& device_to_surface) {
     std::vector<Vec2> reach;

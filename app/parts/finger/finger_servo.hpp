@@ -117,7 +117,7 @@ private:
     Rect surface_;
     ServoSettings settings_;
     SimulatedPlant plant_;
-    VirtualClock* time_; ///< null: the machine's
+    VirtualClock* time_;                   ///< null: the machine's
     SimulatedDevice* simulated_ = nullptr; ///< drive_'s, where it is that
     std::unique_ptr<DeviceDrive> drive_;
     Make make_; ///< what is felt; empty: nothing

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A real device under the Explore page: its handle is the finger, its force is the person's own, and it comes and goes.
-#include "app/parts/finger/fault_watch.hpp"
 #include "app/parts/controls/recording_announcer.hpp"
+#include "app/parts/finger/fault_watch.hpp"
 #include "device/calibration_file.hpp"
 #include "device_socket.hpp"
 #include "explore_bench.hpp"

@@ -9,9 +9,9 @@
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_words.hpp"
 #include "app/pages/explore/explore_zoom.hpp"
+#include "app/parts/controls/recording_announcer.hpp"
 #include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/finger/page_clock.hpp"
-#include "app/parts/controls/recording_announcer.hpp"
 #include "explore_bench.hpp"
 
 #include <QObject>
@@ -37,7 +37,8 @@ struct ExploreParts {
     ExploreSounds sounds;
     tp::ExploreSettings settings = settings_at(time);
     tp::PageClock now{settings.now};
-    tp::FingerServo servo{{settings.surface.width_mm, settings.surface.height_mm}, settings.servo, settings.plant};
+    tp::FingerServo servo{
+        {settings.surface.width_mm, settings.surface.height_mm}, settings.servo, settings.plant};
     tp::ExploreWords words{narrator, sounds.earcons, sounds.preferences, now};
     tp::ExploreChoices choices{sounds.preferences, servo, words, settings};
     tp::ExploreView view{settings, servo, words, choices};

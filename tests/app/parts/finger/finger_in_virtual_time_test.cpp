@@ -11,7 +11,9 @@ using namespace tp;
 
 namespace {
 
-Scene with_a_line() { return {200.0, 200.0, {contour_through("line", {{-60.0, 10.0}, {60.0, 10.0}}, false)}}; }
+Scene with_a_line() {
+    return {200.0, 200.0, {contour_through("line", {{-60.0, 10.0}, {60.0, 10.0}}, false)}};
+}
 
 struct Bench {
     VirtualClock time;

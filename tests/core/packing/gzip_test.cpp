@@ -24,7 +24,7 @@ class GzipTest : public QObject {
     Q_OBJECT
 private slots:
     void bytes_come_back_as_they_were() {
-        for (const std::size_t count : {0, 1, 1000, 65536, 65537, 300'000}) {
+        for (const std::size_t count : {0U, 1U, 1000U, 65536U, 65537U, 300'000U}) {
             const std::string bytes = some_bytes(count, 1);
             const auto back = gunzipped(gzipped(bytes), count);
             QVERIFY2(back.ok(), back.error().c_str());

@@ -14,7 +14,8 @@ bool FaultWatch::must_tell(Fault fault, double now) {
         told_ = Fault::none;
     if (fault != shown_)
         shown_ = fault == told_ ? fault : Fault::none;
-    if (fault == Fault::motors_off && fault == told_ && now - told_at_ >= remind_s && reminders_ < most_reminders) {
+    if (fault == Fault::motors_off && fault == told_ && now - told_at_ >= remind_s &&
+        reminders_ < most_reminders) {
         ++reminders_;
         told_at_ = now;
         return true;

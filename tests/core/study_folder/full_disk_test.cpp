@@ -84,7 +84,7 @@ private slots:
 
     void a_line_that_has_no_room_is_kept_when_there_is_some() {
         const std::string before = table();
-        for (const std::size_t room : {0, 1, 20}) {
+        for (const std::size_t room : {0U, 1U, 20U}) {
             room_in_tables = room;
             QVERIFY(does().ends_with("participant-001.csv\": the disk is full."));
             QCOMPARE(table(), before);
@@ -133,7 +133,7 @@ private slots:
                  (std::vector<StudySitting>{{1, 1, worked_mouse}, {1, 2, worked_pad}}));
     }
     void a_study_that_cannot_begin_says_so_and_begins_later() {
-        for (const std::size_t room : {0, 10, 100, 300}) {
+        for (const std::size_t room : {0U, 10U, 100U, 300U}) {
             const fs::path other = folder_ / ("in-" + std::to_string(room));
             room_elsewhere = room;
             const auto writer = StudyWriter::open(other, worked_experiment(), worked_terms, worked_mouse);

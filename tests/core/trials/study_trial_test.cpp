@@ -101,7 +101,7 @@ private slots:
         }
     }
     void a_closed_path_lies_anywhere_and_begins_where_it_may() {
-        for (const std::size_t condition : {0, 1}) {
+        for (const std::size_t condition : {0U, 1U}) {
             std::vector<Vec2> middles;
             std::set<int> starts;
             for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -147,7 +147,7 @@ private slots:
             }
         }
         const StudyTrial triangle = path_trial(1, 7);
-        for (const std::size_t i : {1, 2})
+        for (const std::size_t i : {1U, 2U})
             QVERIFY(length(triangle.path.points[i] - triangle.knots[2 * i - 1]) < 1e-9);
     }
     void a_short_path_is_judged_more_narrowly() {

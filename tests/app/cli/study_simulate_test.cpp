@@ -66,7 +66,10 @@ private slots:
         const Run run = lab(
             {"study", "simulate", asked, "--participants", "1", "--faces", faces, "--out", path("faces")});
         QVERIFY2(run.code == 0, run.err.constData());
-        for (const tp::TrialRecord& record : tp::read_study(path("faces").toStdString())->records)
+        const auto study = tp::read_study(path("faces").toStdString());
+        QVERIFY2(study.ok(), study.error().c_str());
+        QVERIFY(!study->records.empty());
+        for (const tp::TrialRecord& record : study->records)
             QVERIFY(!record.answer.empty());
         const Run many = lab(
             {"study", "simulate",

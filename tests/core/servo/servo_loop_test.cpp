@@ -367,7 +367,8 @@ private slots:
         QVERIFY(bench.loop.snapshot().tour_progress > reached);
     }
 
-    /// What a researcher reads as "no tick in so many periods", and nobody feels as a burst of ticks.
+    /// What a researcher reads as "no tick in so many periods", and nobody feels as a burst of ticks. No tick is so late
+    /// that the watchdog touches the device, which a loop then leaves alone for a tick.
     void periods_that_a_busy_machine_missed_are_counted_and_not_made_up_for() {
         DeviceDouble device;
         LoopClock clock;
@@ -375,19 +376,19 @@ private slots:
         device.place = [&](double now) {
             const std::size_t tick = begun.size();
             begun.push_back(now);
-            clock.work(tick == 5 ? 0.0034 : tick == 9 ? 0.0012 : 0.0001);
+            clock.work(tick == 5 ? 0.0024 : tick == 9 ? 0.0012 : 0.0001);
             return Vec2(0.0);
         };
         ServoLoop loop(device, DeviceDouble::capabilities(), clock, ServoSettings{});
         loop.start();
         QTRY_VERIFY_WITH_TIMEOUT(loop.snapshot().ticks > 20, 20000);
         loop.stop();
-        QCOMPARE(loop.missed_periods(), std::uint64_t(4)); // three in the sixth tick, one in the tenth
-        const int period_of[] = {0, 1, 2, 3, 4, 5, 9, 10, 11, 12, 14, 15};
+        QCOMPARE(loop.missed_periods(), std::uint64_t(3)); // two in the sixth tick, one in the tenth
+        const int period_of[] = {0, 1, 2, 3, 4, 5, 8, 9, 10, 11, 13, 14};
         for (std::size_t i = 0; i < std::size(period_of); ++i)
             QVERIFY(std::abs(begun[i] - 0.001 * period_of[i]) < 1e-9);
         QVERIFY(loop.lateness().max() < 1e-6); // each begins when its own period does
-        QVERIFY(std::abs(loop.compute().max() - 0.0034) < 1e-9);
+        QVERIFY(std::abs(loop.compute().max() - 0.0024) < 1e-9);
     }
 
     /// In parts of a power of two, which add up exactly.

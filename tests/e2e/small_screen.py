@@ -22,7 +22,7 @@ PANEL = 40  # px, at the bottom
 CONFIG = f"""<?xml version="1.0"?>
 <openbox_config xmlns="http://openbox.org/3.4/rc"><margins><bottom>{PANEL}</bottom></margins></openbox_config>
 """
-PAGES = (None, "browse", "explore", "care", "capture", "settings", "lab")
+PAGES = (None, "browse", "explore", "care", "capture", "settings", "lab", "study")
 
 
 def extents(page, node):

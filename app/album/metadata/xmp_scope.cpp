@@ -11,6 +11,16 @@ namespace {
 /// Whether it can stand before or after the colon of a name.
 bool is_plain(std::string_view part) { return !part.empty() && part.find(':') == std::string_view::npos; }
 
+/// Whether an element's name can begin with it. As what is declared ("xmlns:-lr") the parser takes more than it
+/// takes at an element's beginning, which XML 1.0, 2.3: NameStartChar, names.
+bool begins_names(std::string_view prefix) {
+    if (!is_plain(prefix))
+        return false;
+    const char first = prefix.front();
+    return (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z') || first == '_' ||
+           static_cast<unsigned char>(first) >= 0x80;
+}
+
 } // namespace
 
 XmpScope::XmpScope(const XmpScope* around, pugi::xml_node element) : around_(around) {
@@ -20,7 +30,7 @@ XmpScope::XmpScope(const XmpScope* around, pugi::xml_node element) : around_(aro
         const std::string_view name = attribute.name();
         if (name == "xmlns")
             uris_.emplace("", unescaped(attribute.value()));
-        else if (name.starts_with("xmlns:") && is_plain(name.substr(6)))
+        else if (name.starts_with("xmlns:") && begins_names(name.substr(6)))
             uris_.emplace(name.substr(6), unescaped(attribute.value()));
     }
 }

@@ -128,6 +128,18 @@ private slots:
         QCOMPARE(again.value({"urn:not-dublin-core", "x"})->text, std::string("1"));
     }
 
+    void a_prefix_that_cannot_begin_a_name_is_not_used() {
+        for (const std::string prefix : {"-f", "1e400", ".f"}) {
+            XmpPacket packet = read("<rdf:RDF xmlns:rdf='" + xmp::rdf_uri + "'><rdf:Description xmlns:" + prefix +
+                                    "='" + foreign + "'/></rdf:RDF>");
+            packet.set({foreign, "p"}, XmpValue::of("1"));
+            const auto again = XmpPacket::from(packet.bytes());
+            QVERIFY2(again, again ? "" : again.error().c_str());
+            QCOMPARE(again->value({foreign, "p"}).value_or(XmpValue{}), XmpValue::of("1"));
+            QVERIFY(packet.bytes().find("xmlns:" + prefix) != std::string::npos);
+        }
+    }
+
     void a_removed_property_is_gone_from_every_description() {
         XmpPacket packet = read(
             rdf("<rdf:Description f:p='1'/><rdf:Description><f:p>2</f:p><f:q>3</f:q></rdf:Description>"));

@@ -16,7 +16,7 @@ namespace tp {
 namespace {
 
 constexpr double same_head = 0.4;    ///< of a face's size; two heads cannot be that near
-constexpr double sure_of_face = 0.5; ///< of the points of a face whose eyes are judged
+constexpr double sure_of_face = 0.5; ///< of the points of a face that is judged
 constexpr double shut_below = 0.15;  ///< of `openness` (faces/base/landmarks.hpp)
 
 /// Of boxes round one head only the surest.
@@ -38,6 +38,11 @@ std::vector<Detection> one_a_head(std::vector<Detection> found) {
 struct QuickFaces::Nets {
     EmbeddedDetector detector;
     ContourNets points{Refinement::close_looks}; ///< without close looks shut eyes are placed as open ones
+
+    std::optional<Landmarks> sure_points(const cv::Mat& picture, const Detection& face) {
+        auto found = points.locate(picture, face);
+        return found && found->confidence >= sure_of_face ? std::move(found) : std::nullopt;
+    }
 };
 
 QuickFaces::QuickFaces() {
@@ -56,9 +61,22 @@ std::vector<Detection> QuickFaces::find(const cv::Mat& picture) {
 }
 
 bool QuickFaces::eyes_shut(const cv::Mat& picture, const Detection& face) {
-    const auto points = nets_->points.locate(picture, face);
-    return points && points->confidence >= sure_of_face &&
-           std::max(openness(points->right_eye), openness(points->left_eye)) < shut_below;
+    const auto points = nets_->sure_points(picture, face);
+    return points && std::max(openness(points->right_eye), openness(points->left_eye)) < shut_below;
+}
+
+std::optional<Face> QuickFaces::face_at(const cv::Mat& picture, const Detection& face) {
+    const auto points = nets_->sure_points(picture, face);
+    if (!points)
+        return std::nullopt;
+    Face found;
+    found.box = face.box;
+    found.score = face.score;
+    found.contours = {contour_through(feature::right_eye, points->right_eye, true),
+                      contour_through(feature::left_eye, points->left_eye, true),
+                      contour_through(feature::outer_lip, points->outer_lip, true),
+                      contour_through(feature::outline, points->outline, false)};
+    return found;
 }
 
 } // namespace tp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "faces/identity/named_faces.hpp"
 #include "faces/identity/near_groups.hpp"
 
 #include <compare>
@@ -116,6 +117,8 @@ public:
     /// nor that of another face in the photograph. Where moments are known the faces nearest in time count alone,
     /// for children grow.
     std::vector<NameOffer> offers(FaceId face, std::size_t most = 3) const;
+    /// Those who have a name, by group: the faces by which a picture of today would be offered it.
+    std::vector<NamedFaces> named() const;
 
 private:
     struct Face {

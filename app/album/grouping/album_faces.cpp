@@ -47,6 +47,8 @@ void AlbumFaces::tell() {
     emit changed();
     if (wanted_)
         list();
+    if (named_wanted_)
+        list_named();
 }
 
 void AlbumFaces::go_on() {
@@ -71,6 +73,8 @@ void AlbumFaces::take(const GroupWorker::Report& report) {
         emit changed();
         if (wanted_ && !soon_.isActive())
             soon_.start();
+        if (named_wanted_)
+            list_named();
     }
     if (report.more || anew_)
         go_on();
@@ -98,6 +102,17 @@ void AlbumFaces::list() {
             if (wanted_)
                 emit people(found);
         });
+    });
+}
+
+void AlbumFaces::want_named() {
+    named_wanted_ = true;
+    list_named();
+}
+
+void AlbumFaces::list_named() {
+    QMetaObject::invokeMethod(worker_, [this] {
+        QMetaObject::invokeMethod(this, [this, people = worker_->named()] { emit named(people); });
     });
 }
 

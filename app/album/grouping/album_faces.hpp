@@ -37,6 +37,8 @@ public:
 
     /// `people` follows, now and whenever they have changed, until nobody wants them any more.
     void want_people(bool wanted);
+    /// `named` follows, now and whenever somebody may be known by other faces than before.
+    void want_named();
     /// `offered` follows.
     void ask(const std::filesystem::path& photo);
 
@@ -46,6 +48,8 @@ public:
 
 signals:
     void people(const std::shared_ptr<const tp::People>& people);
+    /// By what people who have names are known in a picture of today.
+    void named(const std::vector<tp::NamedFaces>& people);
     void offered(const std::filesystem::path& photo, const std::vector<tp::FaceOffer>& offers);
     /// Somebody may be offered now who was not before.
     void changed();
@@ -56,6 +60,7 @@ private:
     void forget();
     void tell();
     void list();
+    void list_named();
 
     OpenAlbum& album_;
     QThread thread_;
@@ -64,6 +69,7 @@ private:
     bool grouping_ = false;
     bool anew_ = false; ///< something came since the batch was begun
     bool wanted_ = false;
+    bool named_wanted_ = false;
     bool listing_ = false;
     QTimer soon_; ///< people are listed at most so often
 };

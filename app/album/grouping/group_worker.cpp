@@ -237,6 +237,8 @@ std::vector<FaceOffer> GroupWorker::offers(const std::filesystem::path& photo) {
     return offers;
 }
 
+std::vector<NamedFaces> GroupWorker::named() { return ready() ? groups_.named() : std::vector<NamedFaces>(); }
+
 Result<GroupsChange> GroupWorker::say(const Word& word) {
     constexpr const char* gone = "These faces are not grouped so any more.";
     if (!ready())

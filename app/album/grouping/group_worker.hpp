@@ -38,6 +38,9 @@ public:
     /// For the faces of a photograph of which nobody has said who they are.
     std::vector<FaceOffer> offers(const std::filesystem::path& photo);
 
+    /// By what people who have names are known in a picture of today.
+    std::vector<NamedFaces> named();
+
     /// What a person says of groups alone; the sentence that says why not, where it cannot be kept.
     using Word = std::function<std::optional<GroupsChange>(FaceGroups&)>;
     Result<GroupsChange> say(const Word& word);

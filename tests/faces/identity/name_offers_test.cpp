@@ -5,8 +5,12 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <vector>
 
 using namespace tp;
 
@@ -118,6 +122,59 @@ private slots:
         QVERIFY(groups.offers(100).at(0).sure);
         const auto unknown_time = groups.offers(101);
         QVERIFY(unknown_time.empty() || unknown_time[0].distance > 0.3);
+    }
+    void who_is_surely_known_of_those_with_a_name_is_who_is_surely_offered() {
+        int sure = 0;
+        for (std::uint32_t seed = 10; seed < 60; ++seed) {
+            drawn::People people(seed);
+            FaceGroups groups;
+            FaceId next = 1;
+            for (std::size_t who = 0; who < 4; ++who)
+                for (int picture = 0; picture < 12; ++picture, ++next)
+                    groups.add({at(said(drawn::face(next, next, people.picture_of(who, 0.4 + 0.12 * picture)),
+                                        who < 2   ? "Anna"
+                                        : who < 3 ? "Ben"
+                                                  : ""),
+                                   year_ms * picture)});
+            const FaceDescriptor today = people.picture_of(people.below(6), 1.3);
+            const std::string known = sure_name(groups.named(), today);
+            groups.add({at(drawn::face(next, next, today), 100 * year_ms)});
+            const auto group = groups.group_of(next);
+            const auto offers = groups.offers(next);
+            const std::string offered = !offers.empty() && offers[0].sure ? offers[0].name : "";
+            QVERIFY(group);
+            QCOMPARE(known, offered);
+            sure += known.empty() ? 0 : 1;
+        }
+        QVERIFY2(sure > 10 && sure < 45, qPrintable(QString::number(sure)));
+    }
+    void of_two_who_look_alike_nobody_is_surely_known() {
+        drawn::People people(3);
+        const FaceDescriptor anna = people.picture_of(0, 0.0),
+                             sister = between(anna, people.picture_of(1, 0.0), 0.5);
+        QCOMPARE(sure_name({{"Anna", {anna}}, {"Clara", {sister}}}, between(anna, sister, 0.45)),
+                 std::string());
+        QCOMPARE(sure_name({{"Anna", {anna}}, {"Clara", {sister}}}, between(anna, sister, 0.05)),
+                 std::string("Anna"));
+        QCOMPARE(sure_name({{"Anna", {anna}}, {"Anna", {sister}}}, between(anna, sister, 0.45)),
+                 std::string("Anna"));
+    }
+    void the_newest_faces_of_each_named_group_are_told() {
+        drawn::People people(7);
+        FaceGroups groups;
+        std::vector<FaceDescriptor> anna;
+        for (FaceId i = 0; i < 12; ++i) {
+            anna.push_back(people.picture_of(0));
+            groups.add({at(said(drawn::face(i + 1, i + 1, anna.back()), "Anna"), year_ms * i)});
+        }
+        groups.add({said(drawn::face(20, 20, people.picture_of(1)), "Ben")}); // when, nobody knows
+        groups.add({drawn::face(21, 21, people.picture_of(2))});
+        std::vector<NamedFaces> named = groups.named();
+        std::ranges::sort(named, {}, &NamedFaces::name);
+        QCOMPARE(named.size(), std::size_t{2});
+        QCOMPARE(named[0].newest, std::vector(anna.rbegin(), anna.rbegin() + 8));
+        QCOMPARE(named[1].newest.size(), std::size_t{1});
+        QVERIFY(sure_name({}, anna[0]).empty());
     }
     void moments_at_both_ends_of_time() {
         drawn::People people(7);

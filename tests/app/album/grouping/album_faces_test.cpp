@@ -257,6 +257,28 @@ private slots:
         QVERIFY(ground.tells("3(3), 2(2)"));
     }
 
+    void who_has_a_name_is_told_as_it_changes_and_nobody_when_off() {
+        Ground ground;
+        a_family(ground);
+        ground.start();
+        ground.look_at_all();
+        QVERIFY(ground.tells("4(4), 3(3)"));
+        QString named = "not told";
+        connect(ground.faces.get(), &AlbumFaces::named, this, [&](const std::vector<NamedFaces>& people) {
+            named.clear();
+            for (const NamedFaces& person : people)
+                named += QString("%1 %2 ").arg(QString::fromStdString(person.name)).arg(person.newest.size());
+        });
+        ground.faces->want_named();
+        QTRY_COMPARE_WITH_TIMEOUT(named, QString(), 30'000);
+        ground.say("a.jpg", {"Anna", ""});
+        QTRY_COMPARE_WITH_TIMEOUT(named, QString("Anna 4 "), 30'000);
+        ground.say("d.jpg", {"Bert", "Anna"});
+        QTRY_COMPARE_WITH_TIMEOUT(named, QString("Anna 4 Bert 3 "), 30'000);
+        ground.faces->set_on(false);
+        QTRY_COMPARE_WITH_TIMEOUT(named, QString(), 30'000);
+    }
+
     void off_forgets_everything_and_what_comes_all_the_same() {
         Ground ground;
         a_family(ground);

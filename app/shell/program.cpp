@@ -3,12 +3,12 @@
 
 #include "app/capture/camera/system_camera.hpp"
 #include "app/capture/seeing/aim_eye.hpp"
+#include "app/capture/seeing/face_namer.hpp"
 #include "app/shell/few_heaps.hpp"
 #include "audio/sound/player.hpp"
 #include "audio/sound/recorder.hpp"
 #include "audio/sound/threaded_filler.hpp"
 
-#include <QByteArray>
 #include <QFile>
 #include <QFileInfo>
 #include <QQmlEngine>
@@ -21,7 +21,7 @@ namespace tp {
 
 namespace {
 
-constexpr std::chrono::seconds open_album_after{1}; ///< when the start page is there
+constexpr std::chrono::seconds open_album_after{1}; ///< when the page is there
 constexpr int names_wait_ms = 100; ///< for the languages of names, which a page's first sentence may have
 
 Narrator::By by(Choices::Voice voice) {
@@ -36,8 +36,12 @@ Narrator::By by(Choices::Voice voice) {
     return Narrator::By::voice;
 }
 
-FrameLook look_with_an_eye() {
-    return [eye = std::make_shared<AimEye>()](const CameraFrame& frame) { return eye->see(frame); };
+FrameLook look_with_an_eye(const std::shared_ptr<const KnownPeople>& people) {
+    auto eye = std::make_shared<AimEye>();
+    eye->name_by([namer = std::make_shared<FaceNamer>(people)](const cv::Mat& frame, const Face& face) {
+        return namer->name(frame, face);
+    });
+    return [eye](const CameraFrame& frame) { return eye->see(frame); };
 }
 
 } // namespace
@@ -74,7 +78,10 @@ struct Program::Capturing {
           session(
               program.narrator_, program.earcons_, program.guide_, recorder, moment, program.preferences_,
               {program.parts_.make_camera ? program.parts_.make_camera() : std::make_unique<SystemCamera>(),
-               look_with_an_eye, [&program] { return program.folder_for_photographs(); }}) {}
+               [people = people] { return look_with_an_eye(people); },
+               [&program] { return program.folder_for_photographs(); }, people}) {}
+    std::shared_ptr<KnownPeople> people = std::make_shared<KnownPeople>();
+    bool knows_people = false; ///< the album tells them
     Recorder recorder;
     MomentRecorder moment;
     CaptureSession session;
@@ -142,7 +149,11 @@ void Program::add_pages() {
                 [this] { explore().leave(); }});
     shell_.add({"care", [] { return tr("Look after the album"); }, [this] { care().enter(); },
                 [this] { care().leave(); }});
-    shell_.add({"capture", [] { return tr("Take a photograph"); }, [this] { capture().enter(); },
+    shell_.add({"capture", [] { return tr("Take a photograph"); },
+                [this] {
+                    capture().enter();
+                    QTimer::singleShot(open_album_after, this, &Program::know_people_before_camera);
+                },
                 [this] { capture().leave(); }});
     shell_.add(
         {"mend", [] { return tr("Mend contours"); }, [this] { mend().enter(); }, [this] { mend().leave(); }});
@@ -246,6 +257,15 @@ CaptureSession& Program::capture() {
     return capturing_->session;
 }
 
+/// When the page is there: an album that is opened takes its time.
+void Program::know_people_before_camera() {
+    if (preferences_.choices().folders.isEmpty() || std::exchange(capturing_->knows_people, true))
+        return;
+    connect(&album_faces(), &AlbumFaces::named, this,
+            [people = capturing_->people](const std::vector<NamedFaces>& named) { people->know(named); });
+    album_faces().want_named();
+}
+
 MendSession& Program::mend() {
     if (!mend_)
         mend_ = std::make_unique<MendSession>(narrator_);
@@ -286,26 +306,6 @@ void Program::enter_explore() {
     else if (none)
         explore().walk()->newest();
     explore().enter();
-}
-
-/// As ExploreSettings::Beside says.
-QString Program::beside(const QString& file, bool forward) {
-    if (preferences_.choices().folders.isEmpty())
-        return {};
-    AlbumQueries queries = album().queries();
-    const Direction direction = forward ? Direction::forward : Direction::backward;
-    std::optional<PlaceInList> from;
-    if (const auto here = queries.find(QFile::encodeName(file).toStdString()); here && *here)
-        from = (*here)->place;
-    for (;;) {
-        const auto next = queries.page(AllByTime{}, from, 1, direction);
-        if (!next || next->empty())
-            return {};
-        const QByteArray name = QByteArray::fromStdString(next->front().path.string());
-        if (const QString text = QFile::decodeName(name); QFile::encodeName(text) == name)
-            return text;
-        from = next->front().place; // its name is no text: it cannot be asked for
-    }
 }
 
 /// Where one is in the album is one place for all pages.

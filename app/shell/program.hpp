@@ -114,6 +114,7 @@ private:
     void enter_explore();
     QString beside(const QString& file, bool forward);
     void remember_felt();
+    void know_people_before_camera();
     void feel(const QString& photo);
     void care_for(const QString& photo);
     void follow_choices();

@@ -3,9 +3,12 @@
 #include "app/album/index/album_news.hpp"
 #include "app/shell/program.hpp"
 
+#include <QByteArray>
 #include <QDir>
 #include <QFile>
 #include <QStandardPaths>
+
+#include <optional>
 
 namespace tp {
 
@@ -47,6 +50,26 @@ std::filesystem::path Program::folder_for_photographs() {
     if (album().has_folders())
         return album().folders().front();
     return QFile::encodeName(preferences_.choices().folders.front()).toStdString();
+}
+
+/// As ExploreSettings::Beside says.
+QString Program::beside(const QString& file, bool forward) {
+    if (preferences_.choices().folders.isEmpty())
+        return {};
+    AlbumQueries queries = album().queries();
+    const Direction direction = forward ? Direction::forward : Direction::backward;
+    std::optional<PlaceInList> from;
+    if (const auto here = queries.find(QFile::encodeName(file).toStdString()); here && *here)
+        from = (*here)->place;
+    for (;;) {
+        const auto next = queries.page(AllByTime{}, from, 1, direction);
+        if (!next || next->empty())
+            return {};
+        const QByteArray name = QByteArray::fromStdString(next->front().path.string());
+        if (const QString text = QFile::decodeName(name); QFile::encodeName(text) == name)
+            return text;
+        from = next->front().place; // its name is no text: it cannot be asked for
+    }
 }
 
 AlbumFaces& Program::album_faces() {

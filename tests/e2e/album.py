@@ -40,6 +40,15 @@ class Album:
     def photo(self, name):
         return os.path.join(self.folder, name)
 
+    def names_the_face(self, photo, name):
+        """The largest one, by where the program finds it."""
+        found = json.loads(subprocess.run([self.lab, "faces", photo, "--json"], capture_output=True, check=True).stdout)
+        left, top, wide, high = found["faces"][0]["box"]
+        place = ((left + wide / 2) / found["width"], (top + high / 2) / found["height"],
+                 wide / found["width"], high / found["height"])
+        self.run("person", "name", "--face", ",".join(f"{share:.4f}" for share in place),
+                 self.photo(os.path.basename(photo)), name)
+
     def show(self, photo):
         return json.loads(self.run("show", "--json", self.photo(photo)))
 

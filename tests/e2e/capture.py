@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """A blind person takes a photograph, by keys and by what the program says: from the start page to the camera, which looks
-into a photograph and is moved by keys, as it is told; the photograph is taken by itself, a memo is spoken for it, and it is
-found in Browse and felt in Explore. In each language.
+into a photograph and is moved by keys, as it is told; the photograph is taken by itself, who is on it is told by the name that
+the album knows, a memo is spoken for it, and it is found in Browse and felt in Explore. In each language.
 
 capture.py PROGRAM LAB FACE PHOTOS...    FACE is what the camera looks at; ends in 77 where something is missing
 """
@@ -25,6 +25,7 @@ KEYS = {"left": ("Left",), "right": ("Right",), "up": ("Up",), "down": ("Down",)
 STEPS = {"a little {}": 2, "{}": 4, "far {}": 8, "much {}": 8}
 PATIENT_FOR = 10.0  # s, without a word
 MOST_SENTENCES = 60  # until the photograph is taken
+NAME = "Clara Muster"  # of whom FACE shows, who is in the album
 
 
 class Words:
@@ -125,7 +126,7 @@ class Photographer:
                    for node in self.page.shown())
 
 
-def journey(program, album, face, folder, language, voice, listener):
+def journey(program, album, face, folder, language, voice, listener, known):
     words = Words(language)
     desk.SAID = words("Last sentence") + ": "  # the listener knows it by that
     environment = preferences(folder, asked=True, voice="screen_reader", language=language, capture_told=True,
@@ -142,6 +143,9 @@ def journey(program, album, face, folder, language, voice, listener):
         sentences = person.aims(len(before))
         taken = (set(person.photographs()) - set(before)).pop()
         print(f"{language}: {taken} after {sentences} moves")
+        if known:
+            person.listener.await_words(NAME)
+            print("heard:", NAME)
         person.speaks_a_memo(voice)
         tags = album.tags(taken)
         assert [tag["kind"] for tag in tags] == ["memo"], tags
@@ -156,11 +160,13 @@ def inner(program, lab, face, photos):
     with tempfile.TemporaryDirectory() as folder, desk.Desk():
         server = sound_server.Server(folder)
         try:
-            album = Album(lab, photos, folder)
+            album = Album(lab, [*photos, face], folder)
+            album.names_the_face(face, NAME)
             voice = tone(os.path.join(folder, "voice.wav"), 440, 2.0)
             listener = desk.Listener()
             for language in LANGUAGES:
-                journey(program, album, face, folder, language, voice, listener)
+                # the first time the album's faces may not all have been looked at yet
+                journey(program, album, face, folder, language, voice, listener, language != LANGUAGES[0])
         finally:
             server.end()
 

@@ -85,7 +85,8 @@ struct AimEye::Parts {
             return;
         name_asked_s = frame.time_s;
         const std::size_t whose = asked++ % found.size();
-        seen.faces[whose].name = name_of(frame.pixels, found[whose]);
+        if (const auto face = faces.face_at(frame.pixels, found[whose]))
+            seen.faces[whose].name = name_of(frame.pixels, *face);
     }
 
     void look(const CameraFrame& frame, AimFrame& seen) {

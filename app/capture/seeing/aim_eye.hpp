@@ -6,7 +6,7 @@
 #include "app/capture/seeing/frame_sharpness.hpp"
 #include "core/aiming/aim_frame.hpp"
 #include "core/aiming/held_camera.hpp"
-#include "faces/base/detection.hpp"
+#include "faces/base/face.hpp"
 
 #include <opencv2/core/mat.hpp>
 
@@ -17,9 +17,9 @@
 
 namespace tp {
 
-/// Whose face this is, where it is known; `face` in pixels of the frame. May take its time: one face is asked for at a time,
-/// and not at every frame.
-using FaceName = std::function<std::string(const cv::Mat& frame, const Detection& face)>;
+/// Whose face this is, where it is known; `face` as QuickFaces::face_at, in pixels of the frame. May take its time: one face is
+/// asked for at a time, and not at every frame.
+using FaceName = std::function<std::string(const cv::Mat& frame, const Face& face)>;
 
 /// From a frame of the camera to what `core/aiming` asks of it, with nets of its own. One thread; never throws.
 class AimEye {

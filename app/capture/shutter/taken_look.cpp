@@ -22,7 +22,7 @@ double mean_of(const cv::Mat& picture) {
 
 } // namespace
 
-SeenPhoto TakenLook::see(const cv::Mat& picture) {
+TakenSight TakenLook::see(const cv::Mat& picture) {
     if (picture.empty() || picture.type() != CV_8UC3)
         return {};
     try {
@@ -38,23 +38,27 @@ SeenPhoto TakenLook::see(const cv::Mat& picture) {
             found.width = picture.cols;
             found.height = picture.rows;
         }
-        SeenPhoto seen = look_at(picture, found);
+        TakenSight sight{look_at(picture, found), {}};
         if (mean_of(picture) < dark_picture)
-            seen.light = Light::dark;
-        return seen;
+            sight.seen.light = Light::dark;
+        const Vec2 size(picture.cols, picture.rows);
+        for (const Face& face : found.faces)
+            if (std::string name = namer_.name(picture, face); !name.empty())
+                sight.known.push_back({{face.box.min / size, face.box.max / size}, std::move(name)});
+        return sight;
     } catch (const std::exception&) { // out of memory, mostly
         return {};
     }
 }
 
-PhotoView taken_view(const SeenPhoto& seen, const std::vector<NamedFace>& known, QLocale::Language language) {
+PhotoView taken_view(const TakenSight& sight, QLocale::Language language) {
     PhotoRecord record;
-    for (const NamedFace& face : known)
+    for (const NamedFace& face : sight.known)
         if (!face.name.empty()) {
             const Vec2 centre = face.box.centre();
             record.faces.push_back({centre.x, centre.y, face.box.width(), face.box.height(), face.name});
         }
-    return view_of(seen, record, language);
+    return view_of(sight.seen, record, language);
 }
 
 } // namespace tp

@@ -23,8 +23,8 @@ CaptureSession::CaptureSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
                                Parts parts)
     : preferences_(preferences), teller_(narrator, earcons), choices_(preferences, teller_),
       camera_(std::move(parts.camera), std::move(parts.make_look)), aiming_(choices_, teller_, guide),
-      album_(std::move(parts.folder)), shutter_(album_, teller_), memo_(album_, recorder, teller_),
-      moment_(album_, choices_, moment, teller_) {
+      album_(std::move(parts.folder)), shutter_(album_, std::move(parts.people), teller_),
+      memo_(album_, recorder, teller_), moment_(album_, choices_, moment, teller_) {
     connect(&camera_, &CaptureCamera::began, this, [this] {
         aiming_.begin(camera_.held());
         moment_.begin();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/capture/seeing/known_people.hpp"
 #include "app/pages/capture/capture_aiming.hpp"
 #include "app/pages/capture/capture_album.hpp"
 #include "app/pages/capture/capture_camera.hpp"
@@ -43,6 +44,8 @@ public:
         std::unique_ptr<Camera> camera;
         CaptureCamera::MakeLook make_look;
         CaptureAlbum::Folder folder; ///< where photographs are kept
+        /// Who may be known on what was taken.
+        std::shared_ptr<const KnownPeople> people = std::make_shared<KnownPeople>();
     };
 
     /// All must outlive the session.

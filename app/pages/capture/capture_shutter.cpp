@@ -27,6 +27,7 @@ PhotographFacts facts_now(const std::string& device) {
 } // namespace
 
 struct CaptureShutter::Nets {
+    explicit Nets(std::shared_ptr<const KnownPeople> people) : look(std::move(people)) {}
     QuickFaces faces;
     TakenLook look;
 };
@@ -40,8 +41,9 @@ struct CaptureShutter::Work {
     quint64 run = 0;
 };
 
-CaptureShutter::CaptureShutter(CaptureAlbum& album, CaptureTeller& teller)
-    : album_(album), teller_(teller), nets_(std::make_shared<Nets>()) {
+CaptureShutter::CaptureShutter(CaptureAlbum& album, std::shared_ptr<const KnownPeople> people,
+                               CaptureTeller& teller)
+    : album_(album), teller_(teller), nets_(std::make_shared<Nets>(std::move(people))) {
     connect(&album_, &CaptureAlbum::changed, this, &CaptureShutter::changed);
 }
 
@@ -65,7 +67,7 @@ void CaptureShutter::take(Moment moment) {
             if (!kept)
                 return kept.error();
             work->kept = *kept;
-            work->words = taken_words(taken_view(nets->look.see(best), {}, language), language);
+            work->words = taken_words(taken_view(nets->look.see(best), language), language);
             return {};
         },
         [this, work](const QString& problem) { finish(work, problem); });
@@ -112,8 +114,7 @@ void CaptureShutter::describe(std::size_t frame) {
     album_.run(
         [words, nets = nets_, burst = burst_, frame, language = QLocale().language()](AlbumKeeper&,
                                                                                       PhotographStore&) {
-            *words =
-                short_description(taken_view(nets->look.see(burst->picture(frame)), {}, language), language);
+            *words = short_description(taken_view(nets->look.see(burst->picture(frame)), language), language);
             return std::string();
         },
         [this, words, place, run = run_, shown = shown_](const QString&) {

@@ -41,8 +41,8 @@ public:
         std::string device; ///< what the camera is called
     };
 
-    /// All must outlive it.
-    CaptureShutter(CaptureAlbum& album, CaptureTeller& teller);
+    /// `people`: who may be known. The others must outlive it.
+    CaptureShutter(CaptureAlbum& album, std::shared_ptr<const KnownPeople> people, CaptureTeller& teller);
 
     bool taking() const { return taking_; }
     const QString& taken() const { return taken_; }

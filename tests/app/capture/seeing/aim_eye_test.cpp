@@ -185,9 +185,10 @@ private slots:
     void a_face_is_asked_for_its_name_from_time_to_time() {
         AimEye eye;
         int asked = 0;
-        eye.name_by([&asked](const cv::Mat& frame, const Detection& face) {
+        eye.name_by([&asked](const cv::Mat& frame, const Face& face) {
             ++asked;
-            const bool whole = frame.cols == 1280 && face.box.contains({640.0, 360.0}) && face.size() > 100.0;
+            const bool whole =
+                frame.cols == 1280 && face.box.contains({640.0, 360.0}) && face.box.width() > 100.0;
             return whole ? std::string("Anna") : std::string("nobody");
         });
         const cv::Mat photo = anna();

@@ -4,6 +4,7 @@
 #include "app/capture/shutter/taken_look.hpp"
 #include "app/photo/words/description.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
+#include "known_by.hpp"
 #include "portraits.hpp"
 
 #include <QTest>
@@ -12,6 +13,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include <cstddef>
+#include <memory>
+#include <string>
 #include <vector>
 
 using namespace tp;
@@ -26,8 +29,11 @@ cv::Mat view(const cv::Mat& photo, const HeldPose& pose = {}, double exposure = 
     return view_of(photo, {0.6, 1.0, {0.5, 0.45}}, pose, {}, {}, taking);
 }
 
-QString told(const SeenPhoto& seen, const std::vector<NamedFace>& known = {}) {
-    return taken_words(taken_view(seen, known, QLocale::English), QLocale::English);
+QString told(const TakenSight& sight) {
+    return taken_words(taken_view(sight, QLocale::English), QLocale::English);
+}
+QString told(const SeenPhoto& seen, const std::vector<NamedFace>& known) {
+    return told(TakenSight{seen, known});
 }
 
 } // namespace
@@ -37,15 +43,30 @@ class TakenLookTest : public QObject {
 private slots:
     void who_is_known_is_named_where_they_are() {
         TakenLook look;
-        const SeenPhoto seen = look.see(view(anna(), {.pan_deg = -14.0}));
+        const SeenPhoto seen = look.see(view(anna(), {.pan_deg = -14.0})).seen;
         QCOMPARE(seen.width, 1280);
         QCOMPARE(seen.faces.size(), std::size_t{1});
         const NamedFace known{seen.faces[0].part, "Anna"};
         QVERIFY2(told(seen, {known}).startsWith("Taken: Anna at the right, smiling"),
                  qPrintable(told(seen, {known})));
-        QVERIFY(told(seen).startsWith("Taken: one person at the right"));
+        QVERIFY(told(seen, {}).startsWith("Taken: one person at the right"));
         QVERIFY(told(seen, {{seen.faces[0].part, ""}}).startsWith("Taken: one person at the right"));
         QVERIFY(!told(seen, {{turned_back(seen.faces[0].part), "Tom"}}).contains("Tom at the right"));
+    }
+
+    void whom_the_album_knows_is_named_and_nobody_else() {
+        NEEDS_PORTRAITS();
+        const auto portraits = portraits::held_out();
+        const cv::Mat mother = *read_picture(portraits[0].photo),
+                      stranger = *read_picture(portraits[1].photo);
+        const auto people = std::make_shared<KnownPeople>();
+        TakenLook look(people);
+        QVERIFY(told(look.see(view(mother))).startsWith("Taken: one person"));
+        people->know(
+            {test::known_by("Mother", mother), test::known_by("Aunt", *read_picture(portraits[2].photo))});
+        const QString named = told(look.see(view(mother, {.pan_deg = 5.0, .roll_deg = 8.0})));
+        QVERIFY2(named.startsWith("Taken: Mother"), qPrintable(named));
+        QVERIFY(told(look.see(view(stranger))).startsWith("Taken: one person"));
     }
 
     void a_mirrored_face_is_on_the_other_side() {
@@ -73,9 +94,9 @@ private slots:
 
     void what_is_no_picture_has_no_size() {
         TakenLook look;
-        QCOMPARE(look.see({}).width, 0);
-        QCOMPARE(look.see(cv::Mat(20, 20, CV_8UC1)).width, 0);
-        const SeenPhoto plain = look.see(cv::Mat(90, 160, CV_8UC3, cv::Scalar(120, 120, 120)));
+        QCOMPARE(look.see({}).seen.width, 0);
+        QCOMPARE(look.see(cv::Mat(20, 20, CV_8UC1)).seen.width, 0);
+        const TakenSight plain = look.see(cv::Mat(90, 160, CV_8UC3, cv::Scalar(120, 120, 120)));
         QVERIFY(told(plain).startsWith("Taken: no faces."));
     }
 };

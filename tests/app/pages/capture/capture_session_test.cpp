@@ -3,6 +3,7 @@
 // seen, and whoever has no camera hears why.
 #include "capture_bench.hpp"
 
+#include <QRegularExpression>
 #include <QSignalSpy>
 
 using namespace tp;
@@ -93,6 +94,18 @@ private slots:
         QVERIFY2(bench.last_said().contains("left"), qPrintable(bench.last_said()));
         bench.session->choices()->chooseAim(17);
         QCOMPARE(bench.session->choices()->aim(), Aim::everybody);
+    }
+
+    void whose_face_it_is_is_told_as_soon_as_it_is_known() {
+        CaptureBench bench;
+        bench.enter();
+        bench.voice.clear();
+        bench.see_for(0.5, {at_the_right});
+        QVERIFY2(bench.last_said().startsWith("1 face"), qPrintable(bench.last_said()));
+        bench.name = "Anna";
+        bench.see_for(3.0, {middle});
+        QVERIFY2(bench.voice.said().filter(QRegularExpression("^Anna\\. ")).size() == 1,
+                 qPrintable(bench.voice.said().join('|')));
     }
 
     void who_asks_hears_who_is_seen_and_what_to_do() {

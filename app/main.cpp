@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/capture/camera/desk_camera.hpp"
+#include "app/capture/camera/media_backend.hpp"
 #include "app/pages/explore/demonstration.hpp"
 #include "app/shell/end_signals.hpp"
 #include "app/shell/program_window.hpp"
@@ -61,6 +62,7 @@ int refuse(const std::string& sentence) {
 } // namespace
 
 int main(int argc, char** argv) {
+    tp::use_steady_media_backend();
     QGuiApplication app(argc, argv);
     QCoreApplication::setApplicationName("touchphoto");
     QCoreApplication::setApplicationVersion(TOUCHPHOTO_VERSION);

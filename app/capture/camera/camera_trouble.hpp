@@ -29,7 +29,7 @@ struct CameraPlaces {
 CameraTrouble trouble_of(int error);
 /// Why no camera is listed: one may be there that this program may not open.
 CameraTrouble why_none(const CameraPlaces& places = {});
-/// Why the camera that is called so, as its driver says, gives nothing. `gave`: it has given pictures before.
+/// Why the camera that is called so, as its driver or the system says, gives nothing. `gave`: it has given pictures before.
 CameraTrouble why_silent(const std::string& name, bool gave, const CameraPlaces& places = {});
 
 } // namespace tp

@@ -2,6 +2,7 @@
 #include "app/capture/camera/camera_trouble.hpp"
 
 #include <cerrno>
+#include <cstring>
 #include <fcntl.h>
 #include <fstream>
 #include <linux/videodev2.h>
@@ -27,7 +28,30 @@ std::vector<fs::path> nodes_in(const fs::path& devices) {
     return nodes;
 }
 
+int open_node(const fs::path& node) { return open(node.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC); }
+
+/// What the driver says of the device; nothing where it may not be asked.
+std::optional<v4l2_capability> capability_of(const fs::path& node) {
+    const int camera = open_node(node);
+    if (camera < 0)
+        return std::nullopt;
+    v4l2_capability capability{};
+    const bool answered = ioctl(camera, VIDIOC_QUERYCAP, &capability) == 0;
+    close(camera);
+    return answered ? std::optional(capability) : std::nullopt;
+}
+
+/// By the name of the device, or of this one of its nodes: listed is the one with some drivers, the other with others. A node
+/// of the same name that gives no pictures, but what is known of them, is another.
 bool is_called(const fs::path& node, const std::string& name, const fs::path& names) {
+    const auto capability = capability_of(node);
+    if (capability && !(capability->device_caps & (V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_VIDEO_CAPTURE_MPLANE)))
+        return false;
+    if (capability) {
+        const auto* const card = reinterpret_cast<const char*>(capability->card);
+        if (name == std::string(card, strnlen(card, sizeof capability->card)))
+            return true;
+    }
     std::ifstream file(names / node.filename() / "name");
     std::string line;
     return std::getline(file, line) && line == name;
@@ -35,7 +59,7 @@ bool is_called(const fs::path& node, const std::string& name, const fs::path& na
 
 /// Nothing where it can be opened and nobody else streams from it.
 std::optional<CameraTrouble> trouble_with(const fs::path& node) {
-    const int camera = open(node.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    const int camera = open_node(node);
     if (camera < 0)
         return trouble_of(errno);
     v4l2_requestbuffers none{};

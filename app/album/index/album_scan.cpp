@@ -6,6 +6,7 @@
 #include "app/album/index/photo_content.hpp"
 #include "app/album/index/photo_store.hpp"
 #include "app/album/metadata/photo_name.hpp"
+#include "audio/recordings/wav_part.hpp"
 #include "core/files/file_words.hpp"
 
 #include <cerrno>
@@ -128,9 +129,10 @@ private:
         for (const fs::path& recording : recordings_of(photo)) {
             if (listed.contains(recording.filename().native()))
                 continue;
+            const bool is_made_now = recording.native().ends_with(wav_part_end); // and may hold nothing yet
             if (Result<Tag> tag = tools_.read_recording(recording))
                 facts.record.tags.push_back(std::move(*tag));
-            else
+            else if (!is_made_now)
                 facts.record.problems.push_back(tag.error());
         }
     }

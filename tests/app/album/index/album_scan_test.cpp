@@ -196,6 +196,21 @@ private slots:
             QVERIFY(problem.ends_with('.'));
     }
 
+    void a_recording_that_has_just_begun_is_no_fault_and_a_broken_one_is() {
+        TestAlbum album;
+        const fs::path photo = album.add("a.jpg", "a");
+        fs::create_directory(photo.string() + ".tags");
+        write_file(photo.string() + ".tags/memo.wav.part", "");
+        album.tools.read_recording = [](const fs::path&) -> Result<Tag> {
+            return Error{"It holds no sound."};
+        };
+        auto index = AlbumIndex::in_memory();
+        QCOMPARE(album.scan(*index).value().problems.size(), std::size_t(0));
+        write_file(photo.string() + ".tags/memo.flac", "");
+        QVERIFY(album.settles());
+        QCOMPARE(album.scan(*index).value().problems.size(), std::size_t(1));
+    }
+
     void a_photograph_that_becomes_something_else_is_missing() {
         TestAlbum album;
         const fs::path a = album.add("a.jpg", "a", {"Anna"});

@@ -94,7 +94,7 @@ class Listener:
 
 
 @contextlib.contextmanager
-def beside(program, folder, environment):
+def beside(program, folder, environment, *options):
     """Orca and then the program, with sound and speech of their own; both still run at the end."""
     with contextlib.ExitStack() as desk_of_both:
         for helper in (sound_server.Server(folder), sound_server.Speech()):
@@ -103,7 +103,7 @@ def beside(program, folder, environment):
         desk_of_both.callback(orca.end)
         orca.says("Screen reader on.")
         # Where no GPU is, OpenGL keeps Orca's questions waiting for pictures.
-        running = subprocess.Popen([program], env=dict(environment, QT_QUICK_BACKEND="software"))
+        running = subprocess.Popen([program, *options], env=dict(os.environ | environment, QT_QUICK_BACKEND="software"))
         desk_of_both.callback(running.wait, timeout=20)
         desk_of_both.callback(running.terminate)
         yield orca

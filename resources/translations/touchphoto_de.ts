@@ -964,16 +964,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>KeyHelp</name>
     <message>
-        <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I.</source>
-        <translation>Berühren: Ein Finger erkundet. Doppeltippen: wo bin ich. Doppeltippen und halten: vergrößern, was dort ist, oder verkleinern. Mit zwei Fingern tippen: anhalten. Mit zwei Fingern doppeltippen: Rundgang. Mit drei Fingern tippen: wo bin ich.</translation>
-    </message>
-    <message>
         <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line.</source>
         <translation>Im Bild: Ring, die Hand; Scheibe, der Finger; Pfeil, der Zug der Linie.</translation>
     </message>
     <message>
         <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. N, Shift+N: next and previous photograph with a face. Enter: force on. Escape: stop. V: voice. O: open.</source>
         <translation>Pfeiltasten, mit Umschalt schneller: die Hand bewegen. Tab: nächstes Merkmal. W: wo bin ich. Z, Umschalt+Z: vergrößern und verkleinern. Leertaste: Rundgang um das Merkmal. T: Rundgang durch das Gesicht. G: Führung. F: nächstes Gesicht. N, Umschalt+N: nächstes und vorheriges Foto mit einem Gesicht. Eingabetaste: Kraft ein. Escape: anhalten. V: Stimme. O: öffnen.</translation>
+    </message>
+    <message>
+        <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I. Two-finger swipe to the right or left: next or previous photograph with a face.</source>
+        <translation>Berühren: Ein Finger erkundet. Doppeltippen: wo bin ich. Doppeltippen und halten: vergrößern, was dort ist, oder verkleinern. Mit zwei Fingern tippen: anhalten. Mit zwei Fingern doppeltippen: Rundgang. Mit drei Fingern tippen: wo bin ich. Mit zwei Fingern nach rechts oder links wischen: nächstes oder vorheriges Foto mit einem Gesicht.</translation>
     </message>
 </context>
 <context>

@@ -952,16 +952,16 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>KeyHelp</name>
     <message>
-        <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I.</source>
-        <translation>터치: 한 손가락으로 살펴보기. 두 번 탭하기: 현재 위치. 두 번 탭하고 누르고 있기: 그곳을 확대하거나 축소. 두 손가락으로 탭하기: 멈춤. 두 손가락으로 두 번 탭하기: 안내. 세 손가락으로 탭하기: 현재 위치.</translation>
-    </message>
-    <message>
         <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line.</source>
         <translation>화면에서: 고리는 손, 원판은 손가락, 화살표는 선이 당기는 힘입니다.</translation>
     </message>
     <message>
         <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. N, Shift+N: next and previous photograph with a face. Enter: force on. Escape: stop. V: voice. O: open.</source>
         <translation>화살표 키: 손 이동, Shift와 함께 누르면 더 빠르게. 탭 키: 다음 부위. W: 현재 위치. Z, Shift+Z: 확대와 축소. 스페이스바: 부위 안내. T: 얼굴 안내. G: 길잡이. F: 다음 얼굴. N, Shift+N: 얼굴이 있는 다음 사진과 이전 사진. 엔터 키: 힘 켜기. Escape 키: 멈춤. V: 음성. O: 열기.</translation>
+    </message>
+    <message>
+        <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I. Two-finger swipe to the right or left: next or previous photograph with a face.</source>
+        <translation>터치: 한 손가락으로 살펴보기. 두 번 탭하기: 현재 위치. 두 번 탭하고 누르고 있기: 그곳을 확대하거나 축소. 두 손가락으로 탭하기: 멈춤. 두 손가락으로 두 번 탭하기: 안내. 세 손가락으로 탭하기: 현재 위치. 두 손가락으로 오른쪽이나 왼쪽으로 쓸어 넘기기: 얼굴이 있는 다음 사진이나 이전 사진.</translation>
     </message>
 </context>
 <context>

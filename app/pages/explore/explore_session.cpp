@@ -143,6 +143,10 @@ void ExploreSession::perform(TouchGestures::Gesture gesture) {
         if (!device_.engaged())
             device_.engage();
         return tour_.toggle();
+    case two_finger_swipe_right: // as in Browse, where one finger to the right is the next photograph
+        return walk_.next();
+    case two_finger_swipe_left:
+        return walk_.previous();
     }
 }
 

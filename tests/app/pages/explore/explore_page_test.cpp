@@ -328,6 +328,43 @@ private slots:
         QCOMPARE(page.session.view()->featureCount(), 1);
     }
 
+    void two_fingers_or_a_key_walk_through_the_album() {
+        Page page;
+        QVERIFY(page.exposed());
+        QPointingDevice* screen = QTest::createTouchDevice();
+        const auto swipe = [&](int across) {
+            page.voice.clear();
+            const QPoint place = page.surface()->mapToScene({0.5 * page.surface()->width(), 100.0}).toPoint();
+            const auto all = [&](auto change) {
+                auto event = QTest::touchEvent(&page.window, screen);
+                for (int i = 0; i < 2; ++i)
+                    change(event, i, place + QPoint(0, 60 * i));
+                event.commit();
+            };
+            all([&](auto& event, int id, QPoint at) { event.press(id, at, &page.window); });
+            for (const int part : {1, 2, 3, 4})
+                all([&](auto& event, int id, QPoint at) {
+                    event.move(id, at + QPoint(part * across / 4, 0), &page.window);
+                });
+            all([&](auto& event, int id, QPoint at) {
+                event.release(id, at + QPoint(across, 0), &page.window);
+            });
+            return page.voice.said().isEmpty() ? QString() : page.voice.said().back();
+        };
+        const int far = static_cast<int>(0.3 * page.surface()->width());
+        const QString after = "No photograph with a face comes after this one.";
+        const QString before = "No photograph with a face comes before this one.";
+        QCOMPARE(swipe(far), after);
+        QCOMPARE(swipe(-far), before);
+        QVERIFY(!page.sounds.guide.sounds());
+        page.voice.clear();
+        QTest::keyClick(&page.window, Qt::Key_N);
+        QCOMPARE(page.voice.said().value(0), after);
+        page.voice.clear();
+        QTest::keyClick(&page.window, Qt::Key_N, Qt::ShiftModifier);
+        QCOMPARE(page.voice.said().value(0), before);
+    }
+
     void a_screen_reader_zooms_and_chooses_a_guide() {
         Page page;
         QVERIFY(page.exposed());

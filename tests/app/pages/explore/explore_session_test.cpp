@@ -19,6 +19,8 @@ constexpr int outline = 3;
 
 struct Bench {
     double time = 100.0;
+    std::vector<bool>
+        walked; ///< forward or not, each time that the album was asked for the photograph beside
     RecordingVoice voice;
     RecordingAnnouncer announcer;
     Narrator narrator{voice, announcer};
@@ -26,8 +28,16 @@ struct Bench {
     ExploreSession session;
 
     explicit Bench(int faces = 1, std::vector<QString> names = {})
-        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings_at(time)) {
+        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings()) {
         session.show(drawn_photo(faces, std::move(names)));
+    }
+    ExploreSettings settings() {
+        ExploreSettings settings = settings_at(time);
+        settings.beside = [this](const QString&, bool forward) {
+            walked.push_back(forward);
+            return QString();
+        };
+        return settings;
     }
     /// A place so many millimetres right of and above a feature's first point (sheet frame).
     QPointF by(int feature, double right = 0.0, double up = 0.0) const {
@@ -54,6 +64,16 @@ struct Bench {
             down(place + QPointF(20.0 * i, 0.0), i);
         time += held;
         for (int i = 0; i < fingers; ++i)
+            session.hand()->fingerUp(i);
+    }
+    void swipe(double across) {
+        time += 0.2;
+        for (int i = 0; i < 2; ++i)
+            down(QPointF(60.0, 40.0 + 20.0 * i), i);
+        for (int i = 0; i < 2; ++i)
+            session.hand()->fingerMoved(i, 60.0 + across, 40.0 + 20.0 * i);
+        time += 0.3;
+        for (int i = 0; i < 2; ++i)
             session.hand()->fingerUp(i);
     }
     QString said() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
@@ -284,6 +304,19 @@ private slots:
             bench.tap(2, bench.by(left_eye));
             QVERIFY(!bench.session.tour()->touring());
         }
+    }
+
+    void two_fingers_go_to_the_next_and_the_previous_photograph() {
+        Bench bench;
+        bench.swipe(30.0);
+        QCOMPARE(bench.walked, std::vector<bool>({true}));
+        QCOMPARE(bench.said(), QString("No photograph with a face comes after this one."));
+        bench.time += 2.0;
+        bench.swipe(-30.0);
+        QCOMPARE(bench.walked, std::vector<bool>({true, false}));
+        QCOMPARE(bench.said(), QString("No photograph with a face comes before this one."));
+        QVERIFY(bench.session.device()->engaged()); // nothing was stopped
+        QVERIFY(!bench.sounds.guide.sounds());
     }
 
     void double_tap_and_hold_zooms_to_what_is_there_and_out_where_nothing_is() {

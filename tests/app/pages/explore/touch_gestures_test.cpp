@@ -20,6 +20,18 @@ TouchGestures::Gesture tap(TouchGestures& touch, int fingers, double at, double 
     return last;
 }
 
+/// Two fingers set down beside each other and lifted, each after its own way.
+TouchGestures::Gesture drag(TouchGestures& touch, Vec2 one, Vec2 other, double at = 0.0, double after = 0.3) {
+    touch.press(0, {0, 0}, at);
+    touch.press(1, {20, 0}, at);
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+        touch.move(0, share * one);
+        touch.move(1, Vec2(20, 0) + share * other);
+    }
+    touch.release(1, at + after);
+    return touch.release(0, at + after);
+}
+
 } // namespace
 
 class TouchGesturesTest : public QObject {
@@ -76,6 +88,46 @@ private slots:
         QCOMPARE(tap(touch, 3, 1.0, 0.1, {0, 0}, {0, -11}), none);
         QCOMPARE(tap(touch, 1, 2.0), none);
         QCOMPARE(tap(touch, 1, 2.3, 0.9, {0, 0}, {11, 0}), none);
+    }
+    void two_fingers_that_go_across_together_swipe() {
+        TouchGestures touch;
+        QCOMPARE(drag(touch, {25, 3}, {30, -4}), two_finger_swipe_right);
+        QCOMPARE(drag(touch, {-25, 10}, {-22, 10}), two_finger_swipe_left);
+        QCOMPARE(drag(touch, {40, 0}, {40, 0}, 10.0, 20.0), two_finger_swipe_right); // as slowly as one likes
+    }
+    void two_fingers_that_do_not_go_across_together_meant_nothing() {
+        TouchGestures touch;
+        QCOMPARE(drag(touch, {18, 0}, {30, 0}), none);
+        QCOMPARE(drag(touch, {0, 0}, {30, 0}), none);
+        QCOMPARE(drag(touch, {-30, 0}, {30, 0}), none);
+        QCOMPARE(drag(touch, {0, 40}, {0, 40}), none);
+        QCOMPARE(drag(touch, {25, 25}, {25, 25}), none);
+    }
+    void three_fingers_that_go_across_meant_nothing() {
+        TouchGestures touch;
+        for (int i = 0; i < 3; ++i)
+            touch.press(i, {20.0 * i, 0}, 0.0);
+        for (int i = 0; i < 3; ++i)
+            touch.move(i, {20.0 * i + 40.0, 0});
+        for (int i = 0; i < 2; ++i)
+            QCOMPARE(touch.release(i, 0.3), none);
+        QCOMPARE(touch.release(2, 0.3), none);
+    }
+    void what_one_finger_explored_before_the_second_came_is_no_part_of_a_swipe() {
+        TouchGestures touch;
+        touch.press(0, {0, 0}, 0.0);
+        touch.move(0, {60, 0});
+        touch.press(1, {80, 0}, 2.0);
+        touch.move(1, {110, 0});
+        touch.release(0, 2.3);
+        QCOMPARE(touch.release(1, 2.3), none);
+    }
+    void a_swipe_is_neither_of_two_taps() {
+        TouchGestures touch;
+        QCOMPARE(tap(touch, 2, 0.0), two_finger_tap);
+        QCOMPARE(drag(touch, {30, 0}, {30, 0}, 0.3), two_finger_swipe_right);
+        QCOMPARE(tap(touch, 2, 0.8), two_finger_tap);
+        QCOMPARE(drag(touch, {-30, 0}, {-30, 0}, 5.0), two_finger_swipe_left);
     }
     void a_hand_that_trembles_still_taps() {
         TouchGestures touch;

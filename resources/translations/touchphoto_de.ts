@@ -4,20 +4,20 @@
 <context>
     <name>AimWords</name>
     <message>
-        <source>Nobody is seen. Turn slowly to the left.</source>
+        <source>Nobody is in view. Turn slowly to the left.</source>
         <translation>Niemand ist zu sehen. Drehen Sie sich langsam nach links.</translation>
     </message>
     <message>
-        <source>Nobody is seen. Turn slowly to the right.</source>
+        <source>Nobody is in view. Turn slowly to the right.</source>
         <translation>Niemand ist zu sehen. Drehen Sie sich langsam nach rechts.</translation>
     </message>
     <message>
-        <source>Nobody is seen. Tilt slowly up.</source>
-        <translation>Niemand ist zu sehen. Neigen Sie langsam nach oben.</translation>
+        <source>Nobody is in view. Tilt slowly up.</source>
+        <translation>Niemand ist zu sehen. Neigen Sie das Tablet langsam nach oben.</translation>
     </message>
     <message>
-        <source>Nobody is seen. Tilt slowly down.</source>
-        <translation>Niemand ist zu sehen. Neigen Sie langsam nach unten.</translation>
+        <source>Nobody is in view. Tilt slowly down.</source>
+        <translation>Niemand ist zu sehen. Neigen Sie das Tablet langsam nach unten.</translation>
     </message>
     <message>
         <source>a little left</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>The light is behind them.</source>
-        <translation>Das Licht ist dahinter.</translation>
+        <translation>Das Licht kommt von hinten.</translation>
     </message>
     <message>
         <source>Keep still.</source>
@@ -129,7 +129,7 @@
     </message>
     <message>
         <source>Eyes are shut.</source>
-        <translation>Augen sind zu.</translation>
+        <translation>Die Augen sind zu.</translation>
     </message>
     <message>
         <source>Good. Hold still.</source>
@@ -172,14 +172,14 @@
     </message>
     <message>
         <source>One face by thirds</source>
-        <translation>Ein Gesicht im Drittel</translation>
+        <translation>Ein Gesicht nach der Drittelregel</translation>
     </message>
     <message>
         <source>Head and shoulders</source>
         <translation>Kopf und Schultern</translation>
     </message>
     <message>
-        <source>Everybody in</source>
+        <source>Everybody in view</source>
         <translation>Alle im Bild</translation>
     </message>
 </context>
@@ -395,7 +395,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Taste: R</translation>
     </message>
     <message>
-        <source>What is seen?</source>
+        <source>What is in view?</source>
         <translation>Was ist zu sehen?</translation>
     </message>
     <message>
@@ -407,8 +407,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>Take it by itself when all is well</source>
-        <translation>Von selbst aufnehmen, wenn alles stimmt</translation>
+        <source>Take it automatically when all is well</source>
+        <translation>Automatisch aufnehmen, wenn alles stimmt</translation>
     </message>
     <message>
         <source>Back camera</source>
@@ -451,8 +451,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Memo beenden</translation>
     </message>
     <message>
-        <source>Speak a memo</source>
-        <translation>Memo sprechen</translation>
+        <source>Record a memo</source>
+        <translation>Memo aufnehmen</translation>
     </message>
     <message>
         <source>For the photograph that was taken last. Key: M</source>
@@ -467,36 +467,36 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Löscht das Foto wieder. Taste: Strg+Z</translation>
     </message>
     <message>
-        <source>Next of the burst</source>
-        <translation>Nächstes der Serie</translation>
+        <source>Next frame of the burst</source>
+        <translation>Nächstes Bild der Serie</translation>
     </message>
     <message>
-        <source>Looks through what was seen round the shutter. Key: N; back: P</source>
-        <translation>Geht durch, was um die Aufnahme herum zu sehen war. Taste: N; zurück: P</translation>
+        <source>Steps through the frames before and after it. Key: N; back: P</source>
+        <translation>Geht die Bilder davor und danach durch. Taste: N; zurück: P</translation>
     </message>
     <message>
         <source>Keep this one too</source>
-        <translation>Dieses auch behalten</translation>
+        <translation>Auch dieses behalten</translation>
     </message>
     <message>
         <source>Key: K</source>
         <translation>Taste: K</translation>
     </message>
     <message>
-        <source>Space, or a touch on the camera view: take the photograph. Then M: speak a memo, and M again to finish it. N, P: look through the other frames; K: keep one. Control+Z: undo.</source>
-        <translation>Leertaste oder das Kamerabild berühren: Foto aufnehmen. Dann M: ein Memo sprechen, und noch einmal M beendet es. N, P: die anderen Bilder der Serie durchgehen; K: eines behalten. Strg+Z: rückgängig.</translation>
+        <source>Space, or a touch on the camera view: take the photograph. Then M: record a memo, and M again to finish it. N, P: look through the other frames; K: keep one. Control+Z: undo.</source>
+        <translation>Leertaste oder das Kamerabild berühren: Foto aufnehmen. Dann M: ein Memo aufnehmen, und noch einmal M beendet es. N, P: die anderen Bilder der Serie durchgehen; K: eines behalten. Strg+Z: rückgängig.</translation>
     </message>
     <message>
         <source>Keep the sound of the moment</source>
-        <translation>Den Klang des Augenblicks behalten</translation>
+        <translation>Klang des Augenblicks mit aufnehmen</translation>
     </message>
     <message>
         <source>The microphone is on.</source>
         <translation>Das Mikrofon ist an.</translation>
     </message>
     <message>
-        <source>1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it by itself or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence.</source>
-        <translation>1 bis 4: Ziel: ein Gesicht in der Mitte, eines im Drittel, Kopf und Schultern, alle. W: was zu sehen ist. S: von selbst aufnehmen oder nicht. A: mit dem Klang des Augenblicks oder ohne. C: andere Kamera. L: Licht. Escape: Ruhe.</translation>
+        <source>1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it automatically or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence.</source>
+        <translation>1 bis 4: Ziel: ein Gesicht in der Mitte, eines nach der Drittelregel, Kopf und Schultern, alle. W: was zu sehen ist. S: automatisch aufnehmen oder nicht. A: mit dem Klang des Augenblicks oder ohne. C: andere Kamera. L: Licht. Escape: Ruhe.</translation>
     </message>
 </context>
 <context>
@@ -1757,7 +1757,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>People…</source>
-        <translation>Personen …</translation>
+        <translation>Personen…</translation>
     </message>
     <message>
         <source>Says once who somebody is, for all photographs.</source>
@@ -2144,7 +2144,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Stop</source>
-        <translation>Anhalten</translation>
+        <translation>Studie beenden</translation>
     </message>
     <message>
         <source>Key: Escape</source>
@@ -5347,8 +5347,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>tp::CaptureCamera</name>
     <message>
-        <source>The camera has ended.</source>
-        <translation>Die Kamera hat aufgehört.</translation>
+        <source>The camera has stopped.</source>
+        <translation>Die Kamera liefert kein Bild mehr.</translation>
     </message>
 </context>
 <context>
@@ -5358,8 +5358,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1.</translation>
     </message>
     <message>
-        <source>The photograph is taken by itself when all is well.</source>
-        <translation>Das Foto wird von selbst aufgenommen, wenn alles stimmt.</translation>
+        <source>The photograph is taken automatically when all is well.</source>
+        <translation>Das Foto wird automatisch aufgenommen, wenn alles stimmt.</translation>
     </message>
     <message>
         <source>The photograph is taken when you press Space or touch the screen.</source>
@@ -5367,18 +5367,18 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>The microphone is on. The sound from five seconds before a photograph to five seconds after it is kept with it.</source>
-        <translation>Das Mikrofon ist an. Der Klang von fünf Sekunden vor bis fünf Sekunden nach einem Foto wird mit ihm behalten.</translation>
+        <translation>Das Mikrofon ist an. Zu jedem Foto wird der Klang von fünf Sekunden davor bis fünf Sekunden danach gespeichert.</translation>
     </message>
     <message>
         <source>The microphone is off. Photographs are kept without sound.</source>
-        <translation>Das Mikrofon ist aus. Fotos werden ohne Klang behalten.</translation>
+        <translation>Das Mikrofon ist aus. Fotos werden ohne Klang gespeichert.</translation>
     </message>
 </context>
 <context>
     <name>tp::CaptureMemo</name>
     <message>
         <source>The recorder is still busy. Try again in a moment.</source>
-        <translation>Das Aufnehmen ist noch nicht abgeschlossen. Versuchen Sie es gleich noch einmal.</translation>
+        <translation>Die Aufnahme ist noch nicht abgeschlossen. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
         <source>%1 Saved.</source>
@@ -5393,11 +5393,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Take a photograph. %1.</source>
-        <translation>Ein Foto machen. %1.</translation>
+        <translation>Foto aufnehmen. %1.</translation>
     </message>
     <message>
-        <source>Take a photograph. Point the camera at somebody, and listen where to move it. When all is well, the photograph is taken by itself; press S if you do not want that. Space takes it at once.</source>
-        <translation>Ein Foto machen. Richten Sie die Kamera auf jemanden und hören Sie, wohin sie soll. Wenn alles stimmt, wird das Foto von selbst aufgenommen; drücken Sie S, wenn Sie das nicht möchten. Die Leertaste nimmt es sofort auf.</translation>
+        <source>Take a photograph. Point the camera at somebody, and listen where to move it. When all is well, the photograph is taken automatically; press S if you do not want that. Space takes it at once.</source>
+        <translation>Foto aufnehmen. Richten Sie die Kamera auf jemanden und hören Sie, wohin sie soll. Wenn alles stimmt, wird das Foto automatisch aufgenommen; drücken Sie S, wenn Sie das nicht möchten. Die Leertaste nimmt es sofort auf.</translation>
     </message>
     <message>
         <source>The camera is starting.</source>
@@ -5428,8 +5428,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Licht aus.</translation>
     </message>
     <message>
-        <source>Take a photograph first; then a memo can be spoken for it.</source>
-        <translation>Nehmen Sie zuerst ein Foto auf; dann kann ein Memo dazu gesprochen werden.</translation>
+        <source>Take a photograph first; then you can record a memo for it.</source>
+        <translation>Nehmen Sie zuerst ein Foto auf; dann können Sie ein Memo dazu aufnehmen.</translation>
     </message>
     <message>
         <source>The microphone is on.</source>
@@ -5448,7 +5448,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>This one is kept too.</source>
-        <translation>Dieses ist auch behalten.</translation>
+        <translation>Auch dieses ist gespeichert.</translation>
     </message>
     <message>
         <source>There is nothing to undo.</source>
@@ -6251,7 +6251,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <name>tp::GroupCare</name>
     <message>
         <source>Looking for people…</source>
-        <translation>Personen werden gesucht …</translation>
+        <translation>Personen werden gesucht…</translation>
     </message>
     <message>
         <source>People</source>
@@ -6282,7 +6282,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>%1 Nobody is left without a name.</source>
-        <translation>%1 Niemand ist mehr ohne Namen.</translation>
+        <translation>%1 Alle haben jetzt einen Namen.</translation>
     </message>
     <message>
         <source>This face is somebody else&apos;s.</source>
@@ -7077,7 +7077,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Take a photograph</source>
-        <translation>Ein Foto machen</translation>
+        <translation>Foto aufnehmen</translation>
     </message>
     <message>
         <source>Studies</source>
@@ -7504,7 +7504,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Take a photograph</source>
-        <translation>Ein Foto machen</translation>
+        <translation>Foto aufnehmen</translation>
     </message>
     <message>
         <source>Studies</source>
@@ -7546,7 +7546,7 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>TouchPhoto, start page. %3 1: %1. 2: %2. More below; F1 for help.</source>
-        <translation>TouchPhoto, Startseite. %3 1: %1. 2: %2. Mehr darunter; F1 für Hilfe.</translation>
+        <translation>TouchPhoto, Startseite. %3 1: %1. 2: %2. Weiter unten mehr; F1 für Hilfe.</translation>
     </message>
     <message>
         <source>The camera is led to a face by words and a tone</source>
@@ -7730,11 +7730,11 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
     <message>
         <source>Stopped.</source>
-        <translation>Angehalten.</translation>
+        <translation>Beendet.</translation>
     </message>
     <message>
         <source>Stopped. Everything is kept. %1</source>
-        <translation>Angehalten. Alles ist gespeichert. %1</translation>
+        <translation>Beendet. Alles ist gespeichert. %1</translation>
     </message>
     <message>
         <source>Stop the study? The force is off. Press Escape again to stop, or Space to go on.</source>

@@ -4,20 +4,20 @@
 <context>
     <name>AimWords</name>
     <message>
-        <source>Nobody is seen. Turn slowly to the left.</source>
+        <source>Nobody is in view. Turn slowly to the left.</source>
         <translation>아무도 보이지 않습니다. 천천히 왼쪽으로 도세요.</translation>
     </message>
     <message>
-        <source>Nobody is seen. Turn slowly to the right.</source>
+        <source>Nobody is in view. Turn slowly to the right.</source>
         <translation>아무도 보이지 않습니다. 천천히 오른쪽으로 도세요.</translation>
     </message>
     <message>
-        <source>Nobody is seen. Tilt slowly up.</source>
-        <translation>아무도 보이지 않습니다. 천천히 위로 기울이세요.</translation>
+        <source>Nobody is in view. Tilt slowly up.</source>
+        <translation>아무도 보이지 않습니다. 태블릿을 천천히 위로 기울이세요.</translation>
     </message>
     <message>
-        <source>Nobody is seen. Tilt slowly down.</source>
-        <translation>아무도 보이지 않습니다. 천천히 아래로 기울이세요.</translation>
+        <source>Nobody is in view. Tilt slowly down.</source>
+        <translation>아무도 보이지 않습니다. 태블릿을 천천히 아래로 기울이세요.</translation>
     </message>
     <message>
         <source>a little left</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>The light is behind them.</source>
-        <translation>빛이 뒤에서 옵니다.</translation>
+        <translation>빛이 뒤에서 비칩니다.</translation>
     </message>
     <message>
         <source>Keep still.</source>
@@ -178,7 +178,7 @@
         <translation>머리와 어깨</translation>
     </message>
     <message>
-        <source>Everybody in</source>
+        <source>Everybody in view</source>
         <translation>모두 들어오게</translation>
     </message>
 </context>
@@ -368,7 +368,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Nothing is changed. Key: Escape</source>
-        <translation>아무것도 바뀌지 않습니다. 키: Escape</translation>
+        <translation>아무것도 바뀌지 않습니다. Escape 키</translation>
     </message>
 </context>
 <context>
@@ -394,7 +394,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>R 키</translation>
     </message>
     <message>
-        <source>What is seen?</source>
+        <source>What is in view?</source>
         <translation>무엇이 보이나요?</translation>
     </message>
     <message>
@@ -403,11 +403,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Aim</source>
-        <translation>조준</translation>
+        <translation>구도</translation>
     </message>
     <message>
-        <source>Take it by itself when all is well</source>
-        <translation>모두 좋으면 저절로 찍기</translation>
+        <source>Take it automatically when all is well</source>
+        <translation>모두 알맞으면 자동으로 찍기</translation>
     </message>
     <message>
         <source>Back camera</source>
@@ -427,7 +427,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Point the camera at somebody and do what is said. A tone says where to move the camera: faster is nearer, high is up, and it comes from the side to move to. It rises when all is well.</source>
-        <translation>카메라를 사람에게 향하고 들리는 대로 하세요. 소리가 카메라를 움직일 방향을 알려 줍니다. 빠를수록 가깝고, 높으면 위쪽이며, 움직일 쪽에서 들립니다. 모두 좋으면 소리가 올라갑니다.</translation>
+        <translation>카메라를 사람에게 향하고 들리는 대로 하세요. 소리가 카메라를 움직일 방향을 알려 줍니다. 빠를수록 가깝고, 높으면 위쪽이며, 움직일 쪽에서 들립니다. 모두 알맞으면 소리가 점점 높아집니다.</translation>
     </message>
     <message>
         <source>This camera is simulated. Arrow keys turn it, Page up and Page down move it closer and back, Shift with left and right tilts it.</source>
@@ -447,11 +447,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Finish the memo</source>
-        <translation>메모 끝내기</translation>
+        <translation>메모 녹음 끝내기</translation>
     </message>
     <message>
-        <source>Speak a memo</source>
-        <translation>메모 말하기</translation>
+        <source>Record a memo</source>
+        <translation>메모 녹음</translation>
     </message>
     <message>
         <source>For the photograph that was taken last. Key: M</source>
@@ -466,12 +466,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>찍은 사진을 다시 삭제합니다. Ctrl+Z 키</translation>
     </message>
     <message>
-        <source>Next of the burst</source>
-        <translation>연속 촬영의 다음</translation>
+        <source>Next frame of the burst</source>
+        <translation>연속 촬영의 다음 장면</translation>
     </message>
     <message>
-        <source>Looks through what was seen round the shutter. Key: N; back: P</source>
-        <translation>찍을 때 앞뒤로 보인 것을 차례로 봅니다. N 키, 뒤로는 P 키</translation>
+        <source>Steps through the frames before and after it. Key: N; back: P</source>
+        <translation>찍기 전과 찍은 뒤의 장면을 차례로 봅니다. N 키, 뒤로는 P 키</translation>
     </message>
     <message>
         <source>Keep this one too</source>
@@ -482,20 +482,20 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>K 키</translation>
     </message>
     <message>
-        <source>Space, or a touch on the camera view: take the photograph. Then M: speak a memo, and M again to finish it. N, P: look through the other frames; K: keep one. Control+Z: undo.</source>
-        <translation>스페이스바나 카메라 화면 탭: 사진 찍기. 그다음 M: 메모 말하기, 다시 M: 끝내기. N, P: 다른 장면 보기, K: 저장. Ctrl+Z: 되돌리기.</translation>
+        <source>Space, or a touch on the camera view: take the photograph. Then M: record a memo, and M again to finish it. N, P: look through the other frames; K: keep one. Control+Z: undo.</source>
+        <translation>스페이스바나 카메라 화면 탭: 사진 찍기. 그다음 M: 메모 녹음, 다시 M: 녹음 끝내기. N, P: 다른 장면 보기, K: 저장. Ctrl+Z: 되돌리기.</translation>
     </message>
     <message>
         <source>Keep the sound of the moment</source>
-        <translation>그 순간의 소리 저장</translation>
+        <translation>그 순간의 소리도 저장</translation>
     </message>
     <message>
         <source>The microphone is on.</source>
         <translation>마이크가 켜져 있습니다.</translation>
     </message>
     <message>
-        <source>1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it by itself or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence.</source>
-        <translation>1부터 4: 한 얼굴을 가운데에, 삼등분선에, 머리와 어깨, 모두. W: 보이는 것. S: 저절로 찍기 켜기와 끄기. A: 순간의 소리와 함께 또는 소리 없이. C: 다른 카메라. L: 조명. Escape 키: 조용히.</translation>
+        <source>1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it automatically or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence.</source>
+        <translation>1부터 4까지, 구도: 한 얼굴을 가운데에, 한 얼굴을 삼등분선에, 머리와 어깨, 모두. W: 보이는 것. S: 자동으로 찍기 켜기와 끄기. A: 순간의 소리와 함께 또는 소리 없이. C: 다른 카메라. L: 조명. Escape 키: 조용히.</translation>
     </message>
 </context>
 <context>
@@ -835,7 +835,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Key: Y</source>
-        <translation>키: Y</translation>
+        <translation>Y 키</translation>
     </message>
 </context>
 <context>
@@ -879,11 +879,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Yes, this is %1</source>
-        <translation>예, %1 맞습니다</translation>
+        <translation>예, 이 사람은 %1</translation>
     </message>
     <message>
         <source>Names all of these faces. Key: Y</source>
-        <translation>이 얼굴 모두에 이름을 붙입니다. 키: Y</translation>
+        <translation>이 얼굴 모두에 이름을 붙입니다. Y 키</translation>
     </message>
     <message>
         <source>Name</source>
@@ -899,7 +899,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>For the face that was chosen below. Key: Delete</source>
-        <translation>아래에서 고른 얼굴에 적용됩니다. 키: Delete</translation>
+        <translation>아래에서 선택한 얼굴에 적용됩니다. Delete 키</translation>
     </message>
     <message>
         <source>Open the photograph</source>
@@ -907,7 +907,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Choose somebody to say who it is.</source>
-        <translation>누구인지 말할 사람을 고르세요.</translation>
+        <translation>누구인지 말할 사람을 선택하세요.</translation>
     </message>
 </context>
 <context>
@@ -1384,7 +1384,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Nothing is changed. Key: Escape</source>
-        <translation>아무것도 바뀌지 않습니다. 키: Escape</translation>
+        <translation>아무것도 바뀌지 않습니다. Escape 키</translation>
     </message>
 </context>
 <context>
@@ -2122,7 +2122,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Stop</source>
-        <translation>멈춤</translation>
+        <translation>연구 그만두기</translation>
     </message>
     <message>
         <source>Key: Escape</source>
@@ -2713,7 +2713,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The force pad&apos;s motors are too hot. It goes on by itself when they have cooled.</source>
-        <translation>힘 패드의 모터가 너무 뜨겁습니다. 식으면 저절로 다시 움직입니다.</translation>
+        <translation>힘 패드의 모터가 너무 뜨겁습니다. 식으면 자동으로 다시 움직입니다.</translation>
     </message>
     <message>
         <source>The force was switched off for a moment, because a measurement was not a number.</source>
@@ -3653,7 +3653,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The force stick does not take what this computer sends. It goes on by itself when it does.</source>
-        <translation>힘 스틱이 이 컴퓨터가 보내는 것을 받지 않습니다. 다시 받으면 저절로 계속됩니다.</translation>
+        <translation>힘 스틱이 이 컴퓨터가 보내는 것을 받지 않습니다. 다시 받으면 자동으로 계속됩니다.</translation>
     </message>
     <message>
         <source>The force stick has no room for a force. Close other programs that use it, unplug it and plug it in again.</source>
@@ -4767,7 +4767,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Follow a line with your finger from its start to its end, as exactly and as fast as you can; a closed line once round. The trial ends by itself at the end of the line. If you think that you are there and nothing happens, press Space.</source>
-        <translation>손가락으로 선을 시작점에서 끝점까지 되도록 정확하고 빠르게 따라가세요. 닫힌 선은 한 바퀴 돕니다. 선의 끝에 이르면 시행이 저절로 끝납니다. 끝에 온 것 같은데 아무 일도 없으면 스페이스바를 누르세요.</translation>
+        <translation>손가락으로 선을 시작점에서 끝점까지 되도록 정확하고 빠르게 따라가세요. 닫힌 선은 한 바퀴 돕니다. 선의 끝에 이르면 시행이 자동으로 끝납니다. 끝에 온 것 같은데 아무 일도 없으면 스페이스바를 누르세요.</translation>
     </message>
     <message>
         <source>Feel a face until you know how it looks. Then press Space, and the number of your answer.</source>
@@ -5316,8 +5316,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>tp::CaptureCamera</name>
     <message>
-        <source>The camera has ended.</source>
-        <translation>카메라가 끝났습니다.</translation>
+        <source>The camera has stopped.</source>
+        <translation>카메라가 멈췄습니다.</translation>
     </message>
 </context>
 <context>
@@ -5327,8 +5327,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1.</translation>
     </message>
     <message>
-        <source>The photograph is taken by itself when all is well.</source>
-        <translation>모두 좋으면 사진이 저절로 찍힙니다.</translation>
+        <source>The photograph is taken automatically when all is well.</source>
+        <translation>모두 알맞으면 사진이 자동으로 찍힙니다.</translation>
     </message>
     <message>
         <source>The photograph is taken when you press Space or touch the screen.</source>
@@ -5365,8 +5365,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>사진 찍기. %1.</translation>
     </message>
     <message>
-        <source>Take a photograph. Point the camera at somebody, and listen where to move it. When all is well, the photograph is taken by itself; press S if you do not want that. Space takes it at once.</source>
-        <translation>사진 찍기. 카메라를 사람에게 향하고 어디로 움직일지 들으세요. 모두 좋으면 사진이 저절로 찍힙니다. 원하지 않으면 S 키를 누르세요. 스페이스바를 누르면 바로 찍힙니다.</translation>
+        <source>Take a photograph. Point the camera at somebody, and listen where to move it. When all is well, the photograph is taken automatically; press S if you do not want that. Space takes it at once.</source>
+        <translation>사진 찍기. 카메라를 사람에게 향하고 어디로 움직일지 들으세요. 모두 알맞으면 사진이 자동으로 찍힙니다. 원하지 않으면 S 키를 누르세요. 스페이스바를 누르면 바로 찍힙니다.</translation>
     </message>
     <message>
         <source>The camera is starting.</source>
@@ -5397,8 +5397,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>조명 꺼짐.</translation>
     </message>
     <message>
-        <source>Take a photograph first; then a memo can be spoken for it.</source>
-        <translation>먼저 사진을 찍으세요. 그다음 메모를 말할 수 있습니다.</translation>
+        <source>Take a photograph first; then you can record a memo for it.</source>
+        <translation>먼저 사진을 찍으세요. 그다음 메모를 녹음할 수 있습니다.</translation>
     </message>
     <message>
         <source>The microphone is on.</source>
@@ -5506,7 +5506,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>No force device is plugged in. Plug one in; it is found automatically.</source>
-        <translation>연결된 힘 장치가 없습니다. 장치를 꽂으면 저절로 찾습니다.</translation>
+        <translation>연결된 힘 장치가 없습니다. 장치를 꽂으면 자동으로 찾습니다.</translation>
     </message>
     <message>
         <source>No force device is chosen. Choose one above.</source>
@@ -6224,7 +6224,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Saved: %1, on %2.</source>
-        <translation>저장됨: %1, %2.</translation>
+        <translation>저장했습니다: %1, %2.</translation>
     </message>
     <message numerus="yes">
         <source>%n photograph(s)</source>
@@ -6238,7 +6238,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>%1 Nobody is left without a name.</source>
-        <translation>%1 이름 없는 사람이 더 없습니다.</translation>
+        <translation>%1 이제 모두 이름이 있습니다.</translation>
     </message>
     <message>
         <source>This face is somebody else&apos;s.</source>
@@ -7492,7 +7492,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>TouchPhoto, start page. %3 1: %1. 2: %2. More below; F1 for help.</source>
-        <translation>TouchPhoto 시작 페이지. %3 1: %1. 2: %2. 아래에 더 있습니다. 도움말은 F1.</translation>
+        <translation>TouchPhoto, 시작 페이지. %3 1: %1. 2: %2. 아래에 더 있습니다. 도움말은 F1 키입니다.</translation>
     </message>
     <message>
         <source>The camera is led to a face by words and a tone</source>
@@ -7676,11 +7676,11 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>Stopped.</source>
-        <translation>멈췄습니다.</translation>
+        <translation>그만두었습니다.</translation>
     </message>
     <message>
         <source>Stopped. Everything is kept. %1</source>
-        <translation>멈췄습니다. 모두 저장되었습니다. %1</translation>
+        <translation>그만두었습니다. 모두 저장되었습니다. %1</translation>
     </message>
     <message>
         <source>Stop the study? The force is off. Press Escape again to stop, or Space to go on.</source>

@@ -103,7 +103,7 @@ class Photographer:
         return done
 
     def speaks_a_memo(self, voice):
-        self.page.await_name(self.words("Speak a memo"))
+        self.page.await_name(self.words("Record a memo"))
         self.page.keys("m")
         self.page.await_name(self.words("Finish the memo"))
         subprocess.run(["paplay", "--device=mouth", voice], check=True)

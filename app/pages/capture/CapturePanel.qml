@@ -77,7 +77,7 @@ TpScroll {
     Pair {
         Half {
             enabled: panel.session.shutter.taken !== ""
-            text: panel.session.memo.running ? qsTr("Finish the memo") : qsTr("Speak a memo")
+            text: panel.session.memo.running ? qsTr("Finish the memo") : qsTr("Record a memo")
             hint: qsTr("For the photograph that was taken last. Key: M")
             onClicked: panel.session.recordMemo()
         }
@@ -91,8 +91,8 @@ TpScroll {
     Pair {
         visible: panel.session.shutter.count > 1
         Half {
-            text: qsTr("Next of the burst")
-            hint: qsTr("Looks through what was seen round the shutter. Key: N; back: P")
+            text: qsTr("Next frame of the burst")
+            hint: qsTr("Steps through the frames before and after it. Key: N; back: P")
             onClicked: panel.session.shutter.look(1)
         }
         Half {
@@ -105,7 +105,7 @@ TpScroll {
     TpButton {
         width: parent.width
         enabled: panel.on
-        text: qsTr("What is seen?")
+        text: qsTr("What is in view?")
         hint: qsTr("Says who is in the picture and what to do. Key: W")
         onClicked: panel.session.tellAll()
     }
@@ -118,7 +118,7 @@ TpScroll {
     }
     TpToggle {
         width: parent.width
-        text: qsTr("Take it by itself when all is well")
+        text: qsTr("Take it automatically when all is well")
         on: panel.session.choices.byItself
         onSwitched: (on) => panel.session.choices.setByItself(on)
     }
@@ -152,8 +152,8 @@ TpScroll {
         id: keys
         width: parent.width
         text: [qsTr("Point the camera at somebody and do what is said. A tone says where to move the camera: faster is nearer, high is up, and it comes from the side to move to. It rises when all is well."),
-               qsTr("Space, or a touch on the camera view: take the photograph. Then M: speak a memo, and M again to finish it. N, P: look through the other frames; K: keep one. Control+Z: undo."),
-               qsTr("1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it by itself or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence."),
+               qsTr("Space, or a touch on the camera view: take the photograph. Then M: record a memo, and M again to finish it. N, P: look through the other frames; K: keep one. Control+Z: undo."),
+               qsTr("1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it automatically or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence."),
                panel.session.camera.movedByKeys ? qsTr("This camera is simulated. Arrow keys turn it, Page up and Page down move it closer and back, Shift with left and right tilts it.") : ""].join("\n\n").trim()
         font.pixelSize: Theme.smallSize
         color: Theme.quiet

@@ -22,13 +22,13 @@ QString AimWords::instruction(const AimInstruction& instruction, bool whole) {
     QString way;
     switch (instruction.advice) {
     case Advice::look_left:
-        return tr("Nobody is seen. Turn slowly to the left.");
+        return tr("Nobody is in view. Turn slowly to the left.");
     case Advice::look_right:
-        return tr("Nobody is seen. Turn slowly to the right.");
+        return tr("Nobody is in view. Turn slowly to the right.");
     case Advice::look_up:
-        return tr("Nobody is seen. Tilt slowly up.");
+        return tr("Nobody is in view. Tilt slowly up.");
     case Advice::look_down:
-        return tr("Nobody is seen. Tilt slowly down.");
+        return tr("Nobody is in view. Tilt slowly down.");
     case Advice::move_left:
         way = by_step(step, tr("a little left"), tr("left"), tr("far left"));
         break;
@@ -93,7 +93,7 @@ QString AimWords::cut(AimEdge edge) {
 
 QStringList AimWords::aims() {
     return {tr("One face in the middle"), tr("One face by thirds"), tr("Head and shoulders"),
-            tr("Everybody in")};
+            tr("Everybody in view")};
 }
 
 } // namespace tp

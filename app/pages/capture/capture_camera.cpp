@@ -61,7 +61,7 @@ void CaptureCamera::begin() {
     told.ended = [this, run = run_](const std::string& why) {
         QMetaObject::invokeMethod(this, [this, run, why] {
             if (run == run_)
-                fail(why.empty() ? tr("The camera has ended.") : in_persons_language(why));
+                fail(why.empty() ? tr("The camera has stopped.") : in_persons_language(why));
         });
     };
     side_ = (*source)->held().front ? CameraSide::front : CameraSide::back;

@@ -29,7 +29,7 @@ void CaptureChoices::setByItself(bool by_itself) {
     if (by_itself == this->by_itself())
         return;
     preferences_.change([&](Choices& choices) { choices.shutter_by_itself = by_itself; });
-    teller_.answer(by_itself ? tr("The photograph is taken by itself when all is well.")
+    teller_.answer(by_itself ? tr("The photograph is taken automatically when all is well.")
                              : tr("The photograph is taken when you press Space or touch the screen."));
 }
 

@@ -65,7 +65,7 @@ void CaptureSession::greet() {
     preferences_.change([](Choices& choices) { choices.capture_told = true; });
     teller_.tell(
         tr("Take a photograph. Point the camera at somebody, and listen where to move it. When all is "
-           "well, the photograph is taken by itself; press S if you do not want that. Space takes it "
+           "well, the photograph is taken automatically; press S if you do not want that. Space takes it "
            "at once."));
 }
 
@@ -109,7 +109,7 @@ void CaptureSession::recordMemo() {
     if (memo_.finish())
         return;
     if (shutter_.photo().empty())
-        return teller_.answer(tr("Take a photograph first; then a memo can be spoken for it."));
+        return teller_.answer(tr("Take a photograph first; then you can record a memo for it."));
     const QString& chosen = preferences_.choices().language;
     memo_.start(shutter_.photo(), chosen.isEmpty() ? QLocale().bcp47Name() : chosen);
 }

@@ -23,7 +23,7 @@ private slots:
     void at_the_first_start_it_is_told_how_it_works() {
         CaptureBench bench{Choices()};
         bench.enter();
-        QVERIFY2(bench.voice.said().front().contains("taken by itself"),
+        QVERIFY2(bench.voice.said().front().contains("taken automatically"),
                  qPrintable(bench.voice.said().front()));
         bench.session->leave();
         bench.voice.clear();
@@ -89,7 +89,7 @@ private slots:
         bench.enter();
         bench.voice.clear();
         bench.session->choices()->chooseAim(3);
-        QCOMPARE(bench.last_said(), QString("Everybody in."));
+        QCOMPARE(bench.last_said(), QString("Everybody in view."));
         bench.see_for(0.5, {{0.2, 0.45}, {0.4, 0.45}});
         QVERIFY2(bench.last_said().contains("left"), qPrintable(bench.last_said()));
         bench.session->choices()->chooseAim(17);

@@ -4,6 +4,8 @@
 #include "faces/base/freed_memory.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/identity/face_square.hpp"
+#include "faces/identity/sharpened.hpp"
+#include "faces/identity/unfit.hpp"
 #include "faces/models/model_catalog.hpp"
 
 #include <opencv2/dnn/dnn.hpp>
@@ -24,7 +26,10 @@ std::optional<FaceNumbers> FaceDescriber::describe(const cv::Mat& picture, const
     if (!places || picture.type() != CV_8UC3)
         return std::nullopt;
     const auto square = face_square(picture, *places);
-    return square ? describe_square(*square) : std::nullopt;
+    if (!square)
+        return std::nullopt;
+    const bool has_detail = length(places->left_eye - places->right_eye) >= smallest_eyes_px;
+    return describe_square(has_detail ? sharpened_where_soft(*square) : *square);
 }
 
 std::optional<FaceNumbers> FaceDescriber::describe_square(const cv::Mat& square) {

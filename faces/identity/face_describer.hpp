@@ -19,7 +19,8 @@ public:
     ~FaceDescriber();
 
     /// Of a face in an upright 8-bit BGR picture, by its contours. Nothing where these are missing, or OpenCV
-    /// refuses. The same pixels give the same numbers. Whether a name may be guessed from them: unfit.hpp.
+    /// refuses. A soft face is sharpened first (sharpened.hpp), but for one that is too small to guess from: sharpened it
+    /// shows its pixels. The same pixels give the same numbers. Whether a name may be guessed from them: unfit.hpp.
     std::optional<FaceNumbers> describe(const cv::Mat& picture, const Face& face);
     /// The same of a picture of face_square_px, as face_square makes it.
     std::optional<FaceNumbers> describe_square(const cv::Mat& square);

@@ -10,7 +10,7 @@
 namespace tp {
 
 /// The version of what looks: larger whenever the same photograph may be seen differently.
-inline constexpr int look_version = 1;
+inline constexpr int look_version = 2;
 
 /// What is looked for beside what can be said.
 enum class Marks { no, yes };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/decode/picture.hpp"
+#include "faces/evaluation/contour_error.hpp"
 #include "faces/extract/face_extractor.hpp"
 #include "faces/identity/face_describer.hpp"
 #include "faces/identity/face_groups.hpp"
@@ -62,7 +63,7 @@ class SamePersonTest : public QObject {
 
     FaceExtractor extractor_ = std::move(FaceExtractor::create()).value();
     FaceDescriber describer_;
-    std::vector<Portrait> neutral_, smiling_, small_;
+    std::vector<Portrait> neutral_, smiling_, small_, blurred_;
 
     std::optional<Portrait> described(const cv::Mat& picture, const std::string& person) {
         const Extraction found = extractor_.extract(picture);
@@ -95,6 +96,11 @@ private slots:
             const auto small = described(shrunk, name.substr(0, 3));
             QVERIFY2(small, name.c_str());
             small_.push_back(*small);
+            cv::Mat soft;
+            cv::GaussianBlur(picture, soft, {}, 0.05 * outer_inter_ocular_distance(face.contours));
+            const auto blurred = described(soft, name.substr(0, 3));
+            QVERIFY2(blurred, name.c_str());
+            blurred_.push_back(*blurred);
         }
         QVERIFY(neutral_.size() == 68 && smiling_.size() == 68);
     }
@@ -104,6 +110,11 @@ private slots:
         QVERIFY2(percent <= 0.1, std::to_string(percent).c_str());
         for (const Portrait& portrait : small_)
             QVERIFY(portrait.unfit == Unfit::no);
+    }
+    void heavily_blurred_people_are_known_though_nobody_guesses() {
+        const double percent = equal_error_percent(neutral_, blurred_);
+        QVERIFY2(percent <= 0.1, std::to_string(percent).c_str());
+        QVERIFY(std::ranges::count(blurred_, Unfit::blurred, &Portrait::unfit) >= 60);
     }
     void a_byte_a_number_is_as_good() {
         for (auto* const portraits : {&neutral_, &smiling_})

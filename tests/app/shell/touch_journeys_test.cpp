@@ -281,6 +281,12 @@ private slots:
         QVERIFY(person.hears({"The force is on."}));
         QVERIFY(hand.tap("Guided tour"));
         QVERIFY(person.hears({"Tour round the ", "Tour finished."}));
+
+        // The next face of the album, and back, by two fingers.
+        hand.draw({eye, eye + QPoint(200, 0)}, 2);
+        QVERIFY(person.hears({"ben_and_clara.jpg. "}));
+        hand.draw({eye, eye + QPoint(-200, 0)}, 2);
+        QVERIFY(person.hears({"Anna. One face."}));
         QVERIFY(hand.tap("Home"));
         QVERIFY(person.hears({"TouchPhoto, start page."}));
 

@@ -6,6 +6,7 @@
 #include "core/files/folder_lock.hpp"
 #include "core/files/new_file.hpp"
 #include "core/study_folder/path_file.hpp"
+#include "core/study_folder/running_trial.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -20,8 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double rate_tolerance = 0.99; // clocks differ
-
-std::string person(int participant) { return "Participant " + std::to_string(participant) + ": "; }
 
 std::vector<fs::path> names_in(const fs::path& folder) {
     std::vector<fs::path> names;
@@ -47,7 +46,7 @@ std::vector<std::span<const TrialRecord>> by_participant(const StudyFolder& stud
 
 class StudyChecker {
 public:
-    StudyChecker(const fs::path& folder, const StudyFolder& study, const StudyProgress& report,
+    StudyChecker(const fs::path& folder, const StudyFolder& study, const TrialsDone& report,
                  std::stop_token stop)
         : folder_(folder), paths_(folder / study_paths_folder), study_(study), report_(report),
           stop_(std::move(stop)) {}
@@ -55,6 +54,8 @@ public:
     StudyFindings check() {
         findings_.running = !FolderLock(folder_, std::chrono::milliseconds(0)).held();
         findings_.faults = study_.remarks;
+        if (const std::string lost = lost_trial(folder_, study_.records); !findings_.running && !lost.empty())
+            say(lost);
         if (!study_.terms)
             say("There is no file " + quoted_readable(study_terms_file) +
                 ": nobody knows the seed of the study, or whether its participants are simulated.");
@@ -78,7 +79,7 @@ private:
         const int participant = records.front().participant;
         const auto plan = trials_of(study_.experiment, participant, study_.terms->seed);
         if (const auto trial = first_unplanned(study_.experiment, plan, records))
-            say(person(participant) + "trial " + std::to_string(*trial) +
+            say("Participant " + std::to_string(participant) + ": trial " + std::to_string(*trial) +
                 " is not the one that was planned; protocol, seed or table were changed since.");
     }
 
@@ -87,7 +88,8 @@ private:
         if (study_.terms && std::ranges::none_of(study_.sittings, [&](const StudySitting& sitting) {
                 return sitting.participant == first.participant && sitting.from_trial <= first.trial;
             }))
-            say(person(first.participant) + "nobody has noted with which machine the first trial was done.");
+            say("Participant " + std::to_string(first.participant) +
+                ": nobody has noted with which machine the first trial was done.");
     }
 
     void look_at_paths(std::span<const TrialRecord> records) {
@@ -113,8 +115,8 @@ private:
                 report_(done_, study_.records.size());
         }
         if (!missing.empty())
-            say(person(records.front().participant) +
-                "the finger's path is missing in these trials: " + missing + ".");
+            say("Participant " + std::to_string(records.front().participant) +
+                ": the finger's path is missing in these trials: " + missing + ".");
     }
 
     void look_at_names() {
@@ -130,7 +132,7 @@ private:
     const fs::path& folder_;
     fs::path paths_;
     const StudyFolder& study_;
-    const StudyProgress& report_;
+    const TrialsDone& report_;
     std::stop_token stop_;
     StudyFindings findings_;
     std::set<fs::path> known_;
@@ -139,7 +141,7 @@ private:
 
 } // namespace
 
-StudyFindings check_study(const fs::path& folder, const StudyFolder& study, const StudyProgress& report,
+StudyFindings check_study(const fs::path& folder, const StudyFolder& study, const TrialsDone& report,
                           std::stop_token stop) {
     return StudyChecker(folder, study, report, std::move(stop)).check();
 }

@@ -13,7 +13,7 @@
 namespace tp {
 
 /// Trials done of all.
-using StudyProgress = std::function<void(std::size_t done, std::size_t all)>;
+using TrialsDone = std::function<void(std::size_t done, std::size_t all)>;
 
 struct StudyFindings {
     std::vector<std::string> faults; ///< sentences; empty: everything is as it should be
@@ -24,6 +24,6 @@ struct StudyFindings {
 /// torn, has too few samples, or belongs to no trial; trials without a note of the machine; what a killed program left behind.
 /// Reads every path. Ends early where it is stopped.
 StudyFindings check_study(const std::filesystem::path& folder, const StudyFolder& study,
-                          const StudyProgress& report = {}, std::stop_token stop = {});
+                          const TrialsDone& report = {}, std::stop_token stop = {});
 
 } // namespace tp

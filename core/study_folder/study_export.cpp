@@ -55,8 +55,8 @@ void note_others(const fs::path& folder, const fs::path& zip, StudyExport& done)
 
 } // namespace
 
-Result<StudyExport> export_study(const fs::path& folder, const fs::path& zip_file,
-                                 const StudyProgress& report, const std::stop_token& stop) {
+Result<StudyExport> export_study(const fs::path& folder, const fs::path& zip_file, const TrialsDone& report,
+                                 const std::stop_token& stop) {
     const auto study = read_study(folder);
     if (!study)
         return Error{study.error()};

@@ -21,6 +21,6 @@ struct StudyExport {
 /// is written anew from what was understood of it, so that no name that somebody put into a comment, a column of their own or a
 /// file beside it goes along; the same study is the same bytes. `zip` appears when it is whole; an existing one is replaced.
 Result<StudyExport> export_study(const std::filesystem::path& folder, const std::filesystem::path& zip,
-                                 const StudyProgress& report = {}, const std::stop_token& stop = {});
+                                 const TrialsDone& report = {}, const std::stop_token& stop = {});
 
 } // namespace tp

@@ -42,6 +42,8 @@ std::string study_readme(const Experiment& experiment) {
             row("participant-NNN.csv", "what came of each trial of participant NNN, in the order of doing") +
             row("paths/participant-NNN-trial-MMMM.csv.gz", "") +
             row("", "where the finger was in trial MMMM of participant NNN; gzip") +
+            row("running.txt",
+                "only while a trial runs, or where the program was killed in one: its path's name") +
             "\nColumns of participant-NNN.csv, a line a trial\n" +
             row("experiment", "the experiment's name") + row("participant", "number of the person, from 1") +
             row("trial", "number of the trial of this person, from 1; training and repeated ones too") +

@@ -7,6 +7,7 @@
 #include "core/files/growing_file.hpp"
 #include "core/files/new_file.hpp"
 #include "core/study_folder/path_file.hpp"
+#include "core/study_folder/running_trial.hpp"
 #include "core/study_folder/study_readme.hpp"
 
 #include <algorithm>
@@ -137,6 +138,9 @@ Opened StudyWriter::go_on(const fs::path& folder, const StudyMachine& machine) {
     for (const ParticipantTable& table : *tables)
         if (const std::string problem = writer->take_table(table); !problem.empty())
             return Error{problem};
+    if (const std::string lost = lost_trial(folder, study->records); !lost.empty())
+        writer->remarks_.push_back(lost);
+    forget_running(folder);
     sweep(folder);
     sweep(folder / study_paths_folder);
     if (const auto file = NewFile::beside(folder / study_sittings_file); !file) // before anybody has begun
@@ -194,6 +198,11 @@ std::optional<NextTrial> StudyWriter::next(int participant) const {
     return next_trial(experiment_, trials_of(experiment_, participant, terms_.seed), records);
 }
 
+void StudyWriter::begins(int participant) const {
+    if (const auto trial = next(participant))
+        note_running(folder_, participant, trial->number);
+}
+
 void StudyWriter::use(const StudyMachine& machine) {
     const std::lock_guard held(mutex_);
     machine_ = machine;
@@ -224,6 +233,7 @@ std::string StudyWriter::keep(const TrialRecord& record, std::span<const FingerS
     if (const std::string reason = put_line(table, record); !reason.empty())
         return cannot_write(table.file, reason).sentence;
     table.records.push_back(record);
+    forget_running(folder_);
     return {};
 }
 

@@ -52,6 +52,9 @@ public:
     /// What this person, who may be a new one, does next; nothing: all is done.
     std::optional<NextTrial> next(int participant) const;
 
+    /// The person begins the trial that is `next`. Where a program is killed in it, whoever goes on is told (remarks). A note that
+    /// cannot be written is none: what keeps the trial will say why.
+    void begins(int participant) const;
     /// From the next trial on things are done with this machine.
     void use(const StudyMachine& machine);
 

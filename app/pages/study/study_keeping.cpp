@@ -4,6 +4,7 @@
 #include "audio/sentences/sentences.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/study_folder/running_trial.hpp"
 
 #include <QMetaObject>
 
@@ -32,7 +33,8 @@ void StudyKeeping::work(std::function<std::function<void()>()> step) {
     });
 }
 
-StudyKeeping::Known StudyKeeping::known_of(const Result<StudyFolder>& study, const Experiment& experiment,
+StudyKeeping::Known StudyKeeping::known_of(const Result<StudyFolder>& study,
+                                           const std::filesystem::path& folder, const Experiment& experiment,
                                            int participant) {
     Known known;
     if (!study) {
@@ -52,7 +54,10 @@ StudyKeeping::Known StudyKeeping::known_of(const Result<StudyFolder>& study, con
         if (record.participant == participant)
             known.records.push_back(record);
     }
-    known.notice = in_sentences(study->remarks);
+    std::vector<std::string> remarks = study->remarks;
+    if (std::string lost = lost_trial(folder, study->records); !lost.empty())
+        remarks.push_back(std::move(lost));
+    known.notice = in_sentences(remarks);
     return known;
 }
 
@@ -62,7 +67,7 @@ void StudyKeeping::look(const std::filesystem::path& folder, const Experiment& e
         Known known;
         try {
             if (name_taken(folder / study_protocol_file))
-                known = known_of(read_study(folder), experiment, participant);
+                known = known_of(read_study(folder), folder, experiment, participant);
         } catch (const std::exception& fault) { // out of memory, mostly
             known.problem = tr("The study's folder cannot be read, because the computer reports: %1")
                                 .arg(QString::fromUtf8(fault.what()));
@@ -94,6 +99,14 @@ void StudyKeeping::open(Sitting sitting, Then then) {
                                 .arg(QString::fromUtf8(fault.what()));
         }
         return [then, known] { then(known); };
+    });
+}
+
+void StudyKeeping::begins(int participant) {
+    work([this, participant]() -> std::function<void()> {
+        if (writer_ != nullptr)
+            writer_->begins(participant);
+        return {};
     });
 }
 

@@ -53,6 +53,8 @@ public:
     void look(const std::filesystem::path& folder, const Experiment& experiment, int participant, Then then);
     /// Begins or continues the study: from now on nobody else may write into it.
     void open(Sitting sitting, Then then);
+    /// The participant begins the next trial.
+    void begins(int participant);
     /// The path, then the trial's line; both are on the disk when `then` is called with no words. Else they say why not, and the
     /// trial is not in the folder.
     void keep(TrialRecord record, std::vector<FingerSample> path,
@@ -63,7 +65,8 @@ public:
 private:
     /// Runs on the pool's thread; what it returns is called on the page's.
     void work(std::function<std::function<void()>()> step);
-    static Known known_of(const Result<StudyFolder>& study, const Experiment& experiment, int participant);
+    static Known known_of(const Result<StudyFolder>& study, const std::filesystem::path& folder,
+                          const Experiment& experiment, int participant);
 
     std::unique_ptr<StudyWriter> writer_; ///< of the pool's thread alone
     QThreadPool pool_;                    ///< last: it ends before what its work is for

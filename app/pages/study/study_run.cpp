@@ -167,6 +167,8 @@ void StudyRun::start() {
     }
     teller_.hush();
     teller_.sound(Earcon::ready);
+    if (!trying())
+        keeping_.begins(plan_.participant);
     finger_.feel(laid_->start);
     felt_ = std::make_unique<FeltTrial>(*next_, *laid_,
                                         finger_.seen().ticks + 2); // one under way does not know of it

@@ -26,7 +26,9 @@ namespace {
 
 struct Told {
     std::vector<std::pair<int, int>> acknowledged; ///< participant, trial
+    std::optional<std::pair<int, int>> begun;      ///< it had begun when the program ended
     std::optional<std::pair<int, int>> running;    ///< it was being kept when the program ended
+    bool said_lost = false;                        ///< that a trial was running
     int refused = 0, remarks = 0;
     bool ended = false, said_why = true;
 };
@@ -35,15 +37,20 @@ Told told_in(const QByteArray& output) {
     Told told;
     for (const QByteArray& line : output.split('\n')) {
         const QList<QByteArray> words = line.split(' ');
-        const bool of_trial = words[0] == "TRY" || words[0] == "ACK";
+        const bool of_trial = words[0] == "BEGUN" || words[0] == "TRY" || words[0] == "ACK";
         const std::pair<int, int> trial =
             of_trial ? std::pair(words[1].toInt(), words[2].toInt()) : std::pair(0, 0);
+        if (words[0] == "BEGUN")
+            told.begun = trial;
         if (words[0] == "TRY")
             told.running = trial;
         if (words[0] == "ACK") {
             told.acknowledged.push_back(trial);
             told.running.reset();
+            told.begun.reset();
         }
+        told.said_lost =
+            told.said_lost || line.startsWith("REMARK A trial was running when the program ended");
         if (words[0] == "SAID") {
             ++told.refused;
             told.said_why = told.said_why && line.size() > 30 && line.endsWith('.');
@@ -71,6 +78,13 @@ struct Place {
         return all;
     }
 };
+
+bool is_kept(const Place& place, std::pair<int, int> trial) {
+    const auto study = read_study(place.study);
+    return study && std::ranges::any_of(study->records, [&](const TrialRecord& record) {
+               return std::pair(record.participant, record.trial) == trial;
+           });
+}
 
 /// What does not hold for the folder that the killed program left; empty where all does.
 std::string wrong_with(const Place& place, const Told& told) {
@@ -126,7 +140,7 @@ private slots:
         const int moments = std::max(1, qEnvironmentVariable("TP_MOMENTS", "200").toInt());
         std::mt19937 random(20261126);
         const std::vector<QByteArray> faults{"kill@", "kill@", "half@", "half@", "ENOSPC@", "EIO@", "EROFS@"};
-        int cut_off = 0, remarks = 0;
+        int cut_off = 0, remarks = 0, told_lost = 0;
         for (int i = 0; i < moments; ++i) {
             const long at = 1 + static_cast<long>(random() % static_cast<unsigned long>(calls_));
             const QByteArray fault =
@@ -136,7 +150,12 @@ private slots:
             cut_off += !told.ended;
             const std::string wrong = wrong_with(place, told);
             QVERIFY2(wrong.empty(), (fault.toStdString() + ": " + wrong).c_str());
+            const bool killed = fault.startsWith("kill") || fault.startsWith("half");
+            const bool in_a_trial = killed && told.begun;
+            const bool kept = in_a_trial && is_kept(place, *told.begun);
             const Told after = place.run("none@1"); // the next day
+            QVERIFY2(!in_a_trial || after.said_lost == !kept, fault.data());
+            told_lost += after.said_lost;
             remarks += after.remarks;
             QVERIFY2(after.ended && after.refused == 0, fault.data());
             const std::size_t again = told.acknowledged.size() + after.acknowledged.size();
@@ -144,6 +163,7 @@ private slots:
             QVERIFY2(place.files() == undisturbed_, fault.data());
         }
         QVERIFY2(cut_off > moments * 9 / 10, "the faults did not reach the program");
+        QVERIFY2(told_lost > 0 || moments < 100, "no trial was cut off in its middle");
         QVERIFY2(remarks > 0 || moments < 100, "no line was half-written");
     }
 };

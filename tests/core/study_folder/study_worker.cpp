@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A study with two people in one process, begun or gone on with. Says TRY before a trial is kept and ACK after it on stdout, so that
+// A study with two people in one process, begun or gone on with. Says BEGUN as a trial begins, TRY before it is kept and ACK after it on stdout, so that
 // whoever kills it knows what was acknowledged; SAID where it was refused, which is tried once more.
 //
 //     study_worker FOLDER
@@ -23,6 +23,8 @@ void tell(const std::string& line) {
 bool does(StudyWriter& writer, int participant, const NextTrial& next) {
     const TrialRecord record = worked_record(next, participant);
     const std::string trial = std::to_string(participant) + " " + std::to_string(record.trial);
+    writer.begins(participant);
+    tell("BEGUN " + trial);
     for (int tries = 0; tries < 2; ++tries) {
         tell("TRY " + trial);
         const std::string problem = writer.keep(record, worked_path(record));

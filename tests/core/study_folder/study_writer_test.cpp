@@ -3,6 +3,8 @@
 #include "album_folder.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/study_folder/path_file.hpp"
+#include "core/study_folder/running_trial.hpp"
+#include "core/study_folder/study_check.hpp"
 #include "core/study_folder/study_writer.hpp"
 
 #include <QTest>
@@ -71,6 +73,31 @@ class StudyWriterTest : public QObject {
 private slots:
     void init() { folder_ = place_ / ("study-" + std::to_string(++count_)); }
 
+    void a_trial_that_was_running_when_the_program_ended_is_said_once() {
+        const std::vector<std::string> lost{"A trial was running when the program ended; it is done again."};
+        {
+            const auto writer = opened(folder_);
+            writer->begins(1);
+            QVERIFY(name_taken(folder_ / study_running_file));
+        } // the program ends
+        const auto faults = [&] { return check_study(folder_, read_study(folder_).value()).faults; };
+        QCOMPARE(faults(), lost);
+        {
+            const auto writer = opened(folder_);
+            QCOMPARE(writer->remarks(), lost);
+            QCOMPARE(writer->next(1)->number, 1);
+            writer->begins(1);
+            QVERIFY(faults().empty()); // it runs
+            QCOMPARE(does(*writer, 1), std::string());
+            QVERIFY(!name_taken(folder_ / study_running_file));
+            writer->begins(2);
+            QCOMPARE(does(*writer, 2), std::string());
+            note_running(folder_, 2, 1); // as a power cut may leave it, although the trial was kept
+        }
+        QVERIFY(faults().empty());
+        QVERIFY(opened(folder_)->remarks().empty());
+        QVERIFY(!name_taken(folder_ / study_running_file));
+    }
     void a_study_that_begins_says_all_about_itself() {
         const auto writer = opened(folder_);
         QVERIFY(writer->participants().empty() && writer->remarks().empty());

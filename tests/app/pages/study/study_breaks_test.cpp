@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What interrupts a sitting: a pause, another window, another page, Escape, a disk that does not take it.
+#include "core/study_folder/running_trial.hpp"
 #include "study_bench.hpp"
 
 using namespace tp;
@@ -146,6 +147,29 @@ private slots:
         bench.run().pause(); // again: nothing
         bench.run().goOn();
         QCOMPARE(bench.run().state(), State::Ready);
+    }
+
+    void a_trial_that_a_kill_took_is_told_the_next_time() {
+        const QString lost = "A trial was running when the program ended; it is done again.";
+        StudyBench bench;
+        bench.begin(StudyBench::shapes);
+        bench.start();
+        QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(bench.study_folder() / study_running_file), 60000);
+        bench.session->advance(0.5);
+        bench.run().answer(0);
+        bench.settle();
+        QVERIFY(!std::filesystem::exists(bench.study_folder() / study_running_file));
+        bench.session->stop();
+        bench.session->stop();
+        QCOMPARE(note_running(bench.study_folder(), 1, 2), std::string()); // as if it had been killed
+        bench.session->setup()->setParticipant(1);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session->setup()->progress(),
+                                  "Participant 1 has done 1 of 4 trials. " + lost, 60000);
+        bench.session->begin();
+        bench.run().agree();
+        QTRY_COMPARE_WITH_TIMEOUT(bench.run().state(), State::Ready, 60000);
+        QVERIFY2(bench.said().startsWith(lost), qPrintable(bench.said()));
+        QCOMPARE(bench.run().trial(), QString("Trial 2 of 4"));
     }
 };
 

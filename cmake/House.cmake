@@ -118,7 +118,7 @@ foreach(page IN LISTS pages)
 endforeach()
 tp_may(tp_care         ${for_pages} tp_identity tp_grouping  USES Qt6::Quick)
 tp_may(tp_capture      ${for_pages} tp_aiming tp_handheld tp_frames tp_camera tp_seeing tp_shutter  USES Qt6::Quick)
-tp_may(tp_study_page   ${for_pages} tp_experiment tp_trials tp_study_folder tp_study_faces  USES Qt6::Quick)
+tp_may(tp_study_page   ${for_pages} tp_experiment tp_trials tp_study_folder tp_study_faces tp_study_report  USES Qt6::Quick)
 tp_may(tp_mend         ${for_pages} tp_report  USES Qt6::Quick)
 tp_may(tp_print        ${for_pages}  USES Qt6::Quick Qt6::Svg)
 

@@ -6,7 +6,6 @@
 #include "app/figures/study/study_report.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/experiment/trial_order.hpp"
-#include "core/files/durable_file.hpp"
 #include "core/files/whole_file.hpp"
 #include "core/study_folder/study_check.hpp"
 #include "core/study_folder/study_export.hpp"
@@ -94,21 +93,8 @@ int report_verb(const VerbLine& line, const std::filesystem::path& folder) {
         return refused(report.error());
     if (const std::string problem = line.make_folder("out"); !problem.empty())
         return refused(problem);
-    const std::filesystem::path out = line.text("out").toStdString();
-    for (const auto& written :
-         {effects_table(*report).write(out / "effects.csv"), levels_table(*report).write(out / "levels.csv"),
-          pairs_table(*report).write(out / "pairs.csv")})
-        if (!written)
-            return refused(written.error());
-    if (!report->confusions.empty())
-        if (const auto written = confusion_table(*report).write(out / "confusion.csv"); !written)
-            return refused(written.error());
-    const auto plots = plot_study(out, *report);
-    if (!plots)
-        return refused(plots.error());
-    if (const std::string problem = replace_file(out / "report.html", study_page(*report, *plots));
-        !problem.empty())
-        return refused("The page cannot be written: " + problem);
+    if (const std::string problem = write_report(line.text("out").toStdString(), *report); !problem.empty())
+        return refused(problem);
     for (const std::string& remark : report->remarks)
         say(remark);
     if (line.has("json"))

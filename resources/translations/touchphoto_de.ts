@@ -4233,6 +4233,90 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The folder &quot;%1&quot; has too many files.</source>
         <translation>Im Ordner „%1“ liegen zu viele Dateien.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; belongs to no trial that was kept.</source>
+        <translation>„%1“ gehört zu keinem gespeicherten Durchgang.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 samples; in the trial&apos;s time there are %3 at least.</source>
+        <translation>„%1“ hat %2 Messwerte; in der Zeit des Durchgangs müssten es mindestens %3 sein.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was being written when the program ended; it goes when the study goes on.</source>
+        <translation>„%1“ wurde gerade geschrieben, als das Programm endete; die Datei verschwindet, wenn die Studie weitergeht.</translation>
+    </message>
+    <message>
+        <source>A trial was running when the program ended; it is done again.</source>
+        <translation>Als das Programm endete, lief gerade ein Durchgang; er wird wiederholt.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the finger&apos;s path goes back in time.</source>
+        <translation>Zeile %1 des Fingerwegs geht in der Zeit zurück.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the finger&apos;s path has no five numbers.</source>
+        <translation>Zeile %1 des Fingerwegs hat keine fünf Zahlen.</translation>
+    </message>
+    <message>
+        <source>Participant %1: nobody has noted with which machine the first trial was done.</source>
+        <translation>Person %1: Es ist nicht vermerkt, mit welchem Gerät der erste Durchgang gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>Participant %1: the finger&apos;s path is missing in these trials: %2.</source>
+        <translation>Person %1: In diesen Durchgängen fehlt der Weg des Fingers: %2.</translation>
+    </message>
+    <message>
+        <source>Participant %1: trial %2 is not the one that was planned; protocol, seed or table were changed since.</source>
+        <translation>Person %1: Durchgang %2 ist nicht der geplante; Protokoll, Startzahl oder Tabelle wurden seitdem geändert.</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s path cannot be unpacked: %1</source>
+        <translation>Der Weg des Fingers kann nicht entpackt werden: %1</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s path has more than %1 samples.</source>
+        <translation>Der Weg des Fingers hat mehr als %1 Messwerte.</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s path has other columns than time_s,x_mm,y_mm,fx_n,fy_n.</source>
+        <translation>Der Weg des Fingers hat andere Spalten als time_s,x_mm,y_mm,fx_n,fy_n.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made: %2</source>
+        <translation>Der Ordner „%1“ kann nicht angelegt werden: %2</translation>
+    </message>
+    <message>
+        <source>The last line of the finger&apos;s path is not whole.</source>
+        <translation>Die letzte Zeile des Fingerwegs ist nicht vollständig.</translation>
+    </message>
+    <message>
+        <source>The page &quot;%1&quot; cannot be written: %2</source>
+        <translation>Die Seite „%1“ kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>The plot %1 cannot be written: %2</source>
+        <translation>Das Diagramm %1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>The table %1 cannot be written: %2</source>
+        <translation>Die Tabelle %1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;: nobody knows the seed of the study, or whether its participants are simulated.</source>
+        <translation>Die Datei „%1“ fehlt: Niemand kennt die Startzahl der Studie oder weiß, ob die Versuchspersonen simuliert sind.</translation>
+    </message>
+    <message>
+        <source>it ends too soon.</source>
+        <translation>sie endet zu früh.</translation>
+    </message>
+    <message>
+        <source>it holds more than such a file may.</source>
+        <translation>sie enthält mehr, als eine solche Datei darf.</translation>
+    </message>
+    <message>
+        <source>there is something behind its end.</source>
+        <translation>hinter ihrem Ende steht noch etwas.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -4503,6 +4587,26 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The study&apos;s folder: %1</source>
         <translation>Ordner der Studie: %1</translation>
     </message>
+    <message>
+        <source>The participant&apos;s number, in place of a name. Key: N</source>
+        <translation>Nummer der Versuchsperson, anstelle eines Namens. Taste: N</translation>
+    </message>
+    <message>
+        <source>How the study stands</source>
+        <translation>Stand der Studie</translation>
+    </message>
+    <message>
+        <source>Trials, errors and times so far, and what is wrong in the folder. Key: C</source>
+        <translation>Durchgänge, Fehler und Zeiten bisher, und was im Ordner nicht stimmt. Taste: C</translation>
+    </message>
+    <message>
+        <source>Make the report</source>
+        <translation>Bericht erstellen</translation>
+    </message>
+    <message>
+        <source>Tables, plots and a page, beside the study&apos;s folder. Key: R</source>
+        <translation>Tabellen, Diagramme und eine Seite, neben dem Ordner der Studie. Taste: R</translation>
+    </message>
 </context>
 <context>
     <name>ShellView</name>
@@ -4754,8 +4858,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Leertaste beginnt und beendet einen Durchgang und führt nach einer Pause weiter. Eine Zifferntaste gibt eine Antwort. Wo kein Gerät den Finger bewegt, bewegen die Pfeiltasten die Hand um 2 Millimeter, mit Umschalt um 10. P macht eine Pause, W sagt, wo Sie sind. Escape hält an; die Kraft ist dann sofort aus.</translation>
     </message>
     <message>
-        <source>Keys 1 to 9: experiment. O: an experiment&apos;s file. F: the study&apos;s folder. G: the folder with faces. Minus and Plus: participant. M: what moves the finger. S: start. W: says where you are.</source>
-        <translation>Tasten 1 bis 9: Experiment. O: Datei eines Experiments. F: Ordner der Studie. G: Ordner mit Gesichtern. Minus und Plus: Versuchsperson. M: was den Finger bewegt. S: beginnen. W: sagt, wo Sie sind.</translation>
+        <source>Keys 1 to 9: experiment. O: an experiment&apos;s file. F: the study&apos;s folder. G: the folder with faces. N, Minus and Plus: participant. M: what moves the finger. S: start. C: how the study stands. R: makes its report. W: says where you are.</source>
+        <translation>Tasten 1 bis 9: Experiment. O: Datei eines Experiments. F: Ordner der Studie. G: Ordner mit Gesichtern. N, Minus und Plus: Versuchsperson. M: was den Finger bewegt. S: beginnen. C: Stand der Studie. R: erstellt ihren Bericht. W: sagt, wo Sie sind.</translation>
     </message>
 </context>
 <context>
@@ -4898,6 +5002,30 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>You are asked to take part in a study: %1. It has %3 trials. What is kept is the way of your finger, the force on it, times and answers, on this computer only, under the number %2 and without your name. You may pause at any time with P and stop with Escape, without giving a reason; the force is then off at once. Nothing has been kept so far. If you agree, press Enter. If you do not, press Escape.</source>
         <translation>Sie werden gebeten, an einer Studie teilzunehmen: %1. Sie hat %3 Durchgänge. Gespeichert werden der Weg Ihres Fingers, die Kraft auf ihn, Zeiten und Antworten, nur auf diesem Computer, unter der Nummer %2 und ohne Ihren Namen. Sie können jederzeit mit P eine Pause machen und mit Escape aufhören, ohne einen Grund zu nennen; die Kraft ist dann sofort aus. Bisher ist nichts gespeichert. Wenn Sie einverstanden sind, drücken Sie die Eingabetaste. Wenn nicht, drücken Sie Escape.</translation>
+    </message>
+    <message>
+        <source>Participants: %1.</source>
+        <translation>Versuchspersonen: %1.</translation>
+    </message>
+    <message>
+        <source>Trials that count: %1.</source>
+        <translation>Gültige Durchgänge: %1.</translation>
+    </message>
+    <message>
+        <source>Trials done again: %1.</source>
+        <translation>Wiederholte Durchgänge: %1.</translation>
+    </message>
+    <message>
+        <source>Mean tracking error: %1 millimetres.</source>
+        <translation>Mittlerer Abstand vom Weg: %1 Millimeter.</translation>
+    </message>
+    <message>
+        <source>Named rightly: %1 percent.</source>
+        <translation>Richtig benannt: %1 Prozent.</translation>
+    </message>
+    <message>
+        <source>Mean time: %1 seconds.</source>
+        <translation>Mittlere Zeit: %1 Sekunden.</translation>
     </message>
 </context>
 <context>
@@ -7664,6 +7792,37 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The trial cannot be kept, because the computer reports: %1</source>
         <translation>Der Durchgang kann nicht gespeichert werden, denn der Computer meldet: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StudyOverview</name>
+    <message>
+        <source>The study is being checked.</source>
+        <translation>Die Studie wird geprüft.</translation>
+    </message>
+    <message>
+        <source>No study has begun in this folder.</source>
+        <translation>In diesem Ordner hat noch keine Studie begonnen.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong in the folder.</source>
+        <translation>Im Ordner ist alles in Ordnung.</translation>
+    </message>
+    <message>
+        <source>Faults in the folder: %1.</source>
+        <translation>Fehler im Ordner: %1.</translation>
+    </message>
+    <message>
+        <source>The report is being made.</source>
+        <translation>Der Bericht wird erstellt.</translation>
+    </message>
+    <message>
+        <source>No trial counts yet, so that there is nothing to report.</source>
+        <translation>Noch zählt kein Durchgang; es gibt nichts zu berichten.</translation>
+    </message>
+    <message>
+        <source>The report is in %1. Open the file %2 there.</source>
+        <translation>Der Bericht liegt in %1. Öffnen Sie dort die Datei %2.</translation>
     </message>
 </context>
 <context>

@@ -4211,6 +4211,90 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The folder &quot;%1&quot; has too many files.</source>
         <translation>폴더 “%1”: 파일이 너무 많습니다.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; belongs to no trial that was kept.</source>
+        <translation>“%1”: 저장된 어떤 시행에도 속하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 samples; in the trial&apos;s time there are %3 at least.</source>
+        <translation>“%1”: 측정값이 %2개입니다. 시행 시간에는 적어도 %3개가 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was being written when the program ended; it goes when the study goes on.</source>
+        <translation>“%1”: 프로그램이 끝날 때 쓰고 있던 파일입니다. 연구를 계속하면 없어집니다.</translation>
+    </message>
+    <message>
+        <source>A trial was running when the program ended; it is done again.</source>
+        <translation>프로그램이 끝날 때 시행이 진행 중이었습니다. 그 시행은 다시 합니다.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the finger&apos;s path goes back in time.</source>
+        <translation>손가락 경로의 %1번째 줄: 시간이 거꾸로 갑니다.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the finger&apos;s path has no five numbers.</source>
+        <translation>손가락 경로의 %1번째 줄: 숫자 다섯 개가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Participant %1: nobody has noted with which machine the first trial was done.</source>
+        <translation>참가자 %1: 첫 시행에 쓴 장치가 기록되어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Participant %1: the finger&apos;s path is missing in these trials: %2.</source>
+        <translation>참가자 %1: 다음 시행의 손가락 경로가 없습니다: %2.</translation>
+    </message>
+    <message>
+        <source>Participant %1: trial %2 is not the one that was planned; protocol, seed or table were changed since.</source>
+        <translation>참가자 %1: %2번 시행이 계획과 다릅니다. 그 뒤에 실험 계획, 시작 값 또는 표가 바뀌었습니다.</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s path cannot be unpacked: %1</source>
+        <translation>손가락 경로의 압축을 풀 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s path has more than %1 samples.</source>
+        <translation>손가락 경로의 측정값이 %1개보다 많습니다.</translation>
+    </message>
+    <message>
+        <source>The finger&apos;s path has other columns than time_s,x_mm,y_mm,fx_n,fy_n.</source>
+        <translation>손가락 경로의 열이 time_s,x_mm,y_mm,fx_n,fy_n과 다릅니다.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made: %2</source>
+        <translation>폴더 “%1”: 만들 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The last line of the finger&apos;s path is not whole.</source>
+        <translation>손가락 경로의 마지막 줄이 온전하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The page &quot;%1&quot; cannot be written: %2</source>
+        <translation>페이지 “%1”: 쓸 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The plot %1 cannot be written: %2</source>
+        <translation>그래프 %1: 쓸 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>The table %1 cannot be written: %2</source>
+        <translation>표 %1: 쓸 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;: nobody knows the seed of the study, or whether its participants are simulated.</source>
+        <translation>파일 “%1”: 없습니다. 연구의 시작 값과 참가자가 모의 참가자인지를 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>it ends too soon.</source>
+        <translation>너무 일찍 끝납니다.</translation>
+    </message>
+    <message>
+        <source>it holds more than such a file may.</source>
+        <translation>이런 파일이 담을 수 있는 것보다 많이 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>there is something behind its end.</source>
+        <translation>끝난 뒤에 다른 내용이 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -4481,6 +4565,26 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The study&apos;s folder: %1</source>
         <translation>연구 폴더: %1</translation>
     </message>
+    <message>
+        <source>The participant&apos;s number, in place of a name. Key: N</source>
+        <translation>이름 대신 쓰는 참가자 번호. 키: N</translation>
+    </message>
+    <message>
+        <source>How the study stands</source>
+        <translation>연구 진행 상황</translation>
+    </message>
+    <message>
+        <source>Trials, errors and times so far, and what is wrong in the folder. Key: C</source>
+        <translation>지금까지의 시행, 오차와 시간, 그리고 폴더의 문제. 키: C</translation>
+    </message>
+    <message>
+        <source>Make the report</source>
+        <translation>보고서 만들기</translation>
+    </message>
+    <message>
+        <source>Tables, plots and a page, beside the study&apos;s folder. Key: R</source>
+        <translation>연구 폴더 옆에 표, 그래프와 페이지를 만듭니다. 키: R</translation>
+    </message>
 </context>
 <context>
     <name>ShellView</name>
@@ -4732,8 +4836,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>스페이스바는 시행을 시작하고 끝내며, 휴식 뒤에는 계속합니다. 숫자 키로 답합니다. 장치가 없으면 화살표 키로 손을 2밀리미터씩, Shift와 함께 누르면 10밀리미터씩 움직입니다. P는 일시 정지, W는 현재 위치입니다. Escape 키를 누르면 멈추고 힘이 바로 꺼집니다.</translation>
     </message>
     <message>
-        <source>Keys 1 to 9: experiment. O: an experiment&apos;s file. F: the study&apos;s folder. G: the folder with faces. Minus and Plus: participant. M: what moves the finger. S: start. W: says where you are.</source>
-        <translation>1에서 9까지의 키: 실험. O: 실험 파일. F: 연구 폴더. G: 얼굴 폴더. 빼기와 더하기: 참가자. M: 손가락을 움직이는 것. S: 시작. W: 현재 위치.</translation>
+        <source>Keys 1 to 9: experiment. O: an experiment&apos;s file. F: the study&apos;s folder. G: the folder with faces. N, Minus and Plus: participant. M: what moves the finger. S: start. C: how the study stands. R: makes its report. W: says where you are.</source>
+        <translation>1에서 9까지의 키: 실험. O: 실험 파일. F: 연구 폴더. G: 얼굴 폴더. N, 빼기와 더하기: 참가자. M: 손가락을 움직이는 것. S: 시작. C: 연구 진행 상황. R: 보고서 만들기. W: 현재 위치.</translation>
     </message>
 </context>
 <context>
@@ -4876,6 +4980,30 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>You are asked to take part in a study: %1. It has %3 trials. What is kept is the way of your finger, the force on it, times and answers, on this computer only, under the number %2 and without your name. You may pause at any time with P and stop with Escape, without giving a reason; the force is then off at once. Nothing has been kept so far. If you agree, press Enter. If you do not, press Escape.</source>
         <translation>연구에 참여해 주시기를 부탁드립니다: %1. 시행은 모두 %3회입니다. 손가락이 움직인 길과 손가락에 가해진 힘, 시간, 답이 이름 없이 번호 %2로 이 컴퓨터에만 저장됩니다. 이유를 말하지 않아도 언제든지 P 키로 쉬거나 Escape 키로 그만둘 수 있으며, 그러면 힘이 바로 꺼집니다. 지금까지는 아무것도 저장되지 않았습니다. 동의하시면 엔터 키를, 동의하지 않으시면 Escape 키를 누르세요.</translation>
+    </message>
+    <message>
+        <source>Participants: %1.</source>
+        <translation>참가자: %1명.</translation>
+    </message>
+    <message>
+        <source>Trials that count: %1.</source>
+        <translation>인정된 시행: %1회.</translation>
+    </message>
+    <message>
+        <source>Trials done again: %1.</source>
+        <translation>다시 한 시행: %1회.</translation>
+    </message>
+    <message>
+        <source>Mean tracking error: %1 millimetres.</source>
+        <translation>평균 추적 오차: %1밀리미터.</translation>
+    </message>
+    <message>
+        <source>Named rightly: %1 percent.</source>
+        <translation>바르게 답한 비율: %1퍼센트.</translation>
+    </message>
+    <message>
+        <source>Mean time: %1 seconds.</source>
+        <translation>평균 시간: %1초.</translation>
     </message>
 </context>
 <context>
@@ -7610,6 +7738,37 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The trial cannot be kept, because the computer reports: %1</source>
         <translation>컴퓨터가 다음과 같이 알려서 시행을 저장할 수 없습니다: %1</translation>
+    </message>
+</context>
+<context>
+    <name>tp::StudyOverview</name>
+    <message>
+        <source>The study is being checked.</source>
+        <translation>연구를 확인하고 있습니다.</translation>
+    </message>
+    <message>
+        <source>No study has begun in this folder.</source>
+        <translation>이 폴더에서 시작된 연구가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong in the folder.</source>
+        <translation>폴더에 문제가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Faults in the folder: %1.</source>
+        <translation>폴더의 문제: %1개.</translation>
+    </message>
+    <message>
+        <source>The report is being made.</source>
+        <translation>보고서를 만들고 있습니다.</translation>
+    </message>
+    <message>
+        <source>No trial counts yet, so that there is nothing to report.</source>
+        <translation>아직 인정된 시행이 없어 보고할 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The report is in %1. Open the file %2 there.</source>
+        <translation>보고서 폴더: %1. 그 안의 %2 파일을 여세요.</translation>
     </message>
 </context>
 <context>

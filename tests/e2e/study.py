@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """A researcher and a participant do a whole experiment by keys and by what the program says: from the start page through
-consent, training, trials, a break, a pause and a second day to the last trial; then the folder on the disk is checked and
-reported by the lab's verbs. What is on the screen while a shape is felt shows nothing of it. In each language.
+consent, training, trials, a break, a pause and a second day to the last trial; then the researcher hears how the study stands
+and has its report made, and the folder on the disk is checked and reported by the lab's verbs. What is on the screen while a shape is felt shows nothing of it. In each language.
 
 study.py PROGRAM LAB    ends in 77 where something is missing; TP_PICTURES=FOLDER keeps what was on the screen
 """
@@ -151,6 +151,18 @@ def nothing_is_seen(sitting, screen, keep):
     page.keys("space")
 
 
+def researcher_asks(sitting):
+    """How the study stands, by key and as it is shown; its report, by the client."""
+    words, report = sitting.words, sitting.folder + " report"
+    sitting.page.keys("c")
+    sitting.hears(words("Trials that count: %1.", TRIALS))
+    sitting.page.await_name(words("Participants: %1.", 1) + "…")
+    sitting.page.await_name(words("Nothing is wrong in the folder."))
+    sitting.page.press(words("Make the report"))
+    sitting.hears(words("The report is in %1. Open the file %2 there.", report, "report.html"))
+    assert os.path.getsize(os.path.join(report, "report.html")) > 1000
+
+
 def start(program, folder, language):
     environment = preferences(folder, asked=True, voice="screen_reader", language=language)
     environment["QT_QUICK_BACKEND"] = "software"
@@ -188,7 +200,9 @@ def journey(program, lab, folder, language, listener, screen):
     running = start(program, folder, language)  # the next day
     try:
         sitting.begins()
-        sitting.page.keys("minus")
+        sitting.page.await_name(words("Start with participant %1", 2))
+        sitting.page.keys("n", "1", "Return")
+        sitting.hears(words("Participant %1", 1))
         sitting.page.await_name(words("%1 has done %2 of %3 trials.", words("Participant %1", 1), STOPPED_AFTER, TRIALS) + "…")
         sitting.agrees(1)
         for number in range(STOPPED_AFTER + 1, TRIALS + 1):
@@ -199,6 +213,8 @@ def journey(program, lab, folder, language, listener, screen):
                 sitting.page.keys("space")
         sitting.hears(words.beginning("That was the last trial. %1 Thank you. Press Space to end."))
         sitting.page.keys("space")
+        sitting.hears(words("The study has ended for participant %1.", 1))
+        researcher_asks(sitting)
         assert running.poll() is None, "the program has ended"
     finally:
         running.terminate()

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/figures/study/study_report.hpp"
 
+#include "core/study_folder/study_summary.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace tp {
@@ -120,13 +121,10 @@ Result<StudyReport> report_on(const StudyFolder& study) {
     report.remarks = study.remarks;
     if (study.terms && study.terms->simulated)
         report.remarks.push_back("The participants are simulated people; nobody has felt anything.");
-    std::set<int> participants;
-    for (const TrialRecord& record : study.records) {
-        participants.insert(record.participant);
-        report.trials += counts(record) ? 1 : 0;
-        report.repeated += record.repeated ? 1 : 0;
-    }
-    report.participants = participants.size();
+    const StudySummary summary = summary_of(study);
+    report.participants = summary.participants;
+    report.trials = summary.trials;
+    report.repeated = summary.repeated;
     if (report.trials == 0)
         return Error{"There are no trials yet that count."};
     if (study.experiment.task == StudyTask::follow)

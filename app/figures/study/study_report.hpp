@@ -57,4 +57,9 @@ Result<std::vector<std::string>> plot_study(const std::filesystem::path& folder,
 /// All of it as one page, beside these plots.
 std::string study_page(const StudyReport& report, const std::vector<std::string>& plots);
 
+inline constexpr const char* study_page_file = "report.html";
+/// Tables, plots and page into `folder`, which is made where it is missing; an earlier report there is replaced. When this returns
+/// empty all is on the disk; else it is one sentence that says what could not be written.
+std::string write_report(const std::filesystem::path& folder, const StudyReport& report);
+
 } // namespace tp

@@ -13,6 +13,11 @@ TpScroll {
     readonly property StudySetup setup: session.setup
     signal openAsked
 
+    function typeNumber() {
+        number.forceActiveFocus(Qt.OtherFocusReason)
+        number.selectAll()
+    }
+
     margin: 2 * Theme.gap
 
     component Pair: RowLayout {
@@ -76,6 +81,20 @@ TpScroll {
         text: view.setup.progress
         font.bold: true
     }
+    TpTextField {
+        id: number
+        objectName: "number"
+        width: parent.width
+        label: qsTr("The participant's number, in place of a name. Key: N")
+        setting: view.setup.participant
+        longest: 6
+        onEntered: (text) => {
+            view.setup.typeParticipant(text)
+            number.text = number.setting
+            if (number.activeFocus)
+                start.forceActiveFocus(Qt.OtherFocusReason)
+        }
+    }
     Pair {
         Half {
             text: qsTr("Previous participant")
@@ -103,6 +122,7 @@ TpScroll {
         onSwitched: (on) => view.setup.setShowScene(on)
     }
     TpButton {
+        id: start
         objectName: "begin"
         width: parent.width
         primary: true
@@ -111,5 +131,26 @@ TpScroll {
         text: qsTr("Start with participant %1").arg(view.setup.participant)
         hint: qsTr("Asks for consent first. Key: S")
         onClicked: view.session.begin()
+    }
+    Pair {
+        Half {
+            text: qsTr("How the study stands")
+            hint: qsTr("Trials, errors and times so far, and what is wrong in the folder. Key: C")
+            onClicked: view.session.overview.look()
+        }
+        Half {
+            text: qsTr("Make the report")
+            hint: qsTr("Tables, plots and a page, beside the study's folder. Key: R")
+            onClicked: view.session.overview.makeReport()
+        }
+    }
+    Repeater {
+        model: view.session.overview.lines
+        delegate: TpStatus {
+            required property string modelData
+            width: parent ? parent.width : 0
+            text: modelData
+            wrapMode: Text.Wrap
+        }
     }
 }

@@ -15,7 +15,7 @@ StudySession::StudySession(Narrator& narrator, EarconPlayer& earcons, SonifiedGu
                            Preferences& preferences, StudySettings settings)
     : settings_(std::move(settings)), teller_(narrator, earcons), ear_(guide),
       finger_(settings_, preferences), setup_(settings_, finger_, keeping_, teller_, narrator),
-      run_(settings_, finger_, keeping_, ear_, teller_) {
+      overview_(setup_, teller_), run_(settings_, finger_, keeping_, ear_, teller_) {
     connect(&preferences, &Preferences::changed, this, [this] { // the language may be another
         emit setup_.changed();
         emit run_.changed();
@@ -37,6 +37,7 @@ void StudySession::leave() {
         return;
     run_.leave();
     setup_.leave();
+    overview_.hide();
     finger_.look(false);
     teller_.hush();
     teller_.set_here(false);
@@ -52,8 +53,10 @@ void StudySession::setActive(bool active) {
 void StudySession::begin() {
     if (run_.running() || setup_.choosing())
         return;
-    if (const auto plan = setup_.plan())
+    if (const auto plan = setup_.plan()) {
+        overview_.hide();
         return run_.begin(*plan);
+    }
     teller_.problem(setup_.problem());
 }
 

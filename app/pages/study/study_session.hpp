@@ -4,6 +4,7 @@
 #include "app/pages/study/study_ear.hpp"
 #include "app/pages/study/study_finger.hpp"
 #include "app/pages/study/study_keeping.hpp"
+#include "app/pages/study/study_overview.hpp"
 #include "app/pages/study/study_run.hpp"
 #include "app/pages/study/study_settings.hpp"
 #include "app/pages/study/study_setup.hpp"
@@ -27,6 +28,7 @@ class StudySession final : public QObject {
 
     Q_PROPERTY(tp::StudyTeller* teller READ teller CONSTANT)
     Q_PROPERTY(tp::StudySetup* setup READ setup CONSTANT)
+    Q_PROPERTY(tp::StudyOverview* overview READ overview CONSTANT)
     Q_PROPERTY(tp::StudyRun* run READ run CONSTANT)
 public:
     /// All must outlive the session.
@@ -35,6 +37,7 @@ public:
 
     StudyTeller* teller() { return &teller_; }
     StudySetup* setup() { return &setup_; }
+    StudyOverview* overview() { return &overview_; }
     StudyRun* run() { return &run_; }
     StudyFinger& finger() { return finger_; }
 
@@ -64,6 +67,7 @@ private:
     StudyFinger finger_;
     StudyKeeping keeping_;
     StudySetup setup_;
+    StudyOverview overview_;
     StudyRun run_;
     bool here_ = false;
 };

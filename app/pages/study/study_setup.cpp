@@ -8,6 +8,7 @@
 #include "core/files/whole_file.hpp"
 
 #include <QFile>
+#include <QLocale>
 
 #include <algorithm>
 #include <utility>
@@ -113,6 +114,10 @@ void StudySetup::setParticipant(int number) {
     participant_ = number;
     look(false);
     teller_.tell(tr("Participant %1").arg(number));
+}
+
+void StudySetup::typeParticipant(const QString& number) {
+    setParticipant(QLocale().toInt(number.trimmed())); // 0 where it is none
 }
 
 QString StudySetup::progress() const {

@@ -57,6 +57,7 @@ public:
     QStringList experiments() const;
     int experiment_index() const { return static_cast<int>(chosen_); }
     QString folder() const;
+    std::filesystem::path study_folder() const;
     int participant() const { return participant_; }
     QString progress() const;
     QString problem() const;
@@ -74,6 +75,8 @@ public:
     Q_INVOKABLE void chooseFolder() { begin_choosing(Choosing::study); }
     Q_INVOKABLE void chooseFaces() { begin_choosing(Choosing::faces); }
     Q_INVOKABLE void setParticipant(int number);
+    /// As it was typed; what is no number changes nothing and is said.
+    Q_INVOKABLE void typeParticipant(const QString& number);
     Q_INVOKABLE void chooseHand(int index);
     /// For the researcher who tries it out; nothing is kept then. It is off whenever one comes to the page or a sitting has ended.
     Q_INVOKABLE void setShowScene(bool on);
@@ -96,7 +99,6 @@ private:
 
     const Experiment& now() const { return experiments_[chosen_]; }
     bool uses_device() const { return wants_device_ && !finger_.found().isEmpty(); }
-    std::filesystem::path study_folder() const;
     void add(Experiment experiment);
     void look(bool offer_next);
     void begin_choosing(Choosing what);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/study/study_words.hpp"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <string>
 
@@ -95,6 +97,20 @@ QString StudyWords::question(const Experiment& experiment, bool out_of_time) {
         experiment.answer == StudyParameter::expression ? tr("How did the face look?") : tr("Which was it?");
     const QString question = asked + ' ' + keys.join(' ');
     return out_of_time ? tr("The time is over. %1").arg(question) : question;
+}
+
+QString StudyWords::summary(const StudySummary& summary) {
+    QStringList words{tr("Participants: %1.").arg(summary.participants),
+                      tr("Trials that count: %1.").arg(summary.trials),
+                      tr("Trials done again: %1.").arg(summary.repeated)};
+    const QLocale locale;
+    if (summary.error_mm)
+        words << tr("Mean tracking error: %1 millimetres.").arg(locale.toString(*summary.error_mm, 'f', 1));
+    if (summary.right)
+        words << tr("Named rightly: %1 percent.").arg(locale.toString(100.0 * *summary.right, 'f', 0));
+    if (summary.time_s)
+        words << tr("Mean time: %1 seconds.").arg(locale.toString(*summary.time_s, 'f', 1));
+    return words.join(' ');
 }
 
 QString StudyWords::consent(const Experiment& experiment, int participant) {

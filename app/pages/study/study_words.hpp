@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/experiment/experiment.hpp"
+#include "core/study_folder/study_summary.hpp"
 
 #include <QCoreApplication>
 #include <QString>
@@ -39,6 +40,8 @@ public:
     static QStringList answers(const Experiment& experiment);
     /// "Which was it? 1: circle. 2: triangle. …"
     static QString question(const Experiment& experiment, bool out_of_time);
+    /// The study's numbers so far: people, trials, mean error, share named rightly, mean time; of what there is.
+    static QString summary(const StudySummary& summary);
     /// What a person agrees to before anything is written.
     static QString consent(const Experiment& experiment, int participant);
 };

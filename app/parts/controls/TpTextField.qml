@@ -18,6 +18,7 @@ FocusScope {
     signal typed(string text)
 
     function clear() { input.clear() }
+    function selectAll() { input.selectAll() }
 
     implicitWidth: 200
     implicitHeight: caption.height + input.implicitHeight + 6

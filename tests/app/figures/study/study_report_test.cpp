@@ -182,6 +182,22 @@ private slots:
             QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
         }
     }
+
+    void all_of_it_is_written_into_a_folder_and_an_earlier_report_is_replaced() {
+        QTemporaryDir dir;
+        const fs::path study = fs::path(dir.path().toStdString()) / "study",
+                       out = fs::path(dir.path().toStdString()) / "new" / "report";
+        const StudyReport report = report_on(named(study)).value();
+        QCOMPARE(write_report(out, report), std::string());
+        write_file(out / study_page_file, "of yesterday");
+        QCOMPARE(write_report(out, report), std::string());
+        for (const char* name : {"report.html", "effects.csv", "levels.csv", "pairs.csv", "confusion.csv",
+                                 "speed.png", "speed.svg", "right.svg", "time_s.svg"})
+            QVERIFY2(fs::exists(out / name) && fs::file_size(out / name) > 20, name);
+        QCOMPARE(write_report(study / "protocol.study", report),
+                 "The folder \"" + (study / "protocol.study").string() +
+                     "\" cannot be made: there is a file of that name already.");
+    }
 };
 
 QTEST_MAIN(StudyReportTest)

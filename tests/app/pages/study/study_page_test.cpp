@@ -122,6 +122,58 @@ private slots:
         QCOMPARE(bench.run().state(), State::SetUp);
     }
 
+    void the_number_is_typed_and_the_keys_are_the_page_s_again() {
+        const Warnings warnings;
+        StudyBench bench;
+        bench.set_up(StudyBench::shapes);
+        PageWindow window(page, bench.session.get());
+        QVERIFY(window.exposed());
+        QTest::keyClick(&window, Qt::Key_N);
+        for (const char key : {'1', '2'}) // in the field they are no experiment
+            QTest::keyClick(&window, key);
+        QCOMPARE(bench.session->setup()->participant(), 1);
+        QTest::keyClick(&window, Qt::Key_Return);
+        QCOMPARE(bench.session->setup()->participant(), 12);
+        QCOMPARE(bench.session->setup()->experiment_index(), 5);
+        QCOMPARE(bench.said(), QString("Participant 12"));
+        QTest::keyClick(&window, Qt::Key_N);
+        for (const char key : {'A', 'n', 'n', 'a'})
+            QTest::keyClick(&window, key);
+        QTest::keyClick(&window, Qt::Key_Return);
+        QCOMPARE(bench.said(), QString("Participants have numbers from 1 to 9999."));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session->setup()->problem(), QString(), 60000);
+        QTest::keyClick(&window, Qt::Key_S);
+        QCOMPARE(bench.run().state(), State::Consent);
+        QVERIFY(bench.said().contains("under the number 12 "));
+    }
+
+    void the_researcher_asks_by_keys_how_the_study_stands() {
+        const Warnings warnings;
+        StudyBench bench;
+        bench.begin(StudyBench::shapes);
+        bench.start();
+        bench.session->advance(0.5);
+        bench.run().answer(0);
+        bench.settle();
+        PageWindow window(page, bench.session.get());
+        QVERIFY(window.exposed());
+        QTest::keyClick(&window, Qt::Key_C); // means nothing in a sitting
+        QTest::keyClick(&window, Qt::Key_R);
+        QVERIFY(!bench.has_said("The study is being checked.") && !bench.has_said("report"));
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QTest::keyClick(&window, Qt::Key_C);
+        QTRY_VERIFY_WITH_TIMEOUT(window.named("Nothing is wrong in the folder.") != nullptr, 60000);
+        QTest::keyClick(&window, Qt::Key_R);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.has_said("The report is in "), 60000);
+        QCOMPARE(PageWindow::clipped_texts(window).join("; "), QString());
+        QVERIFY(window.press("How the study stands"));
+        QVERIFY(window.press("Make the report"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.voice.said().filter("The report is in ").size(), 2, 60000);
+        QTest::keyClick(&window, Qt::Key_S);
+        QVERIFY(window.named("Nothing is wrong in the folder.") == nullptr);
+    }
+
     void a_screen_reader_does_it_too() {
         const Warnings warnings;
         StudyBench bench;

@@ -82,6 +82,19 @@ private slots:
         QCOMPARE(bench.session->setup()->participant(), 1);
     }
 
+    void a_participant_s_number_is_typed() {
+        StudyBench bench;
+        bench.set_up(StudyBench::shapes);
+        bench.session->setup()->typeParticipant(" 37 ");
+        QCOMPARE(bench.session->setup()->participant(), 37);
+        QCOMPARE(bench.said(), QString("Participant 37"));
+        for (const char* wrong : {"", "Anna", "0", "-3", "10000", "2.5"}) {
+            bench.session->setup()->typeParticipant(wrong);
+            QCOMPARE(bench.said(), QString("Participants have numbers from 1 to 9999."));
+            QCOMPARE(bench.session->setup()->participant(), 37);
+        }
+    }
+
     void a_folder_with_another_study_is_refused_in_a_sentence() {
         StudyBench bench;
         bench.begin(StudyBench::shapes);

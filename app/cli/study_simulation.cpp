@@ -3,7 +3,9 @@
 
 #include "app/cli/expression_labels.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/figures/simulated/simulated_kinds.hpp"
 #include "app/figures/simulated/simulated_study.hpp"
+#include "app/figures/study/own_experiments.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/experiment/number_text.hpp"
 #include "core/files/file_words.hpp"
@@ -16,6 +18,7 @@
 #include <QJsonObject>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -47,14 +50,28 @@ std::string set_law(Experiment& experiment, const std::string& law) {
 
 Result<SimulatedBench> bench_of(const VerbLine& line) {
     SimulatedBench bench;
-    const auto rate = line.positive("rate");
-    if (!rate || *rate < 100.0 || *rate > 4000.0)
-        return Error{rate ? "--rate is from 100 to 4000 Hz." : rate.error()};
-    bench.rate_hz = *rate;
-    const auto delay = line.whole("delay", 0, 16);
-    if (!delay)
-        return Error{delay.error()};
-    bench.delay_ticks = static_cast<std::size_t>(*delay);
+    if (line.has("device")) {
+        const auto kind = simulated_kind(line.text("device").toStdString());
+        if (!kind)
+            return Error{"There is no device " + quoted_readable(line.text("device").toStdString()) +
+                         "; --device knows pad, stick, falcon, 2diy and mouse."};
+        bench.body = kind->body;
+        bench.rate_hz = kind->rate_hz;
+        bench.delay_ticks = static_cast<std::size_t>(std::lround(kind->delay_s * kind->rate_hz));
+    }
+    if (line.has("rate")) {
+        const auto rate = line.positive("rate");
+        if (!rate || *rate < 100.0 || *rate > 4000.0)
+            return Error{rate ? "--rate is from 100 to 4000 Hz." : rate.error()};
+        bench.rate_hz = *rate;
+    }
+    if (line.has("delay")) {
+        const auto delay = line.whole("delay", 0, 16);
+        if (!delay)
+            return Error{delay.error()};
+        bench.delay_ticks = static_cast<std::size_t>(*delay);
+    }
+    bench.led = line.has("led");
     bench.continuity.corner_cue = line.has("corner-cue");
     if (line.has("blend")) {
         const auto blend = line.positive("blend");
@@ -68,13 +85,16 @@ Result<SimulatedBench> bench_of(const VerbLine& line) {
 }
 
 /// What stands in the study's folder of the device. Without a day, so that the same people write the same bytes every day.
-StudyMachine machine_of(const SimulatedBench& bench) {
-    std::string device = "simulated device, " + shortest(bench.rate_hz) + " Hz, " +
-                         std::to_string(bench.delay_ticks) + " ticks of delay";
+StudyMachine machine_of(const SimulatedBench& bench, const std::string& kind) {
+    std::string device = (kind.empty() ? "simulated device, " : "simulated " + kind + ", ") +
+                         shortest(bench.rate_hz) + " Hz, " + std::to_string(bench.delay_ticks) +
+                         " ticks of delay";
     if (bench.continuity.blend_mm > 0.0)
         device += ", blended over " + shortest(bench.continuity.blend_mm) + " mm";
     if (bench.continuity.corner_cue)
         device += ", corner cue";
+    if (bench.led)
+        device += ", led to the start";
     return {"", std::string("touchphoto ") + TOUCHPHOTO_VERSION, device,
             "millimetres and newtons as they are"};
 }
@@ -123,6 +143,8 @@ void tell(const VerbLine& line, const Experiment& experiment, int participants, 
     if (!line.has("json")) {
         std::printf("%d participants, %zu trials, %zu done again, %.0f s at the device\n", participants,
                     study.trials, study.repeated, study.simulated_s);
+        if (study.led_s > 0.0)
+            std::printf("%.0f s led to the starts\n", study.led_s);
         return;
     }
     QJsonArray remarks;
@@ -133,19 +155,33 @@ void tell(const VerbLine& line, const Experiment& experiment, int participants, 
                              {"trials", static_cast<int>(study.trials)},
                              {"repeated", static_cast<int>(study.repeated)},
                              {"seconds", study.simulated_s},
+                             {"led_seconds", study.led_s},
                              {"remarks", remarks}};
     std::printf("%s\n", QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
 }
 
 } // namespace
 
+Result<Experiment> experiment_of(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error))
+        if (const auto own = own_experiment(file.string()))
+            return read_experiment(*own);
+    const auto text = read_whole(file, most_experiment_bytes);
+    return text ? read_experiment(*text) : Error{text.error()};
+}
+
 void add_simulation_options(VerbLine& line) {
     line.option("participants", "With simulate: how many simulated people.", "N", "10")
         .option("jobs", "With simulate: people at a time; 0: one for each core.", "N", "1")
         .option("law", "With simulate: exact or published, whatever the experiment sets.", "NAME")
         .option("faces", "With simulate: a folder of faces' contours, named PERSON_EXPRESSION.svg.", "DIR")
-        .option("rate", "With simulate: the device's rate.", "HZ", "1000")
-        .option("delay", "With simulate: ticks between a force and its acting.", "N", "0")
+        .option("device", "With simulate: pad, stick, falcon, 2diy or mouse, as the program knows them.",
+                "NAME")
+        .option("rate", "With simulate: the device's rate; 1000 where no device says another.", "HZ")
+        .option("delay", "With simulate: ticks between a force and its acting; 0 where no device says more.",
+                "N")
+        .option("led", "With simulate: the guided tour brings the finger to each start.")
         .option("blend", "With simulate and the exact law: turns the force over a disc of this radius.", "MM")
         .option("corner-cue", "With simulate and the exact law: a short tick at corners.");
 }
@@ -163,10 +199,7 @@ int simulate_study_verb(const VerbLine& line, const std::filesystem::path& file)
     const auto bench = bench_of(line);
     if (!bench)
         return wrong_usage("study", bench.error());
-    const auto text = read_whole(file, most_experiment_bytes);
-    if (!text)
-        return refused(text.error());
-    auto experiment = read_experiment(*text);
+    auto experiment = experiment_of(file);
     if (!experiment)
         return refused(experiment.error());
     if (line.has("law")) {
@@ -184,7 +217,8 @@ int simulate_study_verb(const VerbLine& line, const std::filesystem::path& file)
         faces = std::move(*read);
     }
     auto writer = StudyWriter::open(line.text("out").toStdString(), *experiment,
-                                    {static_cast<std::uint64_t>(*seed), true}, machine_of(*bench));
+                                    {static_cast<std::uint64_t>(*seed), true},
+                                    machine_of(*bench, line.text("device").toStdString()));
     if (!writer)
         return refused(writer.error());
     for (const std::string& remark : (*writer)->remarks())

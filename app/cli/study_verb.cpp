@@ -4,9 +4,7 @@
 #include "app/cli/study_simulation.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/study/study_report.hpp"
-#include "core/experiment/experiment_file.hpp"
 #include "core/experiment/trial_order.hpp"
-#include "core/files/whole_file.hpp"
 #include "core/study_folder/study_check.hpp"
 #include "core/study_folder/study_export.hpp"
 
@@ -146,10 +144,7 @@ int plan_verb(const VerbLine& line, const std::filesystem::path& file) {
     const auto seed = line.whole("seed", 0, 1'000'000'000);
     if (!participant || !seed)
         return wrong_usage("study", participant ? seed.error() : participant.error());
-    const auto text = read_whole(file, most_experiment_bytes);
-    if (!text)
-        return refused(text.error());
-    const auto experiment = read_experiment(*text);
+    const auto experiment = experiment_of(file);
     if (!experiment)
         return refused(experiment.error());
     std::string columns = "trial,repetition,training";
@@ -181,9 +176,10 @@ int study_verb(const QStringList& words) {
         "was called what. simulate FILE: lets simulated people do the experiment, which fills such a "
         "folder;\n"
         "the same seed gives the same bytes.\n"
-        "Experiments are files: resources/studies has the published ones.");
+        "Experiments are files. The program's own have names and numbers: 1 tracking, 2 primitives,\n"
+        "3 expressions, 4 laws-tracking, 5 laws-expressions; 1 to 3 are the published ones.");
     line.argument("what", "plan, check, export, report or simulate.", "plan|check|export|report|simulate")
-        .argument("from", "An experiment's file, or the folder of a study.", "FILE|FOLDER")
+        .argument("from", "An experiment's file, name or number, or the folder of a study.", "FILE|FOLDER")
         .option("participant", "With plan: the number of the person.", "N", "1")
         .option("seed", "With plan and simulate: the study's number; another one is another order.", "S", "1")
         .option("out",

@@ -21,10 +21,11 @@ public:
     Shared(std::size_t planned, const SimulationProgress& progress)
         : planned_(planned), progress_(progress) {}
 
-    void did(const TrialRecord& record) {
+    void did(const TrialRecord& record, double led_s) {
         const std::lock_guard lock(mutex_);
         ++(record.repeated ? study_.repeated : study_.trials);
         study_.simulated_s += record.time_s;
+        study_.led_s += led_s;
         if (!record.repeated && progress_)
             progress_(++done_, planned_);
     }
@@ -84,7 +85,7 @@ void simulate_person(StudyWriter& writer, int participant, const SimulatedBench&
         record.repeated = trial->task == StudyTask::follow && done->state != TrialState::done;
         if (const std::string problem = writer.keep(record, done->path); !problem.empty())
             return shared.fail(problem);
-        shared.did(record);
+        shared.did(record, done->led_s);
     }
 }
 

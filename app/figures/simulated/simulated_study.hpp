@@ -19,7 +19,8 @@ using SimulationProgress = std::function<void(std::size_t done, std::size_t plan
 
 struct SimulatedStudy {
     std::size_t trials = 0, repeated = 0;
-    double simulated_s = 0.0;
+    double simulated_s = 0.0;         ///< of trials
+    double led_s = 0.0;               ///< of the guided tour to their starts
     std::vector<std::string> remarks; ///< sentences: who did not go on, and why
 };
 

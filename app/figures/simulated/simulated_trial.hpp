@@ -15,11 +15,29 @@
 
 namespace tp {
 
+/// Mass of the handle that is in Person::mass_kg.
+inline constexpr double simulated_handle_kg = 0.1;
+
+/// What a simulated person holds.
+struct SimulatedBody {
+    double mass_kg = simulated_handle_kg;
+    double damping_n_s_per_m = 0.3;
+    double coulomb_n = 0.0;                             ///< dry friction
+    double quantum_mm = 0.0;                            ///< step of its places; 0: none
+    double max_force_n = 3.0, continuous_force_n = 3.0; ///< the safety chain's own limit holds too
+    /// Nobody holds it: the hand moves a mouse and knows where that is, and the finger on its spring is drawn (simulated_device.hpp).
+    /// The tone that says where the line is counts as a force that is felt.
+    bool drawn = false;
+};
+
 /// What simulated people feel: the program's own servo on the simulated device, in simulated time.
 struct SimulatedBench {
     Continuity continuity; ///< of the exact law
     double rate_hz = 1000.0;
     std::size_t delay_ticks = 0; ///< between a force and its acting
+    SimulatedBody body;
+    /// Before a trial the guided tour leads a relaxed hand from anywhere to the start, as on the page; else the finger is set down there.
+    bool led = false;
 };
 
 inline constexpr double simulated_sample_s = 0.01; ///< between samples of the finger's path
@@ -31,6 +49,7 @@ struct SimulatedTrial {
     TrialState state = TrialState::going;
     std::optional<double> error_mm;
     double time_s = 0.0;
+    double led_s = 0.0; ///< until the finger was at the start, before the trial
     std::string answer;
     std::vector<FingerSample> path;
 };

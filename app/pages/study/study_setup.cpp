@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/study/study_setup.hpp"
 
+#include "app/figures/study/own_experiments.hpp"
 #include "app/pages/study/study_words.hpp"
 #include "app/photo/study_faces/folder_faces.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/files/whole_file.hpp"
 
-#include <QFile>
 #include <QLocale>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace tp {
@@ -20,10 +21,6 @@ namespace {
 constexpr int most_participants = 9999;
 constexpr int most_answers = 9; ///< a key each
 
-/// The program's own experiments, in the order in which they are offered.
-constexpr const char* own_experiments[]{"tracking", "primitives", "expressions", "laws-tracking",
-                                        "laws-expressions"};
-
 QString text_of(const std::filesystem::path& path) { return QString::fromStdU16String(path.u16string()); }
 
 } // namespace
@@ -31,13 +28,10 @@ QString text_of(const std::filesystem::path& path) { return QString::fromStdU16S
 StudySetup::StudySetup(const StudySettings& settings, StudyFinger& finger, StudyKeeping& keeping,
                        StudyTeller& teller, Narrator& narrator)
     : settings_(settings), finger_(finger), keeping_(keeping), teller_(teller), chooser_(narrator) {
-    for (const char* name : own_experiments) {
-        QFile file(QString(":/studies/%1.study").arg(name));
-        if (!file.open(QIODevice::ReadOnly))
-            continue;
-        if (auto experiment = read_experiment(file.readAll().toStdString()))
-            experiments_.push_back(std::move(*experiment));
-    }
+    for (const std::string_view name : own_experiments)
+        if (const auto text = own_experiment(name))
+            if (auto experiment = read_experiment(*text))
+                experiments_.push_back(std::move(*experiment));
     own_ = experiments_.size();
     connect(&finger_, &StudyFinger::changed, this, &StudySetup::changed);
     connect(&chooser_, &FolderChooser::chosen, this, &StudySetup::take_folder);

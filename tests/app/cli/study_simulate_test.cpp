@@ -58,6 +58,42 @@ private slots:
         QCOMPARE(other.code, 1);
         QVERIFY(other.err.contains("another experiment"));
     }
+    void a_device_has_its_own_rate_delay_and_body() {
+        const auto ends_in = [&](const QStringList& words, const QString& name) {
+            const Run run = lab(QStringList{"study", "simulate", experiment(following), "--participants", "1",
+                                            "--law", "exact", "--out", path(name)} +
+                                words);
+            if (run.code != 0)
+                qFatal("%s", run.err.constData());
+            return tp::read_study(path(name).toStdString()).value();
+        };
+        const auto stick = ends_in({"--device", "stick"}, "stick");
+        QCOMPARE(stick.sittings.front().machine.device,
+                 std::string("simulated stick, 1000 Hz, 4 ticks of delay"));
+        const auto slow = ends_in({"--device", "stick", "--rate", "500", "--delay", "1", "--led"}, "slow");
+        QCOMPARE(slow.sittings.front().machine.device,
+                 std::string("simulated stick, 500 Hz, 1 ticks of delay, led to the start"));
+        QVERIFY(slow.records != stick.records);
+        const Run unknown =
+            lab({"study", "simulate", experiment(following), "--device", "joypad", "--out", path("unknown")});
+        QCOMPARE(unknown.code, 2);
+        QVERIFY2(unknown.err.contains("There is no device \"joypad\"; --device knows pad, stick, falcon, "
+                                      "2diy and mouse."),
+                 unknown.err.constData());
+    }
+    void the_program_s_own_experiments_have_names_and_numbers() {
+        const QByteArray by_file =
+            lab({"study", "plan",
+                 QString::fromStdString(tp::test::in_source("resources/studies/laws-tracking.study"))})
+                .out;
+        QVERIFY(by_file.count('\n') > 100);
+        QCOMPARE(lab({"study", "plan", "4"}).out, by_file);
+        QCOMPARE(lab({"study", "plan", "laws-tracking"}).out, by_file);
+        QVERIFY(lab({"study", "plan", "1"}).out != by_file);
+        const Run none = lab({"study", "plan", "6"});
+        QCOMPARE(none.code, 1);
+        QVERIFY2(none.err.contains("\"6\""), none.err.constData());
+    }
     void faces_come_from_a_folder() {
         const QString faces = QString::fromStdString(tp::test::in_source("resources/samples"));
         const QString asked =

@@ -6,6 +6,7 @@
 #include "core/files/new_file.hpp"
 #include "core/packing/zip.hpp"
 #include "core/study_folder/path_file.hpp"
+#include "core/study_folder/running_trial.hpp"
 #include "core/study_folder/study_readme.hpp"
 
 #include <map>
@@ -34,8 +35,8 @@ std::map<int, std::string> tables_of(const StudyFolder& study) {
 
 /// Whether a study has a file or folder of that name; every table of participants has been read.
 bool is_of_study(const std::string& name) {
-    for (const char* const ours :
-         {study_protocol_file, study_terms_file, study_sittings_file, study_readme_file, study_paths_folder})
+    for (const char* const ours : {study_protocol_file, study_terms_file, study_sittings_file,
+                                   study_readme_file, study_paths_folder, study_running_file})
         if (name == ours)
             return true;
     return name.starts_with("participant-") && name.ends_with(".csv");

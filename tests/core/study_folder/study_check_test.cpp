@@ -140,7 +140,7 @@ private slots:
         const Study study;
         std::stop_source stop;
         std::size_t done = 0;
-        check_study(
+        const StudyFindings found = check_study(
             study.folder, *read_study(study.folder),
             [&](std::size_t now, std::size_t) {
                 done = now;
@@ -148,6 +148,7 @@ private slots:
             },
             stop.get_token());
         QCOMPARE(done, std::size_t{1});
+        QVERIFY(found.faults.empty()); // of paths that nobody has looked at nothing is said
         QCOMPARE(export_study(study.folder, study.dir / "x.zip", {}, stop.get_token()).error(),
                  std::string("The export was stopped; nothing was written."));
         QVERIFY(!name_taken(study.dir / "x.zip"));
@@ -164,6 +165,10 @@ private slots:
         QCOMPARE(study.zip("print(*[n for n in z.namelist() if 'paths' not in n], sep='\\n')"),
                  QByteArray("small/README.txt\nsmall/protocol.study\nsmall/study.txt\nsmall/sittings.csv\n"
                             "small/participant-001.csv\nsmall/participant-002.csv\n"));
+        // Paths are packed once, tables in the zip: 0 is stored, 8 deflated.
+        QCOMPARE(study.zip("print({('paths' in i.filename, i.compress_type) for i in z.infolist()} == "
+                           "{(True, 0), (False, 8)})"),
+                 QByteArray("True\n"));
         // Unpacked it is the folder again.
         QVERIFY(study.zip("z.extractall(sys.argv[1] + '.d')").isEmpty());
         auto files = study.dir.files();
@@ -195,6 +200,8 @@ private slots:
         put("study.txt", "# Anna was here\n" + study.dir.read("study/study.txt"));
         put("README.txt", "1 is Anna");
         put("Anna.pdf", "consent");
+        put(".touchphoto-9-9.tmp", "Anna");                  // of a program that was killed
+        put("running.txt", "participant-001-Anna.csv.gz\n"); // of the same
         put("paths/participant-001-Anna.csv.gz", "x");
         fs::rename(study.folder / "participant-001.csv", study.folder / "participant-Anna.csv");
         fs::copy_file(study.path_of(1, 1), study.dir / "Anna");
@@ -217,10 +224,15 @@ private slots:
         const Study study;
         fs::remove(study.path_of(1, 1));
         QCOMPARE(replace_file(study.path_of(1, 2), "x"), std::string());
+        QCOMPARE(replace_file(study.folder / "participant-002.csv",
+                              study.dir.read("study/participant-002.csv") + "small,2,"),
+                 std::string());
         const auto done = export_study(study.folder, study.dir / "x.zip");
         QVERIFY2(done.ok(), done.error().c_str());
         QCOMPARE(done->paths, std::size_t{12});
-        QCOMPARE(done->remarks.size(), std::size_t{2});
+        QCOMPARE(done->remarks.size(), std::size_t{3});
+        QVERIFY(done->remarks[0].ends_with(
+            "the last trial was being written when the program ended; it is left out."));
         QVERIFY(!export_study(study.dir.path(), study.dir / "y.zip").ok());
         QVERIFY(
             export_study(study.folder, study.dir / "no" / "where.zip").error().find("there is no folder") !=

@@ -15,10 +15,19 @@ constexpr std::size_t parts = 60; // of the way about: divides by 3, 4, 5 and 6
 constexpr double error_changes_mm =
     30.0; // way over which the error of remembered places is another one (assumed)
 
-/// A polygon can be turned until it explains two of about a dozen independent errors; a circle cannot.
-constexpr double by_chance = 1.2;
+/// A polygon can be turned until it explains two of about two dozen independent errors, a dozen of places and a dozen of headings; a
+/// circle cannot.
+constexpr double by_chance = 24.0 / 22.0;
 
 using Radii = std::array<double, parts>;
+/// The angle of the way against that of a circle in each direction, radians counter clockwise, whichever way round; nothing where no
+/// place was felt.
+using Turns = std::array<std::optional<double>, parts>;
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+Vec2 rotated(Vec2 v, double angle) {
+    return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
+}
 
 Vec2 middle_of(std::span<const FeltPlace> round) {
     Vec2 low = round.front().place, high = low;
@@ -61,26 +70,71 @@ std::optional<Radii> radii_of(const std::vector<Vec2>& places, Vec2 middle) {
     return known.empty() ? std::nullopt : std::optional(radii);
 }
 
+Turns turns_of(const std::vector<FeltPlace>& round) {
+    Vec2 middle(0.0); // of the way: a triangle's lies elsewhere than that of its extent
+    for (const FeltPlace& felt : round)
+        middle += felt.place / static_cast<double>(round.size());
+    double area = 0.0;
+    for (const FeltPlace& felt : round)
+        area += cross(felt.place - middle, felt.heading);
+    std::array<Vec2, parts> ways{};
+    for (const FeltPlace& felt : round) {
+        const Vec2 out = felt.place - middle;
+        const Vec2 circle = area < 0.0 ? Vec2(out.y, -out.x) : Vec2(-out.y, out.x);
+        if (length(out) > 0.0)
+            ways[part_of(out)] +=
+                Vec2(glm::dot(circle, felt.heading), cross(circle, felt.heading)) / length(out);
+    }
+    Turns turns;
+    for (std::size_t i = 0; i < parts; ++i)
+        if (ways[i] != Vec2(0.0))
+            turns[i] = std::atan2(ways[i].y, ways[i].x);
+    return turns;
+}
+
+/// From a corner of a polygon to the direction `angle`.
+double behind_corner(double angle, double side) { return angle - side * std::floor(angle / side); }
+
 /// Of a polygon round which a circle of radius 1 goes, in the direction `angle` from one of its corners.
 double polygon_radius(double angle, int corners) {
     if (corners == 0)
         return 1.0;
     const double side = once / corners;
-    const double from_corner = angle - side * std::floor(angle / side);
-    return std::cos(0.5 * side) / std::cos(from_corner - 0.5 * side);
+    return std::cos(0.5 * side) / std::cos(behind_corner(angle, side) - 0.5 * side);
 }
 
-/// Mean square of what is left beside the best polygon of so many corners, of any size, turn and place near the middle, as a share of
-/// the square of its radius.
-double misfit(const Radii& radii, int corners) {
+/// The angle of its side there against that of the circle.
+double polygon_turn(double angle, int corners) {
+    const double side = once / std::max(1, corners);
+    return corners == 0 ? 0.0 : 0.5 * side - behind_corner(angle, side);
+}
+
+/// Mean square of what is left of the headings, radians².
+double misfit_of_turns(const Turns& turns, int corners, double turn) {
+    double left = 0.0;
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < parts; ++i)
+        if (turns[i]) {
+            const double angle = once * (static_cast<double>(i) + 0.5) / parts;
+            const double rest = *turns[i] - polygon_turn(angle + turn, corners);
+            left += rest * rest;
+            ++known;
+        }
+    return known == 0 ? 0.0 : left / static_cast<double>(known);
+}
+
+/// Mean square of what is left beside the best polygon of so many corners, of any size, turn and place near the middle: of places as a
+/// share of the square of its radius, and `weight` times that of headings.
+double misfit(const Radii& radii, const Turns& turns, double weight, int corners) {
     double best = std::numeric_limits<double>::infinity();
     const int phases = corners == 0 ? 1 : 30;
     for (int phase = 0; phase < phases; ++phase) {
+        const double turn = once / std::max(1, corners) * phase / phases;
         Radii shape{};
         double both = 0.0, squares = 0.0;
         for (std::size_t i = 0; i < parts; ++i) {
             const double angle = once * (static_cast<double>(i) + 0.5) / parts;
-            shape[i] = polygon_radius(angle + once / std::max(1, corners) * phase / phases, corners);
+            shape[i] = polygon_radius(angle + turn, corners);
             both += shape[i] * radii[i];
             squares += shape[i] * shape[i];
         }
@@ -94,7 +148,8 @@ double misfit(const Radii& radii, int corners) {
             up += rest * std::sin(angle);
         }
         left -= 2.0 / parts * (right * right + up * up);
-        best = std::min(best, left / parts / (radius * radius));
+        best =
+            std::min(best, left / parts / (radius * radius) + weight * misfit_of_turns(turns, corners, turn));
     }
     return best;
 }
@@ -127,9 +182,11 @@ std::optional<ShapeMisfits> misfits_of(std::span<const FeltPlace> round, const P
     for (const FeltPlace& felt : round)
         size = std::max(size, length(felt.place - middle));
     const double error_mm = std::min(person.place_mm, person.length_share * size);
-    // Twice smoothed, so that directions are remembered too: to error_mm / error_changes_mm radians.
+    // Twice smoothed, so that places near each other keep their order.
     Vec2 drift{chance.normal(), chance.normal()};
     Vec2 error = drift / std::sqrt(2.0);
+    double turn = chance.normal();
+    std::vector<FeltPlace> remembered;
     std::vector<Vec2> places;
     for (std::size_t i = 0; i < round.size(); ++i) {
         if (i > 0) {
@@ -137,15 +194,22 @@ std::optional<ShapeMisfits> misfits_of(std::span<const FeltPlace> round, const P
             const double fresh = std::sqrt(1.0 - kept * kept);
             drift = kept * drift + fresh * Vec2{chance.normal(), chance.normal()};
             error = kept * error + (1.0 - kept) * drift;
+            turn = kept * turn + fresh * chance.normal();
         }
         places.push_back(round[i].place + std::sqrt(2.0) * error_mm * error);
+        remembered.push_back({places.back(), rotated(round[i].heading, radians(person.heading_deg) * turn)});
     }
     const auto radii = radii_of(places, middle_of(round));
     if (!radii)
         return std::nullopt;
+    const Turns turns = turns_of(remembered);
+    // Each as much as it is worth: a heading was steered by pulls whose direction is felt so inexactly.
+    const double share = error_mm / size, steered = radians(person.direction_deg);
+    const double weight = share * share / (steered * steered);
     ShapeMisfits misfits{};
     for (std::size_t shape = 0; shape < shape_corners.size(); ++shape)
-        misfits[shape] = misfit(*radii, shape_corners[shape]) * (shape_corners[shape] > 0 ? by_chance : 1.0);
+        misfits[shape] = misfit(*radii, turns, weight, shape_corners[shape]) *
+                         (shape_corners[shape] > 0 ? by_chance : 1.0);
     return misfits;
 }
 

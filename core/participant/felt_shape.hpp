@@ -16,15 +16,15 @@ namespace tp {
 inline constexpr std::array<int, 5> shape_corners{0, 3, 4, 5, 6}; ///< 0: a circle
 
 /// How unlike each of these a round was, in their order: the mean square of what lies between the places felt and the best polygon of
-/// so many corners, as a share of the square of its radius.
+/// so many corners, as a share of the square of its radius, and that of the headings, weighted by how surely either is known.
 using ShapeMisfits = std::array<double, shape_corners.size()>;
 
 /// Where a round that begins at `from` of a trail ends: the finger has been everywhere about its middle, and the place is as it was at
 /// first, within what is remembered of places (`place_mm`). The number behind its last place; nothing where the round is not over.
 std::optional<std::size_t> round_end(std::span<const FeltPlace> trail, std::size_t from, double place_mm);
 
-/// Judges a round by its places: which regular polygon has its corners and sides where they are. Places are remembered with the
-/// person's error, which changes over some centimetres of way. Nothing where too many directions have no place.
+/// Judges a round by its places and by how its way turned: which regular polygon has its corners and sides where they are. Both are
+/// remembered with the person's errors, which change over some centimetres of way. Nothing where too many directions have no place.
 std::optional<ShapeMisfits> misfits_of(std::span<const FeltPlace> round, const Person& person,
                                        Chance& chance);
 

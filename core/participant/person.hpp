@@ -60,6 +60,10 @@ struct Person {
     /// 5 to 10 % (Durlach and others, "Manual discrimination and identification of length by the finger-span method", Percept
     /// Psychophys 46, 1989).
     double length_share = 0.1;
+    /// Standard deviation of the remembered direction in which the hand went, degrees: angles between two ways of the arm are told apart
+    /// at 4.7, three times in four (Voisin, Benoit, Chapman, "Haptic discrimination of object shape in humans: two-dimensional angle
+    /// discrimination", Exp Brain Res 145, 2002), which is 3.5 for either way.
+    double heading_deg = 3.5;
     /// Standard deviation with which a place of a face's contour is felt, mm: of the size of what can be told apart at all
     /// (core/study/finger_touch.hpp; assumed).
     double touch_mm = 1.0;

@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <cmath>
 
 using namespace tp;
@@ -103,6 +104,28 @@ private slots:
                 ++all;
             }
         QVERIFY2(right >= all - 3, qPrintable(QString::number(right)));
+    }
+    void small_pentagons_and_hexagons_are_worse_than_other_small_shapes() {
+        const Experiment experiment =
+            read_experiment(
+                "experiment: a\ntask: name\nfactor shape: circle, triangle, square, pentagon, hexagon\n"
+                "set radius: 20 mm\nset stiffness: 0.5 N/mm\nset range: 10 mm\nset law: published\n"
+                "answer: shape\n")
+                .value();
+        std::array<int, 5> right{};
+        constexpr int people = 12;
+        for (int number = 1; number <= people; ++number)
+            for (std::size_t condition = 0; condition < right.size(); ++condition) {
+                const auto done = simulate_trial(
+                    *trial_of(experiment, {condition, 0, false, static_cast<std::uint64_t>(number)}),
+                    person_of(number, 3), {}, 9);
+                right[condition] +=
+                    done->answer == experiment.value_of(StudyParameter::shape, condition) ? 1 : 0;
+            }
+        const auto counts =
+            QString("%1 %2 %3 %4 %5").arg(right[0]).arg(right[1]).arg(right[2]).arg(right[3]).arg(right[4]);
+        QVERIFY2(right[0] >= 8, qPrintable(counts)); // a small circle is no polygon
+        QVERIFY2(right[0] + right[1] + right[2] > 3 * (right[3] + right[4]) / 2 + 3, qPrintable(counts));
     }
     void a_path_has_a_hundred_samples_a_second_and_ends_with_the_trial() {
         const Experiment experiment =

@@ -7,7 +7,9 @@ killed_study.py PROGRAM LAB    ends in 77 where something is missing; TP_MOMENTS
 """
 import glob
 import os
+import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -24,14 +26,20 @@ LOST = "A trial was running when the program ended; it is done again."
 class Study:
     def __init__(self, lab, folder):
         self.lab, self.folder = lab, os.path.join(folder, "Documents", "TouchPhoto studies", "primitives")
+        self.participant = 1
 
     def table(self):
         """Its bytes up to the last whole line."""
-        path = os.path.join(self.folder, "participant-001.csv")
+        path = os.path.join(self.folder, f"participant-{self.participant:03}.csv")
         if not os.path.exists(path):
             return b""
         with open(path, "rb") as file:
             return file.read().rpartition(b"\n")[0]
+
+    def participants(self):
+        """Who has a whole line under the columns."""
+        tables = pathlib.Path(self.folder).glob("participant-*.csv")
+        return sum(table.read_bytes().count(b"\n") > 1 for table in tables)
 
     def trials(self):
         return len(self.table().splitlines()[1:])
@@ -42,7 +50,8 @@ class Study:
         if not os.path.exists(path):
             return 0
         with open(path, encoding="ascii") as file:
-            return int(file.read().split("trial-")[1].split(".")[0])
+            participant, trial = re.match(r"participant-(\d+)-trial-(\d+)\.csv\.gz\n$", file.read()).groups()
+        return int(trial) if int(participant) == self.participant else 0
 
     def faults(self):
         if not os.path.exists(os.path.join(self.folder, "protocol.study")):
@@ -60,12 +69,10 @@ def sits_down(page, listener, study):
                              if node.getRole() != page.atspi.ROLE_FRAME))
     page.keys("2")
     listener.await_words("Naming shapes of three sizes")
-    number = 1 if study.trials() == 0 else 2
-    page.await_name(f"Start with participant {number}")
-    if number > 1:
-        page.keys("minus")
-        page.await_name("Start with participant 1")
-    page.await_name("Participant 1 …")  # the folder has been looked at
+    page.await_name(f"Start with participant {1 + study.participants()}")
+    page.keys("n", *str(study.participant), "Return")
+    page.await_name(f"Start with participant {study.participant}")
+    page.await_name(f"Participant {study.participant} …")  # the folder has been looked at
     page.keys("s")
     listener.await_words("You are asked to take part in a study")
     page.keys("Return")
@@ -80,7 +87,7 @@ def hears_where_the_study_is(listener):
 
 
 def names_shapes(page, running, moment):
-    """Until the program is killed, so many seconds from now; the table as it was seen last."""
+    """Until the program is killed, so many seconds from now; stops for a look after each."""
     kill = threading.Timer(moment, running.kill)
     kill.start()
     while running.poll() is None:
@@ -97,6 +104,7 @@ def journey(program, lab, folder, moments):
     chance, lost, told_lost = random.Random(20261126), False, 0
     for number in range(moments + 1):
         listener.heard.clear()
+        study.participant = 1 + max(0, number - 1) // 2  # of whom nobody comes to the end
         page = desk.Page()
         running = subprocess.Popen([program, "--page", "study"], env=environment)
         try:
@@ -128,7 +136,7 @@ def journey(program, lab, folder, moments):
         print(f"moment {number}: {study.trials()} trials, {'one lost' if lost else 'none lost'}", flush=True)
     assert study.faults() == [], study.faults()
     assert told_lost > 0, "no kill met a trial"
-    paths = glob.glob(os.path.join(study.folder, "paths", "*.csv.gz"))
+    paths = glob.glob(os.path.join(study.folder, "paths", f"participant-{study.participant:03}-*.csv.gz"))
     assert len(paths) == study.trials() > 0, (len(paths), study.trials())
 
 

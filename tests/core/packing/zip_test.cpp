@@ -50,6 +50,27 @@ private slots:
         QCOMPARE(python.readAllStandardOutput(), QByteArray("study/sittings.csv 50000 8 1980 0o100644 True\n"
                                                             "study/paths/x.gz 50000 0 1980 0o100644 True\n"));
     }
+    void a_name_in_any_script_is_read_as_it_was() {
+        QTemporaryDir dir;
+        std::string bytes;
+        ZipWriter zip([&](std::string_view part) {
+            bytes += part;
+            return std::string();
+        });
+        QVERIFY(zip.add("연구/größe.csv", "x").empty() && zip.close().empty());
+        QFile file(dir.filePath("x.zip"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes.data(), static_cast<qint64>(bytes.size()));
+        file.close();
+        QProcess python;
+        python.start("/usr/bin/python3",
+                     {"-c",
+                      "import sys, zipfile\n"
+                      "sys.stdout.buffer.write(zipfile.ZipFile(sys.argv[1]).namelist()[0].encode())",
+                      file.fileName()});
+        QVERIFY(python.waitForFinished());
+        QCOMPARE(python.readAllStandardOutput(), QByteArray("연구/größe.csv"));
+    }
     void the_same_files_are_the_same_bytes_in_every_zone() {
         const std::string here = zip_of_two();
         qputenv("TZ", "Asia/Seoul");

@@ -135,7 +135,10 @@ def journey(program, lab, folder, moments):
         for fault in study.faults():
             assert any(part in fault for part in (LOST, "was being written when", "belongs to no trial that was kept")), fault
         print(f"moment {number}: {study.trials()} trials, {'one lost' if lost else 'none lost'}", flush=True)
-    assert study.faults() == [], study.faults()
+    # A path without a line is of a trial that its participant, who did not come again, would have done again.
+    wrong = [fault for fault in study.faults()
+             if "belongs to no trial that was kept" not in fault or f"participant-{study.participant:03}-" in fault]
+    assert wrong == [], wrong
     assert told_lost > 0, "no kill met a trial"
     paths = glob.glob(os.path.join(study.folder, "paths", f"participant-{study.participant:03}-*.csv.gz"))
     assert len(paths) == study.trials() > 0, (len(paths), study.trials())

@@ -4,21 +4,28 @@
 #include "app/pages/explore/demonstration.hpp"
 #include "app/shell/end_signals.hpp"
 #include "app/shell/program_window.hpp"
+#include "app/version/program_version.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "audio/sound/recorder.hpp"
 #include "audio/sound/system_loudspeaker.hpp"
 #include "audio/speech/spoken_voice.hpp"
 #include "core/processes/foreign_decoder_linux.hpp"
+#include "core/version/version.hpp"
 #include "device/registry.hpp"
 
 #include <QCommandLineParser>
 #include <QFile>
 #include <QGuiApplication>
+#include <QIcon>
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <optional>
+#include <span>
 
 namespace {
 
@@ -59,13 +66,26 @@ int refuse(const std::string& sentence) {
     return 2;
 }
 
+/// Answered without a display, so that it can be asked over a plain line too.
+bool asks_for_version(std::span<char* const> words) {
+    return std::any_of(words.begin(), words.end(), [](const char* word) {
+        return std::strcmp(word, "--version") == 0 || std::strcmp(word, "-v") == 0;
+    });
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+    if (asks_for_version({argv, static_cast<std::size_t>(argc)})) {
+        std::fputs(tp::program_version("touchphoto").c_str(), stdout);
+        return 0;
+    }
     tp::use_steady_media_backend();
     QGuiApplication app(argc, argv);
     QCoreApplication::setApplicationName("touchphoto");
-    QCoreApplication::setApplicationVersion(TOUCHPHOTO_VERSION);
+    QCoreApplication::setApplicationVersion(tp::version_number());
+    QGuiApplication::setDesktopFileName("org.touchphoto.TouchPhoto"); // whose name and icon its window has
+    QGuiApplication::setWindowIcon(QIcon::fromTheme("org.touchphoto.TouchPhoto"));
     const tp::EndSignals end;
     QObject::connect(&end, &tp::EndSignals::asked, &app, &QCoreApplication::quit);
 
@@ -73,8 +93,10 @@ int main(int argc, char** argv) {
     options.setApplicationDescription("Feel the face in a photograph.");
     options.addHelpOption();
     options.addVersionOption();
-    options.addPositionalArgument("photo", "A photograph to feel at once; without one the start page opens.",
-                                  "[photo]");
+    options.addPositionalArgument(
+        "photo",
+        "A photograph to feel at once, or a .touchphoto bundle to import; without one the start page opens.",
+        "[photo]");
     const QCommandLineOption voice_option(
         "voice", "Whether the program speaks: on, off, or as it was chosen (default).", "on|off");
     const QCommandLineOption page_option(

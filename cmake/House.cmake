@@ -5,6 +5,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/Rooms.cmake)
 
 # core: what the project exists for
 tp_may(tp_base)
+tp_may(tp_version)
 tp_may(tp_files        tp_base)
 tp_may(tp_packing      tp_base  USES PkgConfig::zlib PkgConfig::archive)
 tp_may(tp_libraries)
@@ -59,6 +60,9 @@ tp_may(tp_sound        tp_base tp_files tp_sentences tp_recordings  USES Qt6::Co
 tp_may(tp_guide        tp_base tp_sound  USES Qt6::Core)
 
 set(below_app ${core} tp_device tp_decode tp_face_base tp_extract tp_speech tp_sentences tp_recordings tp_sound)
+
+tp_may(tp_program_version tp_version
+                       USES Qt6::Core opencv_core PkgConfig::exiv2 PkgConfig::sndfile PkgConfig::archive PkgConfig::louis PkgConfig::libusb)
 
 tp_may(tp_seen         tp_geometry) # plain data of app/photo, which the index keeps
 
@@ -125,4 +129,4 @@ tp_may(tp_print        ${for_pages}  USES Qt6::Quick Qt6::Svg)
 # the two programs
 tp_may(tp_shell        ${for_pages} ${pages} tp_care tp_capture tp_study_page tp_camera tp_seeing tp_mend tp_print tp_identity tp_looking tp_grouping  USES Qt6::Quick)
 tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_check tp_people tp_seen tp_sight tp_words tp_scene tp_picture tp_tactile tp_devices
-                       tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_study_folder tp_statistics tp_study_report tp_simulated tp_trials  USES Qt6::Core Qt6::Gui Qt6::Network)
+                       tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_study_folder tp_statistics tp_study_report tp_simulated tp_trials tp_version tp_program_version  USES Qt6::Core Qt6::Gui Qt6::Network)

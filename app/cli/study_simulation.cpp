@@ -12,6 +12,7 @@
 #include "core/files/whole_file.hpp"
 #include "core/study/expression.hpp"
 #include "core/svg/contour_sheet.hpp"
+#include "core/version/version.hpp"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -95,8 +96,7 @@ StudyMachine machine_of(const SimulatedBench& bench, const std::string& kind) {
         device += ", corner cue";
     if (bench.led)
         device += ", led to the start";
-    return {"", std::string("touchphoto ") + TOUCHPHOTO_VERSION, device,
-            "millimetres and newtons as they are"};
+    return {"", std::string("touchphoto ") + version_number(), device, "millimetres and newtons as they are"};
 }
 
 /// The drawn contours of a folder, PERSON_EXPRESSION.svg: the number of a face counts the files of its expression by name.

@@ -3,6 +3,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/version/program_version.hpp"
 
 #include <array>
 #include <cstdio>
@@ -60,7 +61,7 @@ int run_lab(const QStringList& words) {
         return exit_done;
     }
     if (first == "--version") {
-        std::printf("touchphoto-lab %s\n", TOUCHPHOTO_VERSION);
+        std::fputs(program_version("touchphoto-lab").c_str(), stdout);
         return exit_done;
     }
     for (const Verb& verb : verbs)

@@ -4,14 +4,17 @@
 // hostile file brings about in such a library ends here. Its word says which libraries it loads.
 //
 //     touchphoto-decoder heif|pictures|videos
+//     touchphoto-decoder --version
 //
 // Descriptor 3 is the program that asks.
 #include "audio/video/sound_service.hpp"
 #include "core/processes/answering_linux.hpp"
 #include "core/processes/message.hpp"
+#include "core/version/version.hpp"
 #include "faces/decode/picture_service.hpp"
 
 #include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -52,5 +55,7 @@ int main(int count, char** words) {
         decode_pictures(tp::load_picture_decoders);
     else if (what == "videos")
         decode_sounds();
+    else if (what == "--version")
+        return std::puts(tp::version_line("touchphoto-decoder").c_str()) < 0;
     _exit(0); // there is nothing to be put in order, and nothing that might still be done
 }

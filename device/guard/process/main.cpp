@@ -7,15 +7,18 @@
 //     touchphoto-force-guard board SET-UP
 //     touchphoto-force-guard reports NO-FORCE… then AT-THE-END…
 //     touchphoto-force-guard packet ENDPOINT NO-FORCE
+//     touchphoto-force-guard --version
 //
 // Bytes are words of hexadecimal digits. The device is descriptor 3 and the program descriptor 4; on Windows
 // they are handles, whose numbers come before these words.
+#include "core/version/version.hpp"
 #include "device/guard/process/ends.hpp"
 #include "device/guard/process/force_taker.hpp"
 
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <cstdio>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -112,6 +115,8 @@ void watch(ForceTaker& taker) {
 
 int main(int count, char** words) {
     std::span<char*> told = std::span(words, static_cast<std::size_t>(count)).subspan(count > 0 ? 1 : 0);
+    if (told.size() == 1 && std::string_view(told.front()) == "--version")
+        return std::puts(tp::version_line("touchphoto-force-guard").c_str()) < 0;
     if (!take_ends(told))
         return 2;
     const auto taker = told.empty() ? nullptr : taker_of(told.front(), told.subspan(1));

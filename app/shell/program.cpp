@@ -13,6 +13,7 @@
 #include <QFileInfo>
 #include <QQmlEngine>
 #include <QTimer>
+#include <QUrl>
 
 #include <chrono>
 #include <utility>
@@ -367,12 +368,15 @@ void Program::tell_focus(const QString& words) {
         narrator_.tell(words, Priority::touch);
 }
 
-void Program::begin(const QString& photo) {
+void Program::begin(const QString& file) {
     earcons_.play(Earcon::program_start);
-    if (photo.isEmpty()) {
+    if (file.isEmpty()) {
         shell_.goHome();
+    } else if (file.endsWith(".touchphoto", Qt::CaseInsensitive)) {
+        shell_.open("care");
+        care().importing()->import({QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath())});
     } else {
-        feel(photo);
+        feel(file);
     }
     if (!preferences_.notice().isEmpty())
         narrator_.tell(preferences_.notice(), Priority::message);

@@ -84,8 +84,9 @@ public:
     StudySession& study();
     SettingsSession& settings();
 
-    /// The sound of the start, at once, and then the page: Start, or Explore with `photo` where one is given.
-    void begin(const QString& photo);
+    /// The sound of the start, at once, and then the page: Start; with a photograph Explore; with a .touchphoto bundle
+    /// Care, which imports it.
+    void begin(const QString& file);
 
     /// Opens a page of this name; one that is about a photograph, on the one that one was at last.
     void open_page(const QString& page);

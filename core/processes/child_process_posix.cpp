@@ -74,18 +74,34 @@ private:
 
 } // namespace
 
-std::filesystem::path beside_this_program(const std::string& name) {
+namespace {
+
+std::filesystem::path this_program() {
     std::error_code problem;
 #if defined(__APPLE__)
     std::uint32_t size = 0;
     _NSGetExecutablePath(nullptr, &size);
     std::string own_name(size + 1, '\0');
     _NSGetExecutablePath(own_name.data(), &size);
-    const std::filesystem::path own = std::filesystem::canonical(own_name.c_str(), problem);
+    return std::filesystem::canonical(own_name.c_str(), problem);
 #else
-    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", problem);
+    return std::filesystem::read_symlink("/proc/self/exe", problem);
 #endif
-    return own.parent_path() / name;
+}
+
+} // namespace
+
+std::filesystem::path beside_this_program(const std::string& name) {
+    return this_program().parent_path() / name;
+}
+
+std::filesystem::path helper_program(const std::string& name) {
+    const std::filesystem::path own = this_program();
+    const std::filesystem::path beside = own.parent_path() / name;
+    std::error_code problem;
+    return std::filesystem::exists(beside, problem)
+               ? beside
+               : own.parent_path().parent_path() / "libexec" / own.filename() / name;
 }
 
 std::optional<ChildProcess> ChildProcess::start(const std::filesystem::path& program,

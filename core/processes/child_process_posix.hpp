@@ -11,8 +11,13 @@
 
 namespace tp {
 
-/// Where one of our programs lies: beside the one that runs.
+/// Where a program lies that lies beside the one that runs.
 std::filesystem::path beside_this_program(const std::string& name);
+
+/// Where one of our programs lies that is not for people: beside the one that runs, as they are built; where it
+/// is not there, in ../libexec/PROGRAM from it, as it is installed (cmake/Install.cmake), PROGRAM being the file
+/// name of the one that runs.
+std::filesystem::path helper_program(const std::string& name);
 
 /// What a started program's standard streams are.
 enum class Streams { ours, none };

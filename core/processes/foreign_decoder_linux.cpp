@@ -22,7 +22,7 @@ ForeignDecoders* foreign_decoders() { return in_use; }
 
 ForeignDecoders& touchphoto_decoders() {
     // Never destroyed: a thread that the program's end leaves behind may still ask.
-    static ForeignDecoders& decoders = *new ForeignDecoders(beside_this_program("touchphoto-decoder"));
+    static ForeignDecoders& decoders = *new ForeignDecoders(helper_program("touchphoto-decoder"));
     return decoders;
 }
 

@@ -26,7 +26,7 @@ void decode_in_helpers(ForeignDecoders* decoders);
 /// Those; null where this program decodes by itself.
 ForeignDecoders* foreign_decoders();
 
-/// Processes of touchphoto-decoder, which lies beside this program. They last as long as the program does.
+/// Processes of touchphoto-decoder, where helper_program() finds it. They last as long as the program does.
 ForeignDecoders& touchphoto_decoders();
 
 } // namespace tp

@@ -13,7 +13,7 @@
 
 namespace tp {
 
-/// Where touchphoto-force-guard lies: beside the program that runs.
+/// Where touchphoto-force-guard lies: beside the program that runs, or where such helpers are installed.
 std::string force_guard_program();
 
 /// Starts that program as a process of its own, which holds the opened device open too, and waits until it

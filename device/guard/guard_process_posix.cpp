@@ -86,7 +86,7 @@ Result<std::unique_ptr<ForceGuard>> watching(Descriptor beats, ChildProcess proc
 
 } // namespace
 
-std::string force_guard_program() { return beside_this_program("touchphoto-force-guard").string(); }
+std::string force_guard_program() { return helper_program("touchphoto-force-guard").string(); }
 
 Result<std::unique_ptr<ForceGuard>> start_force_guard(const std::string& program, SystemHandle opened,
                                                       const std::vector<std::string>& words) {

@@ -9,6 +9,7 @@
 #include <ctime>
 #include <fcntl.h>
 #include <spawn.h>
+#include <string_view>
 #include <sys/wait.h>
 #include <system_error>
 #include <utility>
@@ -85,7 +86,14 @@ std::filesystem::path this_program() {
     _NSGetExecutablePath(own_name.data(), &size);
     return std::filesystem::canonical(own_name.c_str(), problem);
 #else
-    return std::filesystem::read_symlink("/proc/self/exe", problem);
+    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", problem);
+    // So Linux calls it once another one lies in its place, because TouchPhoto was brought up to date meanwhile.
+    constexpr std::string_view replaced = " (deleted)";
+    std::string name = own.filename().string();
+    if (!name.ends_with(replaced))
+        return own;
+    name.resize(name.size() - replaced.size());
+    return own.parent_path() / name;
 #endif
 }
 

@@ -173,7 +173,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "The device at the serial port does not answer like a Haply 2diy. Switch it on, unplug it and plug it in again; if it is not a Haply 2diy, choose another device."),
     QT_TRANSLATE_NOOP("Sentence", "The device stays off, because nothing would watch over its motors on this system."),
     QT_TRANSLATE_NOOP("Sentence", "The device stays off, because the program that watches over its motors, touchphoto-force-guard, does not start. Install TouchPhoto again."),
-    QT_TRANSLATE_NOOP("Sentence", "The device stays off, because the program that watches over its motors, touchphoto-force-guard, is not beside this one. Install TouchPhoto again."),
+    QT_TRANSLATE_NOOP("Sentence", "The device stays off, because the program that watches over its motors, touchphoto-force-guard, is missing. Install TouchPhoto again."),
     QT_TRANSLATE_NOOP("Sentence", "The device was switched off, because it no longer answers. Check its cable and start it again."),
     QT_TRANSLATE_NOOP("Sentence", "The device was switched off, because this computer stopped responding for a while. Start it again when you are ready."),
     QT_TRANSLATE_NOOP("Sentence", "The device with a force pad's ids does not answer like a force pad. Unplug it and plug it in again; if it is not a force pad, choose another device."),

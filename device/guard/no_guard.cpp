@@ -9,7 +9,7 @@ Error nobody_to_watch() {
 
 Error guard_is_missing() {
     return Error{"The device stays off, because the program that watches over its motors, "
-                 "touchphoto-force-guard, is not beside this one. Install TouchPhoto again."};
+                 "touchphoto-force-guard, is missing. Install TouchPhoto again."};
 }
 
 Error guard_does_not_start() {

@@ -3842,8 +3842,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-force-guard, nicht startet. Installieren Sie TouchPhoto neu.</translation>
     </message>
     <message>
-        <source>The device stays off, because the program that watches over its motors, touchphoto-force-guard, is not beside this one. Install TouchPhoto again.</source>
-        <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-force-guard, nicht neben diesem liegt. Installieren Sie TouchPhoto neu.</translation>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-force-guard, is missing. Install TouchPhoto again.</source>
+        <translation>Das Gerät bleibt aus, weil das Programm, das über seine Motoren wacht, touchphoto-force-guard, fehlt. Installieren Sie TouchPhoto neu.</translation>
     </message>
     <message>
         <source>The program that watches over the motors of the Haply 2diy has ended, so they stay off. Start the device again.</source>

@@ -3820,8 +3820,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>모터를 지켜보는 프로그램 touchphoto-force-guard가 시작되지 않아서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
     </message>
     <message>
-        <source>The device stays off, because the program that watches over its motors, touchphoto-force-guard, is not beside this one. Install TouchPhoto again.</source>
-        <translation>모터를 지켜보는 프로그램 touchphoto-force-guard가 이 프로그램 옆에 없어서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
+        <source>The device stays off, because the program that watches over its motors, touchphoto-force-guard, is missing. Install TouchPhoto again.</source>
+        <translation>모터를 지켜보는 프로그램 touchphoto-force-guard가 없어서 장치를 켜지 않습니다. TouchPhoto를 다시 설치하세요.</translation>
     </message>
     <message>
         <source>The program that watches over the motors of the Haply 2diy has ended, so they stay off. Start the device again.</source>

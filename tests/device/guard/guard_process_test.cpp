@@ -171,7 +171,7 @@ private slots:
         PipeDevice missing;
         QVERIFY(missing.guarded({"reports", "00"}, guard_program() + "-that-is-not-there")
                     .error()
-                    .find("is not beside") != std::string::npos);
+                    .find("is missing") != std::string::npos);
         for (const std::vector<std::string>& words : {std::vector<std::string>{},
                                                       {"reports"},
                                                       {"reports", "then", "0c02"},

@@ -150,8 +150,7 @@ private slots:
             process.waitForFinished(-1);
             return process.exitCode() == 2 ? process.readAllStandardError() : QByteArray();
         };
-        QVERIFY(said_with(guard + "-that-is-not-there")
-                    .contains("touchphoto-force-guard, is not beside this one"));
+        QVERIFY(said_with(guard + "-that-is-not-there").contains("touchphoto-force-guard, is missing"));
         QVERIFY(said_with(tp::testing::puller_command().last()).contains("does not start"));
         QCOMPARE(board.heard(), std::uint64_t(0)); // nothing is sent that nobody would take back
     }

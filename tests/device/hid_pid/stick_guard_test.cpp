@@ -175,7 +175,7 @@ private slots:
         PidStick device = stick_that_is_plugged_in(guard_program() + "-that-is-not-there");
         const Result<Capabilities> can = device.open();
         QVERIFY(!can.ok());
-        QVERIFY2(can.error().find("touchphoto-force-guard, is not beside this one") != std::string::npos,
+        QVERIFY2(can.error().find("touchphoto-force-guard, is missing") != std::string::npos,
                  can.error().c_str());
         QVERIFY(!device.write(safe({0.5, 0.0})));
         until([&] { return bed.hung_up(); });

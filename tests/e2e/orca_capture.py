@@ -49,7 +49,7 @@ class Photographer(Listener):
         assert len(self.photographs()) == before + 1, self.photographs()
 
     def speaks_a_memo(self, voice):
-        self.page.await_name("Speak a memo")
+        self.page.await_name("Record a memo")
         self.presses("m")
         self.page.await_name("Finish the memo")
         subprocess.run(["paplay", "--device=mouth", voice], check=True)

@@ -25,7 +25,7 @@ void CaptureAiming::begin(HeldCamera held) {
     aiming_ = Aiming(aim_, held);
     now_.reset();
     good_since_.reset();
-    good_ = hushed_ = unsaid_ = false;
+    good_ = hushed_ = unsaid_ = taken_ = false;
     whole_ = true;
     people_.clear();
     emit changed();
@@ -57,6 +57,7 @@ void CaptureAiming::see(const AimFrame& frame) {
     const AimAnswer answer = aiming_.see(frame);
     now_ = answer.now;
     good_ = answer.good;
+    taken_ = taken_ && good_;
     if (!good_)
         good_since_.reset();
     else if (!good_since_)
@@ -70,6 +71,8 @@ void CaptureAiming::see(const AimFrame& frame) {
 }
 
 void CaptureAiming::say(const AimInstruction& instruction) {
+    if (taken_)
+        return aiming_.sentence_ended(now_s_);
     if (hushed_ || teller_.speaking()) {
         unsaid_ = true;
         aiming_.sentence_ended(now_s_);

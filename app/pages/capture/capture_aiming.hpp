@@ -39,6 +39,8 @@ public:
     /// Neither words nor tone until `listen`. False where it was so already.
     bool hush();
     void listen();
+    /// The photograph was taken: that all is well is told no more until it was not.
+    void taken() { taken_ = true; }
     /// Says who is seen, what is cut off, and what to do.
     void tell_all();
 
@@ -62,6 +64,7 @@ private:
     std::optional<double> good_since_; ///< s
     bool hushed_ = false;
     bool unsaid_ = false; ///< something was to be said while something else was being said
+    bool taken_ = false;  ///< and the frame is good since
     bool whole_ = true;   ///< the next way is said in a whole sentence
     QString people_;      ///< who was told of last
 };

@@ -102,6 +102,7 @@ void CaptureSession::take() {
     fresh_ = false;
     moment_.shutter();
     teller_.sound(Earcon::contour_crossed);
+    aiming_.taken();
     shutter_.take({camera_.last_frames(), camera_.held(), camera_.name()});
 }
 

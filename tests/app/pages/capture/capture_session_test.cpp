@@ -96,6 +96,23 @@ private slots:
         QCOMPARE(bench.session->choices()->aim(), Aim::everybody);
     }
 
+    void after_it_was_taken_nobody_is_told_to_hold_still() {
+        CaptureBench bench;
+        bench.enter();
+        bench.see_for(4.0, {middle});
+        bench.settle();
+        QCOMPARE(bench.photographs().size(), 1);
+        QVERIFY(!bench.voice.said().filter("Hold still").isEmpty());
+        bench.voice.clear();
+        bench.see_for(15.0, {middle});
+        QVERIFY2(bench.voice.said().filter("Hold still").isEmpty(), qPrintable(bench.voice.said().join('|')));
+        bench.see_for(1.0, {at_the_right});
+        QVERIFY(!bench.voice.said().filter("right").isEmpty());
+        bench.voice.clear();
+        bench.see_for(3.0, {middle});
+        QVERIFY(!bench.voice.said().filter("Hold still").isEmpty());
+    }
+
     void whose_face_it_is_is_told_as_soon_as_it_is_known() {
         CaptureBench bench;
         bench.enter();

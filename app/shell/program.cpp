@@ -153,7 +153,8 @@ void Program::add_pages() {
     shell_.add({"capture", [] { return tr("Take a photograph"); },
                 [this] {
                     capture().enter();
-                    QTimer::singleShot(open_album_after, this, &Program::know_people_before_camera);
+                    QTimer::singleShot(album_ ? std::chrono::seconds{0} : open_album_after, this,
+                                       &Program::know_people_before_camera);
                 },
                 [this] { capture().leave(); }});
     shell_.add(

@@ -36,10 +36,10 @@ class Study:
         with open(path, "rb") as file:
             return file.read().rpartition(b"\n")[0]
 
-    def participants(self):
-        """Who has a whole line under the columns."""
+    def last_participant(self):
+        """The highest number of those who have a whole line under the columns; 0: nobody has."""
         tables = pathlib.Path(self.folder).glob("participant-*.csv")
-        return sum(table.read_bytes().count(b"\n") > 1 for table in tables)
+        return max((int(table.stem[-3:]) for table in tables if table.read_bytes().count(b"\n") > 1), default=0)
 
     def trials(self):
         return len(self.table().splitlines()[1:])
@@ -70,7 +70,7 @@ def sits_down(page, listener, study):
                              if node.getRole() != page.atspi.ROLE_FRAME))
     page.keys("2")
     listener.await_words("Naming shapes of three sizes")
-    page.await_name(f"Start with participant {1 + study.participants()}")
+    page.await_name(f"Start with participant {1 + study.last_participant()}")
     page.keys("n", *str(study.participant), "Return")
     page.await_name(f"Start with participant {study.participant}")
     page.await_name(f"Participant {study.participant} …")  # the folder has been looked at

@@ -130,8 +130,8 @@ private slots:
 
     void a_prefix_that_cannot_begin_a_name_is_not_used() {
         for (const std::string prefix : {"-f", "1e400", ".f"}) {
-            XmpPacket packet = read("<rdf:RDF xmlns:rdf='" + xmp::rdf_uri + "'><rdf:Description xmlns:" + prefix +
-                                    "='" + foreign + "'/></rdf:RDF>");
+            XmpPacket packet = read("<rdf:RDF xmlns:rdf='" + xmp::rdf_uri +
+                                    "'><rdf:Description xmlns:" + prefix + "='" + foreign + "'/></rdf:RDF>");
             packet.set({foreign, "p"}, XmpValue::of("1"));
             const auto again = XmpPacket::from(packet.bytes());
             QVERIFY2(again, again ? "" : again.error().c_str());

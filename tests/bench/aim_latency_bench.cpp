@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
                 told_words_s = now;
             }
         }
-        if (answer.tone.sounds)
+        if (answer.tone.sounds && answer.tone.side != 0.0)
             side_before = answer.tone.side;
     };
     told.ended = [&](const std::string&) { over = true; };

@@ -7824,6 +7824,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The report is in %1. Open the file %2 there.</source>
         <translation>Der Bericht liegt in %1. Öffnen Sie dort die Datei %2.</translation>
     </message>
+    <message>
+        <source>The rest is on the page.</source>
+        <translation>Der Rest steht auf der Seite.</translation>
+    </message>
 </context>
 <context>
     <name>tp::StudyRun</name>

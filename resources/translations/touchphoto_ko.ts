@@ -7770,6 +7770,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The report is in %1. Open the file %2 there.</source>
         <translation>보고서 폴더: %1. 그 안의 %2 파일을 여세요.</translation>
     </message>
+    <message>
+        <source>The rest is on the page.</source>
+        <translation>나머지는 화면에 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>tp::StudyRun</name>

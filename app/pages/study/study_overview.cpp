@@ -14,6 +14,8 @@ namespace tp {
 
 namespace {
 
+constexpr int most_told = 5; ///< lines, the most important first: of thirty participants one reads
+
 bool is_begun(const std::filesystem::path& folder) { return name_taken(folder / study_protocol_file); }
 
 } // namespace
@@ -62,7 +64,10 @@ void StudyOverview::look() {
         }
         return [this, lines] {
             show(lines);
-            teller_.tell(lines.join(' '));
+            QStringList told = lines.mid(0, most_told);
+            if (told.size() < lines.size())
+                told << tr("The rest is on the page.");
+            teller_.tell(told.join(' '));
         };
     });
 }

@@ -4,6 +4,8 @@
 
 #include <QFileInfo>
 
+#include <fstream>
+
 using namespace tp;
 using State = StudyRun::State;
 
@@ -70,6 +72,17 @@ private slots:
         QCOMPARE(bench.session->overview()->lines()[1], QString("Faults in the folder: 1."));
         QCOMPARE(bench.session->overview()->lines()[2],
                  QString("Participant 1: the finger's path is missing in these trials: 1."));
+    }
+
+    void of_much_the_beginning_is_told_and_all_is_shown() {
+        StudyBench bench;
+        sit(bench);
+        for (int trial = 1; trial <= 9; ++trial)
+            std::ofstream(bench.study_folder() / study_paths_folder / path_file_name(77, trial));
+        StudyOverview& overview = *bench.session->overview();
+        overview.look();
+        QTRY_VERIFY_WITH_TIMEOUT(overview.lines().size() > 9, 60000);
+        QCOMPARE(bench.said(), overview.lines().mid(0, 5).join(' ') + " The rest is on the page.");
     }
 
     void the_report_lies_beside_the_study_and_its_place_is_told() {

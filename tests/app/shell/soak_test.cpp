@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hours of use at one go: somebody wanders over all pages while the album, the devices, the voice and the sound change
 // underneath. Each deed counts as two seconds of a person's. TP_SOAK_HOURS asks for more or fewer of them; a line tells each
-// half hour what the program holds of the machine.
+// half hour what the program holds of the machine. What is kept fills at first: pictures, pages, dialogs, threads that wait
+// for work. What fills ends and what is lost goes on, so where it seems to grow the test goes on too, before it says so.
 #include "disturbances.hpp"
 #include "monkey.hpp"
 #include "process_load.hpp"
@@ -28,9 +29,13 @@ constexpr double sound_s = 0.2;   ///< that passes with each deed
 constexpr double look_every_h = 0.5;
 constexpr double most_growth = 5.0;        ///< MB an hour
 constexpr double least_judged_hours = 6.0; ///< fewer tell chance from growth no more
+constexpr int most_judged = 3;             ///< half a test's hours each, one after the other
 constexpr double unlike = 3.0;             ///< handles or threads, of the pages and dialogs that happen to be open
 
-double hours() { return qEnvironmentVariableIsSet("TP_SOAK_HOURS") ? qEnvironmentVariable("TP_SOAK_HOURS").toDouble() : 16.0; }
+double hours_asked() {
+    return qEnvironmentVariableIsSet("TP_SOAK_HOURS") ? qEnvironmentVariable("TP_SOAK_HOURS").toDouble()
+                                                      : 16.0;
+}
 
 struct LoadLook {
     double hour = 0.0;
@@ -56,6 +61,20 @@ double mean(std::span<const LoadLook> looks, Count count) {
     for (const LoadLook& look : looks)
         sum += static_cast<double>(count(look.load));
     return sum / static_cast<double>(looks.size());
+}
+
+/// Whether nothing grows; tells how much it does.
+bool is_steady(std::span<const LoadLook> judged) {
+    const std::span<const LoadLook> before = judged.first(judged.size() / 2),
+                                    after = judged.last(judged.size() / 2);
+    const auto handles = [](const ProcessLoad& load) { return load.handles; };
+    const auto threads = [](const ProcessLoad& load) { return load.threads; };
+    const double more_handles = mean(after, handles) - mean(before, handles);
+    const double more_threads = mean(after, threads) - mean(before, threads);
+    std::printf("grows by %.2f MB an hour, %.1f handles and %.1f threads\n", growth(judged), more_handles,
+                more_threads);
+    std::fflush(stdout);
+    return growth(judged) <= most_growth && more_handles <= unlike && more_threads <= unlike;
 }
 
 } // namespace
@@ -87,46 +106,51 @@ private slots:
         std::mt19937 random(20260503);
         const QStringList pages{"start", "browse", "explore", "care",  "capture",
                                 "mend",  "print",  "lab",     "study", "settings"};
-        std::vector<LoadLook> looks;
-        const auto deeds = static_cast<int>(std::lround(3600.0 * hours() / deed_s));
         const auto deeds_between = static_cast<int>(std::lround(3600.0 * look_every_h / deed_s));
-        for (int i = 0; i < deeds; ++i) {
-            if (random() % 25 == 0)
-                whole.shell().open(pages[static_cast<int>(random() % static_cast<unsigned>(pages.size()))]);
-            monkey.do_something();
-            if (random() % 8 == 0)
-                disturbances.let_something_happen();
-            disturbances.let_sound_pass(sound_s);
-            QCoreApplication::processEvents();
-            QVERIFY2(whole.program->explore().finger()->newtons() <=
-                         whole.program->preferences().choices().max_force_n + 1e-9,
-                     qPrintable(monkey.last()));
-            QVERIFY2(whole.keeps_to_its_folder(), qPrintable(monkey.last()));
-            QVERIFY2(Warnings::all().isEmpty(), qPrintable(monkey.last() + ", " + disturbances.last() + ": " + Warnings::all().join('\n')));
-            if ((i + 1) % deeds_between != 0)
-                continue;
-            rest(whole);
-            looks.push_back({(i + 1) * deed_s / 3600.0, ProcessLoad::now()});
-            std::printf("hour %4.1f: %.1f MB, %zu handles, %zu threads\n", looks.back().hour, looks.back().load.memory_mb,
-                  looks.back().load.handles, looks.back().load.threads);
-            std::fflush(stdout);
+        std::vector<LoadLook> looks;
+        const auto use = [&](double hours) {
+            const auto deeds = static_cast<int>(std::lround(3600.0 * hours / deed_s));
+            for (int i = 0; i < deeds; ++i) {
+                if (random() % 25 == 0)
+                    whole.shell().open(
+                        pages[static_cast<int>(random() % static_cast<unsigned>(pages.size()))]);
+                monkey.do_something();
+                if (random() % 8 == 0)
+                    disturbances.let_something_happen();
+                disturbances.let_sound_pass(sound_s);
+                QCoreApplication::processEvents();
+                QVERIFY2(whole.program->explore().finger()->newtons() <=
+                             whole.program->preferences().choices().max_force_n + 1e-9,
+                         qPrintable(monkey.last()));
+                QVERIFY2(whole.keeps_to_its_folder(), qPrintable(monkey.last()));
+                QVERIFY2(Warnings::all().isEmpty(), qPrintable(monkey.last() + ", " + disturbances.last() +
+                                                               ": " + Warnings::all().join('\n')));
+                if ((i + 1) % deeds_between != 0)
+                    continue;
+                rest(whole);
+                looks.push_back(
+                    {(static_cast<double>(looks.size()) + 1.0) * look_every_h, ProcessLoad::now()});
+                std::printf("hour %4.1f: %.1f MB, %zu handles, %zu threads\n", looks.back().hour,
+                            looks.back().load.memory_mb, looks.back().load.handles,
+                            looks.back().load.threads);
+                std::fflush(stdout);
+            }
+        };
+        use(hours_asked());
+        if (QTest::currentTestFailed())
+            return;
+        const std::size_t judged = looks.size() / 2;
+        const bool told_apart = static_cast<double>(judged) * look_every_h >= least_judged_hours;
+        bool steady = !told_apart || is_steady(std::span(looks).last(judged));
+        for (int more = 1; !steady && more < most_judged && !QTest::currentTestFailed(); ++more) {
+            use(static_cast<double>(judged) * look_every_h);
+            steady = is_steady(std::span(looks).last(judged));
         }
         socket.unplug();
         QTRY_VERIFY(!socket.in_use());
-        // In the first half what is kept fills: pictures, pages, dialogs, threads that wait for work.
-        const std::span<const LoadLook> judged = std::span(looks).last(looks.size() / 2);
-        if (static_cast<double>(judged.size()) * look_every_h < least_judged_hours) {
+        if (!told_apart)
             std::printf("too few hours to judge what grows\n");
-            return;
-        }
-        std::printf("grows by %.2f MB an hour\n", growth(judged));
-        QVERIFY(growth(judged) <= most_growth);
-        const std::span<const LoadLook> before = judged.first(judged.size() / 2),
-                                        after = judged.last(judged.size() / 2);
-        const auto handles = [](const ProcessLoad& load) { return load.handles; };
-        const auto threads = [](const ProcessLoad& load) { return load.threads; };
-        QVERIFY(mean(after, handles) <= mean(before, handles) + unlike);
-        QVERIFY(mean(after, threads) <= mean(before, threads) + unlike);
+        QVERIFY(steady);
     }
 };
 

@@ -108,11 +108,13 @@ int main(int argc, char** argv) {
     const QCommandLineOption size_option("size", "The window's size in pixels, such as 1280x800.", "WxH");
     const QCommandLineOption with_option(
         "with", "Adds features to eyes, lips and outline: brows, nose, irises.", "list");
-    const QCommandLineOption camera_option("camera",
-                                           "Takes photographs with another camera: \"simulated:PHOTO\" looks "
-                                           "into a photograph and is moved by keys, "
-                                           "\"folder:DIR\" gives the pictures of a folder.",
-                                           "camera");
+    const QCommandLineOption camera_option(
+        "camera",
+        "Takes photographs with another camera: \"simulated:PHOTO\" looks "
+        "into a photograph and is moved by keys, "
+        "\"folder:DIR\" gives the pictures of a folder, \"video:FILE\" those of "
+        "a video, over and over.",
+        "camera");
     options.addOptions({voice_option, page_option, with_option, picture_option, size_option, camera_option});
     options.process(app);
     const QString voice_wish = options.value(voice_option);
@@ -127,7 +129,8 @@ int main(int argc, char** argv) {
 
     const std::string camera = options.value(camera_option).toStdString();
     if (options.isSet(camera_option) && (camera.empty() || !tp::camera_named(camera)))
-        return refuse("--camera is \"simulated:\" with a photograph, or \"folder:\" with a folder.");
+        return refuse("--camera is \"simulated:\" with a photograph, \"folder:\" with a folder, or "
+                      "\"video:\" with a video.");
 
     tp::decode_in_helpers(&tp::touchphoto_decoders());
     tp::SpokenVoice voice;

@@ -85,7 +85,7 @@ tp_may(tp_picture      ${below_app}  USES Qt6::Gui)
 tp_may(tp_tactile      ${below_app} tp_scene  USES Qt6::Gui PkgConfig::pugixml PkgConfig::louis)
 
 # app/capture: a camera as the program sees it
-tp_may(tp_frames       tp_base tp_files tp_geometry tp_aiming tp_handheld tp_decode  USES opencv_core opencv_imgproc Threads::Threads)
+tp_may(tp_frames       tp_base tp_files tp_geometry tp_aiming tp_handheld tp_decode tp_video  USES opencv_core opencv_imgproc Threads::Threads)
 tp_may(tp_seeing       tp_base tp_geometry tp_aiming tp_face_base tp_identity tp_extract tp_frames  USES opencv_core opencv_imgproc Threads::Threads)
 tp_may(tp_shutter      tp_base tp_files tp_geometry tp_aiming tp_exiv2 tp_face_base tp_extract tp_recordings tp_metadata
                        tp_keeper tp_seen tp_sight tp_words tp_frames tp_seeing

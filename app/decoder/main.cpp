@@ -3,10 +3,11 @@
 // a large library. It decodes what it is handed, in a process that can do nothing else, so that what a
 // hostile file brings about in such a library ends here. Its word says which libraries it loads.
 //
-//     touchphoto-decoder heif|pictures|videos
+//     touchphoto-decoder heif|pictures|videos|films
 //     touchphoto-decoder --version
 //
 // Descriptor 3 is the program that asks.
+#include "audio/video/film_service.hpp"
 #include "audio/video/sound_service.hpp"
 #include "core/processes/answering_linux.hpp"
 #include "core/processes/message.hpp"
@@ -39,10 +40,11 @@ void decode_pictures(void (*load)()) {
     answer_by([&](tp::MessageReader& question) { return pictures.answer(question); });
 }
 
-void decode_sounds() {
+template <typename Service>
+void decode_videos() {
     tp::load_video_decoders();
-    tp::SoundService sounds;
-    answer_by([&](tp::MessageReader& question) { return sounds.answer(question); });
+    Service service;
+    answer_by([&](tp::MessageReader& question) { return service.answer(question); });
 }
 
 } // namespace
@@ -54,7 +56,9 @@ int main(int count, char** words) {
     else if (what == "pictures")
         decode_pictures(tp::load_picture_decoders);
     else if (what == "videos")
-        decode_sounds();
+        decode_videos<tp::SoundService>();
+    else if (what == "films")
+        decode_videos<tp::FilmService>();
     else if (what == "--version")
         return std::puts(tp::version_line("touchphoto-decoder").c_str()) < 0;
     _exit(0); // there is nothing to be put in order, and nothing that might still be done

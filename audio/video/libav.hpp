@@ -7,26 +7,32 @@ extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
 #include <libavformat/avio.h>
+#include <libavutil/display.h>
 #include <libavutil/error.h>
 #include <libavutil/frame.h>
 #include <libavutil/log.h>
 #include <libavutil/mathematics.h>
 #include <libavutil/mem.h>
+#include <libavutil/pixdesc.h>
 #include <libavutil/samplefmt.h>
 }
 
 namespace tp {
 
-/// The functions of FFmpeg's libraries that the sound of a video needs, by their own names.
+/// The functions of FFmpeg's libraries that the sound and the pictures of a video need, by their own names.
 struct LibAv {
-#define TP_FUNCTIONS_OF_LIBAV(each)                                                                                \
-    each(av_find_best_stream) each(av_find_input_format) each(av_frame_alloc) each(av_frame_free) each(av_freep)   \
-    each(av_get_packed_sample_fmt) each(av_log_set_level) each(av_malloc) each(av_max_alloc)                       \
-    each(av_packet_alloc) each(av_packet_free) each(av_packet_unref) each(av_read_frame) each(av_rescale_q)        \
-    each(av_sample_fmt_is_planar) each(avcodec_alloc_context3) each(avcodec_find_decoder)                          \
-    each(avcodec_free_context) each(avcodec_get_name) each(avcodec_open2) each(avcodec_parameters_to_context)      \
-    each(avcodec_receive_frame) each(avcodec_send_packet) each(avformat_alloc_context)                             \
-    each(avformat_close_input) each(avformat_open_input) each(avio_alloc_context) each(avio_context_free)
+#define TP_FUNCTIONS_OF_LIBAV(each)                                                                          \
+    each(av_display_rotation_get) each(av_find_best_stream) each(av_find_input_format) each(av_frame_alloc)  \
+        each(av_frame_free) each(av_freep) each(av_get_packed_sample_fmt) each(av_log_set_level)             \
+            each(av_malloc) each(av_max_alloc) each(av_packet_alloc) each(av_packet_free)                    \
+                each(av_packet_unref) each(av_pix_fmt_desc_get) each(av_read_frame) each(av_rescale_q)       \
+                    each(av_sample_fmt_is_planar) each(av_stream_get_side_data) each(avcodec_alloc_context3) \
+                        each(avcodec_find_decoder) each(avcodec_free_context) each(avcodec_get_name)         \
+                            each(avcodec_open2) each(avcodec_parameters_to_context)                          \
+                                each(avcodec_receive_frame) each(avcodec_send_packet)                        \
+                                    each(avformat_alloc_context) each(avformat_close_input)                  \
+                                        each(avformat_open_input) each(avio_alloc_context)                   \
+                                            each(avio_context_free)
     TP_LIBRARY_FUNCTIONS(TP_FUNCTIONS_OF_LIBAV)
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/video/sound_service.hpp"
 
-#include "audio/recordings/byte_source.hpp"
+#include "audio/video/handed_bytes.hpp"
 #include "audio/video/libav.hpp"
 #include "audio/video/sound_messages.hpp"
 #include "audio/video/video_sound.hpp"
@@ -9,44 +9,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
 namespace tp {
-namespace {
-
-/// Some bytes of a file that another process has opened. Their size is what that one says: this process may
-/// not ask the system.
-class HandedBytes final : public ByteSource {
-public:
-    HandedBytes(Descriptor file, std::int64_t begin, std::int64_t size)
-        : file_(std::move(file)), begin_(begin), size_(size) {}
-
-    std::uint64_t size() const override { return static_cast<std::uint64_t>(size_); }
-    std::size_t read(std::uint64_t at, std::span<char> to) const override {
-        if (at >= size())
-            return 0;
-        const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(to.size(), size() - at));
-        std::size_t done = 0;
-        while (done < wanted) {
-            const ssize_t count = ::pread(file_.number(), to.data() + done, wanted - done,
-                                          static_cast<off_t>(begin_) + static_cast<off_t>(at + done));
-            if (count <= 0)
-                break;
-            done += static_cast<std::size_t>(count);
-        }
-        return done;
-    }
-
-private:
-    Descriptor file_;
-    std::int64_t begin_;
-    std::int64_t size_;
-};
-
-} // namespace
 
 void load_video_decoders() { load_libav(); }
 

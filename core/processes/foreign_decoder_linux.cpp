@@ -14,7 +14,7 @@ std::atomic<ForeignDecoders*> in_use{nullptr};
 
 ForeignDecoders::ForeignDecoders(const std::filesystem::path& program, HelperPatience patience)
     : heif(program, {"heif"}, patience), pictures(program, {"pictures"}, patience),
-      videos(program, {"videos"}, patience) {}
+      videos(program, {"videos"}, patience), films(program, {"films"}, patience) {}
 
 void decode_in_helpers(ForeignDecoders* decoders) { in_use = decoders; }
 

@@ -16,6 +16,7 @@ struct ForeignDecoders {
     HelperPool heif;     ///< HEIC and AVIF
     HelperPool pictures; ///< PNG, WebP, TIFF, BMP, JPEG 2000, raw files
     HelperPool videos;   ///< their sound
+    HelperPool films;    ///< the pictures of videos
 };
 
 /// From now on this program decodes what strangers made in these and not by itself. A program that does not

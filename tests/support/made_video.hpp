@@ -50,6 +50,21 @@ inline bool make_video(const std::filesystem::path& file, const VideoParts& part
            process.exitCode() == 0;
 }
 
+/// Makes a video say that its pictures are upright when they are turned clockwise by a quarter, as that of a telephone held
+/// upright does: the matrix in its track's header, 16.16 fixed. False where it has no such header.
+inline bool turn_video(const std::filesystem::path& file, int width) {
+    QFile video(QFile::decodeName(file.c_str()));
+    if (!video.open(QIODevice::ReadWrite))
+        return false;
+    const qsizetype header = video.readAll().indexOf("tkhd");
+    constexpr qsizetype matrix = 44; // behind the header's name
+    QByteArray numbers;
+    for (const int number : {0, 1 << 16, 0, -(1 << 16), 0, 0, width << 16, 0, 1 << 30})
+        for (int byte = 3; byte >= 0; --byte)
+            numbers.append(static_cast<char>(number >> (8 * byte) & 0xFF));
+    return header >= 0 && video.seek(header + matrix) && video.write(numbers) == numbers.size();
+}
+
 /// A JPEG of 1 × 1 pixel that says this XMP of itself and has these bytes behind it.
 inline std::string made_motion_photo(const std::string& properties, const std::string& behind) {
     const std::string xmp =

@@ -4,9 +4,11 @@
 #include "app/capture/camera/system_camera.hpp"
 #include "app/capture/frames/folder_camera.hpp"
 #include "app/capture/frames/paced_camera.hpp"
+#include "app/capture/frames/video_camera.hpp"
 #include "faces/decode/picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -64,11 +66,11 @@ public:
         : of_(of), path_(std::move(path)), hand_(std::move(hand)) {}
 
     Result<std::optional<CameraFrame>> next() override {
-        if (!simulated_ && !folder_)
+        if (!simulated_ && !given_)
             if (std::string why = begin(); !why.empty())
                 return Error{std::move(why)};
         if (!simulated_)
-            return folder_->next();
+            return given_->next();
         simulated_->move_to(hand_->pose());
         return simulated_->next();
     }
@@ -80,7 +82,14 @@ private:
             Result<FolderCamera> folder = FolderCamera::open(path_, folder_frames_per_s);
             if (!folder)
                 return folder.error();
-            folder_ = std::move(folder).value();
+            given_ = std::make_unique<FolderCamera>(std::move(folder).value());
+            return {};
+        }
+        if (of_ == Of::video) {
+            Result<VideoCamera> video = VideoCamera::open(path_);
+            if (!video)
+                return video.error();
+            given_ = std::make_unique<VideoCamera>(std::move(video).value());
             return {};
         }
         const Result<cv::Mat> photo = read_picture(path_);
@@ -93,7 +102,7 @@ private:
     std::filesystem::path path_;
     std::shared_ptr<const Hand> hand_;
     std::optional<SimulatedCamera> simulated_;
-    std::optional<FolderCamera> folder_;
+    std::unique_ptr<FrameSource> given_; ///< a folder's or a video's
 };
 
 SimulatedHold hold_before(const cv::Mat& photo) {
@@ -123,13 +132,15 @@ bool DeskCamera::move_by(const HeldPose& way) {
 }
 
 std::unique_ptr<Camera> camera_named(const std::string& wish) {
-    constexpr std::string_view simulated = "simulated:", folder = "folder:";
+    constexpr std::array<std::pair<std::string_view, DeskCamera::Of>, 3> desks{
+        {{"simulated:", DeskCamera::Of::photo},
+         {"folder:", DeskCamera::Of::folder},
+         {"video:", DeskCamera::Of::video}}};
     if (wish.empty())
         return std::make_unique<SystemCamera>();
-    if (wish.starts_with(simulated) && wish.size() > simulated.size())
-        return std::make_unique<DeskCamera>(DeskCamera::Of::photo, wish.substr(simulated.size()));
-    if (wish.starts_with(folder) && wish.size() > folder.size())
-        return std::make_unique<DeskCamera>(DeskCamera::Of::folder, wish.substr(folder.size()));
+    for (const auto& [word, of] : desks)
+        if (wish.starts_with(word) && wish.size() > word.size())
+            return std::make_unique<DeskCamera>(of, wish.substr(word.size()));
     return nullptr;
 }
 

@@ -14,10 +14,11 @@ namespace tp {
 /// first, so that there is something to be told.
 SimulatedHold hold_before(const cv::Mat& photo);
 
-/// A camera for tests and for trying at a desk: a photograph in a simulated hand, or a folder of frames, in real time.
+/// A camera for tests and for trying at a desk: a photograph in a simulated hand, a folder of frames, or a video, in
+/// real time.
 class DeskCamera final : public Camera {
 public:
-    enum class Of { photo, folder };
+    enum class Of { photo, folder, video };
     DeskCamera(Of of, std::filesystem::path path);
     ~DeskCamera() override;
 
@@ -35,7 +36,7 @@ private:
     std::shared_ptr<Hand> hand_; ///< while it is on
 };
 
-/// "simulated:PHOTO", "folder:DIR", or empty for this machine's own; none for anything else.
+/// "simulated:PHOTO", "folder:DIR", "video:FILE", or empty for this machine's own; none for anything else.
 std::unique_ptr<Camera> camera_named(const std::string& wish);
 
 } // namespace tp

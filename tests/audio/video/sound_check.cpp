@@ -2,6 +2,7 @@
 #include "sound_check.hpp"
 
 #include "audio/recordings/sound_reader.hpp"
+#include "audio/video/video_film.hpp"
 #include "audio/video/video_sound.hpp"
 
 #include <array>
@@ -32,6 +33,20 @@ std::string complaint_about_stream(SoundStream& sound) {
     return {};
 }
 
+constexpr int most_pictures = 16; ///< that are looked at of one
+
+std::string complaint_about_stream(FilmStream& film) {
+    for (int i = 0; i < most_pictures; ++i) {
+        const auto picture = film.next(0.0);
+        if (!picture)
+            break;
+        if (picture->width < 2 || picture->height < 2 ||
+            picture->planes.size() != film_bytes(picture->width, picture->height))
+            return "a picture of another size than it says";
+    }
+    return {};
+}
+
 template <typename Sound>
 std::string complaint_about(Result<Sound> sound) {
     if (!sound)
@@ -45,6 +60,8 @@ std::string complaint_about_sound(std::string_view bytes) {
     std::string complaint = complaint_about(SoundReader::open(std::make_unique<MemoryBytes>(bytes)));
     if (complaint.empty())
         complaint = complaint_about(VideoSound::open(std::make_unique<MemoryBytes>(bytes)));
+    if (complaint.empty())
+        complaint = complaint_about(VideoFilm::open(std::make_unique<MemoryBytes>(bytes)));
     return complaint;
 }
 

@@ -151,7 +151,8 @@ private slots:
     void names_of_cameras() {
         QVERIFY(camera_named("simulated:a.jpg"));
         QVERIFY(camera_named("folder:."));
-        for (const char* wrong : {"simulated:", "folder:", "simulated", "a.jpg", "other:a.jpg"})
+        QVERIFY(camera_named("video:a.mp4"));
+        for (const char* wrong : {"simulated:", "folder:", "video:", "simulated", "a.jpg", "other:a.jpg"})
             QVERIFY2(!camera_named(wrong), wrong);
     }
 
@@ -176,6 +177,14 @@ private slots:
         const auto opened = camera.open(CameraSide::back);
         FrameSource* const source = opened->get();
         QVERIFY(!source->next().error().empty());
+    }
+
+    void a_video_that_is_not_there_is_one_sentence() {
+        DeskCamera camera(DeskCamera::Of::video, "/no/such/video.mp4");
+        const auto opened = camera.open(CameraSide::back);
+        QVERIFY(!camera.moved_by_keys());
+        const std::string why = (*opened)->next().error();
+        QVERIFY2(why.starts_with("The video \"/no/such/video.mp4\" cannot be played: "), why.c_str());
     }
 };
 

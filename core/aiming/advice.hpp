@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace tp {
 
@@ -42,7 +43,8 @@ struct AimInstruction {
     double amount = 0.0;
     int faces = 0;               ///< how many count
     AimEdge cut = AimEdge::none; ///< the edge that cuts a face of the subject
-    std::string name{};          ///< of the one subject, where known
+    /// Whose faces they are, of those that are known, each once, in the order in which they came into view.
+    std::vector<std::string> names{};
 
     /// Whether it is the same thing to do, however much of it.
     bool same_thing(const AimInstruction& other) const { return advice == other.advice; }

@@ -106,10 +106,7 @@ AimInstruction Adviser::advise(const std::vector<TrackedFace>& faces, const AimF
     present_ = chosen;
     instruction = chosen ? words_for(*chosen) : AimInstruction{Advice::ready};
     instruction.faces = static_cast<int>(faces.size());
-    if (framing_->subjects.size() == 1)
-        for (const TrackedFace& face : faces)
-            if (face.id == framing_->subjects.front())
-                instruction.name = face.name;
+    instruction.names = names_of(faces);
     const Vec2 cut = framing_->cut;
     const bool sideways = std::abs(cut.x) >= std::abs(cut.y);
     if (sideways && cut.x != 0.0)

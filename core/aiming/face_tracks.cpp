@@ -83,6 +83,20 @@ struct Match {
 
 } // namespace
 
+std::vector<std::string> names_of(const std::vector<TrackedFace>& faces) {
+    std::vector<const TrackedFace*> known;
+    for (const TrackedFace& face : faces)
+        if (!face.name.empty())
+            known.push_back(&face);
+    std::sort(known.begin(), known.end(),
+              [](const TrackedFace* a, const TrackedFace* b) { return a->id < b->id; });
+    std::vector<std::string> names;
+    for (const TrackedFace* const face : known)
+        if (std::find(names.begin(), names.end(), face->name) == names.end())
+            names.push_back(face->name);
+    return names;
+}
+
 void FaceTracks::forget() {
     all_.clear();
     counted_.clear();

@@ -35,6 +35,9 @@ struct TrackedFace {
     double seen_s = 0.0; ///< when it was found last
 };
 
+/// The names of those that are known, each once, in the order in which they came into view.
+std::vector<std::string> names_of(const std::vector<TrackedFace>& faces);
+
 /// Tells the same face in one frame after the other, whatever order they come in; a face that flickers stays.
 class FaceTracks {
 public:

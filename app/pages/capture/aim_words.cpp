@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/capture/aim_words.hpp"
 
+#include <QLocale>
+
+#include <algorithm>
+#include <cstddef>
+
 namespace tp {
 
 namespace {
+
+constexpr std::size_t most_names = 3; ///< while the hand waits
 
 QString by_step(AimStep step, const QString& little, const QString& some, const QString& much) {
     return step == AimStep::little ? little : step == AimStep::some ? some : much;
@@ -70,9 +77,14 @@ QString AimWords::instruction(const AimInstruction& instruction, bool whole) {
 QString AimWords::people(const AimInstruction& instruction) {
     if (instruction.faces == 0)
         return {};
-    if (instruction.faces == 1 && !instruction.name.empty())
-        return tr("%1.").arg(QString::fromStdString(instruction.name));
-    return tr("%n face(s).", nullptr, instruction.faces);
+    if (instruction.names.empty())
+        return tr("%n face(s).", nullptr, instruction.faces);
+    QStringList who;
+    for (std::size_t i = 0; i < std::min(instruction.names.size(), most_names); ++i)
+        who << QString::fromStdString(instruction.names[i]);
+    if (const int others = instruction.faces - static_cast<int>(who.size()); others > 0)
+        who << tr("%n more face(s)", "at the end of a list of names", others);
+    return tr("%1.").arg(QLocale().createSeparatedList(who));
 }
 
 QString AimWords::cut(AimEdge edge) {

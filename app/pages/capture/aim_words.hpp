@@ -21,7 +21,7 @@ public:
     static bool is_way(Advice advice) {
         return advice >= Advice::move_left && advice <= Advice::turn_anticlockwise;
     }
-    /// "Anna.", "2 faces."; empty where nobody is seen.
+    /// "Anna.", "Anna and Ben.", "Anna and 1 more face.", "2 faces."; empty where nobody is seen.
     static QString people(const AimInstruction& instruction);
     /// Where a face reaches over the edge: "Cut off at the left edge."; empty where none does.
     static QString cut(AimEdge edge);

@@ -61,7 +61,9 @@ QString CaptionGrammar::told(const PhotoView& view, Moment moment) const {
             told << person(one, alone, moment);
     if (!also.isEmpty())
         told << QString::fromUtf8(words_.named) + also;
-    if (alone)
+    const bool all_named = std::none_of(view.people.begin(), view.people.end(),
+                                        [](const PersonShown& one) { return one.name.isEmpty(); });
+    if (alone || (moment == Moment::now && all_named && !crowd))
         return told.join(QStringLiteral("; "));
     const QString all = one_after_another({count(view.people.size()), crowd ? smiles_on(view) : QString()});
     return told.isEmpty() ? all : all + ": " + told.join(QStringLiteral("; "));

@@ -51,7 +51,8 @@ protected:
     virtual QString list(const QStringList& names) const = 0; ///< "Anna, Tom, and Eva"
 
 private:
-    /// Of one who was just photographed it is also said that they are in the middle, and that their eyes are open.
+    /// Of one who was just photographed it is also said that they are in the middle, and that their eyes are open. Where all of
+    /// several are known, how many they are is not: their names come first.
     enum class Moment { past, now };
     QString told(const PhotoView& view, Moment moment) const;
     QString person(const PersonShown& person, bool alone, Moment moment) const;

@@ -418,12 +418,28 @@ private slots:
         QCOMPARE(watched.stare(two).advice, Advice::ready);
     }
 
-    void a_name_is_that_of_the_one_subject() {
-        AimFace anna = face_at(0.5, 0.45, 0.3);
-        anna.name = "Anna";
-        const AimFrame both = frame_of(0.0, {face_at(0.8, 0.4, 0.2), anna});
-        QCOMPARE(Watched(Aim::middle).stare(both).name, std::string("Anna"));
-        QCOMPARE(Watched(Aim::everybody).stare(both).name, std::string());
+    void whoever_is_known_is_named_in_the_order_in_which_they_came() {
+        using Names = std::vector<std::string>;
+        for (const Aim aim : {Aim::middle, Aim::everybody}) {
+            Watched watched(aim);
+            AimFace anna = face_at(0.3, 0.45, 0.2), ben = face_at(0.7, 0.4, 0.3);
+            QVERIFY(watched.stare(frame_of(0.0, {anna})).names.empty());
+            anna.name = "Anna";
+            QCOMPARE(watched.stare(frame_of(0.0, {anna})).names, Names{"Anna"});
+            QCOMPARE(watched.stare(frame_of(0.0, {ben, anna})).names, Names{"Anna"});
+            ben.name = "Ben";
+            const AimInstruction both = watched.stare(frame_of(0.0, {ben, anna}));
+            QCOMPARE(both.names, (Names{"Anna", "Ben"})); // though Ben is larger
+            QCOMPARE(both.faces, 2);
+        }
+    }
+
+    void nobody_is_named_twice() {
+        AimFace one = face_at(0.3, 0.45), other = face_at(0.7, 0.45);
+        one.name = other.name = "Anna";
+        const AimInstruction both = Watched(Aim::everybody).stare(frame_of(0.0, {one, other}));
+        QCOMPARE(both.names, std::vector<std::string>{"Anna"});
+        QCOMPARE(both.faces, 2);
     }
 
     void forgotten_is_as_at_first() {

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -196,6 +197,31 @@ private slots:
         QCOMPARE(eye.see(frame_of(photo, {}, 1.5)).faces.at(0).name, std::string());
         QCOMPARE(eye.see(frame_of(photo, {}, 2.1)).faces.at(0).name, std::string("Anna"));
         QCOMPARE(asked, 2);
+    }
+
+    void of_two_one_is_asked_at_a_time_and_each_in_turn() {
+        AimEye eye;
+        std::vector<double> asked;
+        eye.name_by([&asked](const cv::Mat&, const Face& face) {
+            asked.push_back(face.box.centre().x);
+            return std::string(face.box.centre().x < 640.0 ? "Anna" : "Ben");
+        });
+        const cv::Mat one = frame_of(anna(), {}, 0.0).pixels.colRange(320, 960);
+        CameraFrame both;
+        cv::hconcat(one, one, both.pixels);
+        std::set<std::string> names;
+        for (int i = 0; i < 2; ++i) {
+            both.time_s = 2.0 * AimEye::name_every_s * (i + 1);
+            const AimFrame seen = eye.see(both);
+            QCOMPARE(seen.faces.size(), std::size_t{2});
+            QCOMPARE(asked.size(), static_cast<std::size_t>(i + 1));
+            for (const AimFace& face : seen.faces)
+                if (!face.name.empty()) {
+                    QCOMPARE(face.name, std::string(face.box.centre().x < 0.5 ? "Anna" : "Ben"));
+                    names.insert(face.name);
+                }
+        }
+        QCOMPARE(names.size(), std::size_t{2});
     }
 
     void what_is_no_picture_has_only_a_time() {

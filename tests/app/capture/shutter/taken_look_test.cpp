@@ -54,6 +54,42 @@ private slots:
         QVERIFY(!told(seen, {{turned_back(seen.faces[0].part), "Tom"}}).contains("Tom at the right"));
     }
 
+    void two_who_are_known_are_both_named() {
+        TakenLook look;
+        const SeenPhoto seen =
+            look.see(*read_picture(test::in_source("resources/samples/ben_and_clara.jpg"))).seen;
+        QCOMPARE(seen.faces.size(), std::size_t{2});
+        const bool ben_first = seen.faces[0].part.min.x < seen.faces[1].part.min.x;
+        const NamedFace ben{seen.faces[ben_first ? 0 : 1].part, "Ben"},
+            clara{seen.faces[ben_first ? 1 : 0].part, "Clara"};
+        const QString both = told(seen, {ben, clara});
+        QVERIFY2(both.startsWith("Taken: Ben at the left") && both.contains("; Clara at the right"),
+                 qPrintable(both));
+        const QString one = told(seen, {clara});
+        QVERIFY2(one.startsWith("Taken: two people: one at the left") && one.contains("; Clara at the right"),
+                 qPrintable(one));
+    }
+
+    void the_album_names_everybody_whom_it_knows() {
+        NEEDS_PORTRAITS();
+        const auto portraits = portraits::held_out();
+        cv::Mat both;
+        std::vector<cv::Mat> halves;
+        const auto people = std::make_shared<KnownPeople>();
+        std::vector<NamedFaces> known;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const cv::Mat portrait = *read_picture(portraits[i].photo);
+            known.push_back(test::known_by(i == 0 ? "Mother" : "Aunt", portrait));
+            halves.push_back(view(portrait).colRange(320, 960).clone());
+        }
+        people->know(known);
+        cv::hconcat(halves, both);
+        TakenLook look(people);
+        const QString words = told(look.see(both));
+        QVERIFY2(words.startsWith("Taken: Mother at the left") && words.contains("; Aunt at the right"),
+                 qPrintable(words));
+    }
+
     void whom_the_album_knows_is_named_and_nobody_else() {
         NEEDS_PORTRAITS();
         const auto portraits = portraits::held_out();

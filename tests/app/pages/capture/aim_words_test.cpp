@@ -3,6 +3,7 @@
 #include "app/pages/capture/aim_cue.hpp"
 #include "app/pages/capture/aim_words.hpp"
 
+#include <QLocale>
 #include <QSet>
 #include <QTest>
 
@@ -32,6 +33,8 @@ class AimWordsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() { QLocale::setDefault(QLocale(QLocale::English)); }
+
     void every_instruction_has_words_of_its_own() {
         QSet<QString> all;
         int count = 0;
@@ -61,10 +64,26 @@ private slots:
         QCOMPARE(AimWords::people(instruction), QString());
         instruction.faces = 1;
         QVERIFY(AimWords::people(instruction).startsWith("1 face"));
-        instruction.name = "Anna";
+        instruction.names = {"Anna"};
         QCOMPARE(AimWords::people(instruction), QString("Anna."));
         instruction.faces = 3;
+        QVERIFY2(AimWords::people(instruction).startsWith("Anna and 2 more face"),
+                 qPrintable(AimWords::people(instruction)));
+        instruction.names.clear();
         QVERIFY(AimWords::people(instruction).startsWith("3 face"));
+    }
+
+    void two_are_named_and_of_many_no_more_than_three() {
+        AimInstruction instruction;
+        instruction.faces = 2;
+        instruction.names = {"Anna", "Ben"};
+        QCOMPARE(AimWords::people(instruction), QString("Anna and Ben."));
+        instruction.faces = 6;
+        instruction.names = {"Anna", "Ben", "Clara", "David", "Emma"};
+        const QString many = AimWords::people(instruction);
+        QVERIFY2(many.startsWith("Anna, Ben, Clara") && many.contains("3 more face") &&
+                     !many.contains("David"),
+                 qPrintable(many));
     }
 
     void the_tone_is_the_sonars() {

@@ -160,7 +160,7 @@ struct CaptureBench {
             const tp::Vec2 half(0.5 * size / frame.aspect, 0.5 * size);
             face.box = {middle - half, middle + half};
             face.brightness = 0.5;
-            face.name = name;
+            face.name = frame.faces.size() < names.size() ? names[frame.faces.size()] : std::string();
             frame.faces.push_back(face);
         }
         int heard = 0;
@@ -231,6 +231,6 @@ struct CaptureBench {
     }};
     FakeCamera* camera = nullptr; ///< the session's
     double time_s = 0.0;
-    std::string name; ///< of every face that is seen
+    std::vector<std::string> names; ///< of the faces that are seen, in their order, as far as they are known
     std::unique_ptr<tp::CaptureSession> session;
 };

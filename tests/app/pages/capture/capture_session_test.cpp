@@ -3,6 +3,7 @@
 // seen, and whoever has no camera hears why.
 #include "capture_bench.hpp"
 
+#include <QLocale>
 #include <QRegularExpression>
 #include <QSignalSpy>
 
@@ -20,6 +21,8 @@ class CaptureSessionTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() { QLocale::setDefault(QLocale(QLocale::English)); }
+
     void at_the_first_start_it_is_told_how_it_works() {
         CaptureBench bench{Choices()};
         bench.enter();
@@ -119,10 +122,34 @@ private slots:
         bench.voice.clear();
         bench.see_for(0.5, {at_the_right});
         QVERIFY2(bench.last_said().startsWith("1 face"), qPrintable(bench.last_said()));
-        bench.name = "Anna";
+        bench.names = {"Anna"};
         bench.see_for(3.0, {middle});
         QVERIFY2(bench.voice.said().filter(QRegularExpression("^Anna\\. ")).size() == 1,
                  qPrintable(bench.voice.said().join('|')));
+    }
+
+    void two_are_named_as_far_as_they_are_known_and_only_when_that_is_news() {
+        CaptureBench bench;
+        bench.session->choices()->chooseAim(static_cast<int>(Aim::everybody));
+        bench.enter();
+        bench.voice.clear();
+        const std::vector<Vec2> side_by_side{{0.1, 0.45}, {0.3, 0.45}};
+        bench.see_for(0.5, side_by_side);
+        QVERIFY2(bench.last_said().startsWith("2 face"), qPrintable(bench.last_said()));
+        bench.names = {"Anna"};
+        bench.see_for(3.0, side_by_side);
+        bench.names = {"Anna", "Ben"};
+        bench.see_for(8.0, side_by_side);
+        const QStringList said = bench.voice.said();
+        const auto count = [&](const QString& begin) {
+            return said.filter(QRegularExpression('^' + begin)).size();
+        };
+        QVERIFY2(count("Anna and 1 more face") == 1 && count("Anna and Ben\\. ") == 1 && count("2 face") == 1,
+                 qPrintable(said.join('|')));
+        QVERIFY2(said.size() > 3 && !said.back().contains("Anna"), qPrintable(said.join('|')));
+        bench.voice.clear();
+        bench.session->tellAll();
+        QVERIFY2(bench.last_said().startsWith("Anna and Ben. "), qPrintable(bench.last_said()));
     }
 
     void who_asks_hears_who_is_seen_and_what_to_do() {

@@ -142,6 +142,12 @@ private slots:
             taken_words(view, QLocale::English),
             QString("Taken: two people: one at the left, eyes shut; Tom at the right, cut off by the edge. "
                     "Blurred, against a bright background."));
+        view.people[0].name = "Anna";
+        QVERIFY2(
+            taken_words(view, QLocale::English)
+                .startsWith("Taken: Anna at the left, eyes shut; Tom at the right, cut off by the edge. "),
+            qPrintable(taken_words(view, QLocale::English)));
+        QVERIFY(full_description(view, QLocale::English).startsWith("Two people: Anna"));
         QCOMPARE(taken_words(looked_at(), QLocale::English), QString("Taken: no faces."));
         QCOMPARE(taken_words(looked_at(), QLocale::German), QString("Aufgenommen: keine Gesichter."));
     }

@@ -26,7 +26,7 @@ SonifiedGuide::SonifiedGuide(SoundOutput& output, Vibration& vibration, QObject*
 
 void SonifiedGuide::sound(const SonarCue& cue) {
     if (cue.steady() && !on_line_)
-        vibration_.pulse(line_strength, bump_ms);
+        pulse(line_strength);
     on_line_ = cue.steady();
     sounds_ = true;
     if (stream_ != nullptr && !stream_->ended()) {
@@ -49,6 +49,8 @@ void SonifiedGuide::silence() {
     vibration_.stop();
 }
 
-void SonifiedGuide::bump() { vibration_.pulse(bump_strength, bump_ms); }
+void SonifiedGuide::bump() { pulse(bump_strength); }
+
+void SonifiedGuide::pulse(double strength) { vibration_.pulse(strength, bump_ms); }
 
 } // namespace tp

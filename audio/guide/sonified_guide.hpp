@@ -26,6 +26,8 @@ public:
     bool sounds() const { return sounds_; }
     /// The finger has passed over a line: felt, where there is a motor.
     void bump();
+    /// One short pulse of this strength, 0 … 1, beside what sounds.
+    void pulse(double strength);
 
 private:
     SoundOutput& output_;

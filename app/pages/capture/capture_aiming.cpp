@@ -28,6 +28,7 @@ void CaptureAiming::begin(HeldCamera held) {
     good_ = hushed_ = unsaid_ = taken_ = false;
     whole_ = true;
     people_.clear();
+    pulses_.forget();
     emit changed();
 }
 
@@ -90,12 +91,16 @@ void CaptureAiming::say(const AimInstruction& instruction) {
 }
 
 void CaptureAiming::hear(const AimTone& tone) {
-    if (hushed_ || !tone.sounds || !choices_.tone())
+    if (hushed_ || !tone.sounds || !choices_.tone()) {
+        pulses_.forget();
         return guide_.silence();
+    }
     AimTone heard = tone;
     if (teller_.speaking())
         heard.gain = std::min(heard.gain, gain_under_words);
     guide_.sound(aim_cue(heard, good_since_ ? (now_s_ - *good_since_) / good_for_s : 0.0));
+    if (const auto strength = pulses_.due(tone, now_s_))
+        guide_.pulse(*strength);
 }
 
 void CaptureAiming::tell_all() {

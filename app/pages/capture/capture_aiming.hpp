@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/pages/capture/aim_pulses.hpp"
 #include "app/pages/capture/capture_choices.hpp"
 #include "app/pages/capture/capture_teller.hpp"
 #include "audio/guide/sonified_guide.hpp"
@@ -14,7 +15,8 @@
 
 namespace tp {
 
-/// Leads the hand: of each frame one instruction, said where nothing else is being said, and a tone.
+/// Leads the hand: of each frame one instruction, said where nothing else is being said, and a tone, which is also felt where
+/// there is a motor.
 class CaptureAiming final : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -57,6 +59,7 @@ private:
     CaptureTeller& teller_;
     SonifiedGuide& guide_;
     Aiming aiming_;
+    AimPulses pulses_;
     Aim aim_;
     std::optional<AimInstruction> now_;
     bool good_ = false;

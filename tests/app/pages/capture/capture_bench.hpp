@@ -6,6 +6,7 @@
 #include "audio/speech/recording_voice.hpp"
 #include "fake_loudspeaker.hpp"
 #include "fake_microphone.hpp"
+#include "recording_vibration.hpp"
 #include "sound_files.hpp"
 
 #include <QDir>
@@ -214,7 +215,7 @@ struct CaptureBench {
     tp::Narrator narrator{voice, announcer};
     tp::testing::FakeLoudspeaker earcon_speaker, guide_speaker;
     tp::EarconPlayer earcons{earcon_speaker};
-    tp::NoVibration vibration;
+    tp::testing::RecordingVibration vibration;
     tp::SonifiedGuide guide{guide_speaker, vibration};
     tp::Preferences preferences;
     std::atomic<tp::testing::FakeMicrophone*> microphone{nullptr}; ///< on the recorder's thread

@@ -182,6 +182,14 @@
         <source>Everybody in view</source>
         <translation>Alle im Bild</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more face(s)</source>
+        <comment>at the end of a list of names</comment>
+        <translation>
+            <numerusform>%n weiteres Gesicht</numerusform>
+            <numerusform>%n weitere Gesichter</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>BrowseButtons</name>
@@ -4316,6 +4324,34 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>there is something behind its end.</source>
         <translation>hinter ihrem Ende steht noch etwas.</translation>
+    </message>
+    <message>
+        <source>The video &quot;%1&quot; cannot be played: %2</source>
+        <translation>Das Video „%1“ kann nicht abgespielt werden: %2</translation>
+    </message>
+    <message>
+        <source>it has no pictures.</source>
+        <translation>Es sind keine Bilder darin.</translation>
+    </message>
+    <message>
+        <source>its pictures are of a kind that cannot be decoded here (%1).</source>
+        <translation>Die Bilder sind von einer Art, die hier nicht decodiert werden kann (%1).</translation>
+    </message>
+    <message>
+        <source>its pictures cannot be decoded.</source>
+        <translation>Die Bilder können nicht decodiert werden.</translation>
+    </message>
+    <message>
+        <source>its pictures cannot be decoded: decoding them broke off. It may be damaged.</source>
+        <translation>Die Bilder können nicht decodiert werden: Das Decodieren brach ab. Vielleicht ist das Video beschädigt.</translation>
+    </message>
+    <message>
+        <source>its pictures take too long to decode.</source>
+        <translation>Das Decodieren der Bilder dauert zu lange.</translation>
+    </message>
+    <message>
+        <source>nothing of its pictures can be decoded.</source>
+        <translation>Keines der Bilder kann decodiert werden.</translation>
     </message>
 </context>
 <context>

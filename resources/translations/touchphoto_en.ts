@@ -10,6 +10,14 @@
             <numerusform>%n faces.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n more face(s)</source>
+        <comment>at the end of a list of names</comment>
+        <translation>
+            <numerusform>%n more face</numerusform>
+            <numerusform>%n more faces</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CareWords</name>

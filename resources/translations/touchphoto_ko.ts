@@ -181,6 +181,13 @@
         <source>Everybody in view</source>
         <translation>모두 들어오게</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more face(s)</source>
+        <comment>at the end of a list of names</comment>
+        <translation>
+            <numerusform>다른 얼굴 %n개</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>BrowseButtons</name>
@@ -4294,6 +4301,34 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>there is something behind its end.</source>
         <translation>끝난 뒤에 다른 내용이 있습니다.</translation>
+    </message>
+    <message>
+        <source>The video &quot;%1&quot; cannot be played: %2</source>
+        <translation>동영상 “%1”: 재생할 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>it has no pictures.</source>
+        <translation>화면이 없습니다.</translation>
+    </message>
+    <message>
+        <source>its pictures are of a kind that cannot be decoded here (%1).</source>
+        <translation>여기서 디코딩할 수 없는 종류의 화면입니다(%1).</translation>
+    </message>
+    <message>
+        <source>its pictures cannot be decoded.</source>
+        <translation>화면을 디코딩할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>its pictures cannot be decoded: decoding them broke off. It may be damaged.</source>
+        <translation>화면을 디코딩할 수 없습니다. 디코딩이 중단되었습니다. 손상되었을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>its pictures take too long to decode.</source>
+        <translation>화면을 디코딩하는 데 시간이 너무 오래 걸립니다.</translation>
+    </message>
+    <message>
+        <source>nothing of its pictures can be decoded.</source>
+        <translation>화면을 하나도 디코딩할 수 없습니다.</translation>
     </message>
 </context>
 <context>

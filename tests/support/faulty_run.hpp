@@ -7,8 +7,13 @@
 #include <QString>
 #include <QStringList>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <random>
+#include <vector>
 
 namespace tp::test {
 
@@ -36,5 +41,24 @@ inline long calls_in(const std::filesystem::path& count) {
     std::ifstream(count) >> calls;
     return calls;
 }
+
+/// Faults of these kinds by turns, each at a random one of so many calls; as many as TP_MOMENTS in the environment says, and
+/// `usually` without it. The same seed gives the same ones.
+inline std::vector<QByteArray> random_faults(int usually, long calls, const std::vector<QByteArray>& kinds,
+                                             std::uint32_t seed) {
+    const int count = std::max(1, qEnvironmentVariable("TP_MOMENTS", QString::number(usually)).toInt());
+    std::mt19937 random(seed);
+    std::vector<QByteArray> faults;
+    for (int i = 0; i < count; ++i) {
+        const long at = 1 + static_cast<long>(random() % static_cast<unsigned long>(calls));
+        faults.push_back(kinds[static_cast<std::size_t>(i) % kinds.size()] +
+                         QByteArray::number(qlonglong{at}));
+    }
+    return faults;
+}
+
+/// A kill at three in seven, half a write at one, a disk that fails from then on at three.
+inline const std::vector<QByteArray> mostly_kills{"kill@",   "kill@", "kill@", "half@",
+                                                  "ENOSPC@", "EIO@",  "EROFS@"};
 
 } // namespace tp::test

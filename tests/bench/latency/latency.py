@@ -163,6 +163,29 @@ class Bench:
         return [(middle[0] + dx, middle[1] + dy) for dx, dy in ((0, 0), (40, 20), (-40, 30), (20, -40), (-30, -30))]
 
 
+    # --- the camera ---
+
+    def camera(self):
+        """The page's own words begin the moment it opens; the camera comes after them."""
+        first, again = [], []
+        for _ in range(self.rounds):
+            speech = sound_server.Speech()
+            _, running = self.started("program", "--camera", "simulated:" + self.album.photos[0], capture_told=True)
+            self.gate.heard(True)  # of the start page
+            for times in (first, again, again):
+                self.gate.await_silence(1.0)
+                self.gate.listen()
+                pressed = self.screen.press("6")
+                heard = self.gate.heard(True)
+                times.append(heard and heard - pressed)
+                self.screen.press("Alt_L+Home")
+                self.gate.await_silence(1.0)
+            self.end(running)
+            speech.end()
+        row("key to the first word of the camera's page, opened first", 1000, first)
+        row("key to the first word of the camera's page, again", 1000, again)
+
+
 def inner(program, lab, rounds, photos):
     with tempfile.TemporaryDirectory() as folder, desk.Desk():
         server = sound_server.Server(folder)
@@ -171,7 +194,7 @@ def inner(program, lab, rounds, photos):
             album.run("person", "name", "--face", "0.5,0.4,0.4,0.5", album.photos[0], "Anna")
             bench = Bench(program, folder, album, rounds)
             print("| from … to | goal, ms | median | 95 % | longest | times |\n| --- | --: | --: | --: | --: | --: |")
-            parts = os.environ.get("TOUCHPHOTO_LATENCY", "start pages finger").split()
+            parts = os.environ.get("TOUCHPHOTO_LATENCY", "start pages finger camera").split()
             if "start" in parts:
                 bench.start("", speech_server=True)
                 bench.start(", speech server not running", speech_server=False)
@@ -179,6 +202,8 @@ def inner(program, lab, rounds, photos):
                 bench.pages()
             if "finger" in parts:
                 bench.finger()
+            if "camera" in parts:
+                bench.camera()
             return 0
         finally:
             server.end()

@@ -18,7 +18,6 @@
 #include <QTest>
 
 #include <algorithm>
-#include <random>
 #include <set>
 
 using namespace tp;
@@ -237,26 +236,21 @@ private slots:
     }
 
     void nothing_acknowledged_is_lost() {
-        const int moments = std::max(1, qEnvironmentVariable("TP_MOMENTS", "100").toInt());
         long calls = 0;
         {
             Scene scene;
             scene.run("none@1", &calls);
         }
-        std::mt19937 random(20261121);
-        const std::vector<QByteArray> faults{"kill@", "kill@", "kill@", "half@", "ENOSPC@", "EIO@", "EROFS@"};
-        int cut_off = 0;
-        for (int i = 0; i < moments; ++i) {
-            const long at = 1 + static_cast<long>(random() % static_cast<unsigned long>(calls));
-            const QByteArray fault =
-                faults[static_cast<std::size_t>(i) % faults.size()] + QByteArray::number(qlonglong{at});
+        const std::vector<QByteArray> faults = test::random_faults(100, calls, test::mostly_kills, 20261121);
+        std::size_t cut_off = 0;
+        for (const QByteArray& fault : faults) {
             Scene scene;
             const Told told = scene.run(fault);
             cut_off += !told.last_try.empty();
             const std::string wrong = wrong_with(scene, told);
             QVERIFY2(wrong.empty(), (fault.toStdString() + " while " + told.last_try + ": " + wrong).c_str());
         }
-        QVERIFY2(cut_off >= moments / 3, "the faults did not reach the process");
+        QVERIFY2(cut_off >= faults.size() / 3, "the faults did not reach the process");
     }
 };
 

@@ -12,10 +12,8 @@
 
 #include <QTest>
 
-#include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -141,26 +139,21 @@ private slots:
     }
 
     void nothing_acknowledged_is_lost() {
-        const int moments = std::max(1, qEnvironmentVariable("TP_MOMENTS", "60").toInt());
         long calls = 0;
         {
             Scene scene;
             scene.run("none@1", &calls);
         }
-        std::mt19937 random(20261126);
-        const std::vector<QByteArray> faults{"kill@", "kill@", "kill@", "half@", "ENOSPC@", "EIO@", "EROFS@"};
-        int cut_off = 0;
-        for (int i = 0; i < moments; ++i) {
-            const long at = 1 + static_cast<long>(random() % static_cast<unsigned long>(calls));
-            const QByteArray fault =
-                faults[static_cast<std::size_t>(i) % faults.size()] + QByteArray::number(qlonglong{at});
+        const std::vector<QByteArray> faults = test::random_faults(60, calls, test::mostly_kills, 20261126);
+        std::size_t cut_off = 0;
+        for (const QByteArray& fault : faults) {
             Scene scene;
             const Told told = scene.run(fault);
             cut_off += !told.ended;
             const std::string wrong = wrong_with(scene, told);
             QVERIFY2(wrong.empty(), (fault.toStdString() + ": " + wrong).c_str());
         }
-        QVERIFY2(cut_off >= moments / 3, "the faults did not reach the process");
+        QVERIFY2(cut_off >= faults.size() / 3, "the faults did not reach the process");
     }
 };
 

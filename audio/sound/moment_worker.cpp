@@ -19,12 +19,6 @@ namespace {
 
 constexpr std::size_t frames_in(double seconds) { return static_cast<std::size_t>(seconds * sound_rate); }
 
-/// ISO 8601 with its offset; empty where the time is not known.
-std::string time_text(const QDateTime& time) {
-    return time.isValid() ? time.toOffsetFromUtc(time.offsetFromUtc()).toString(Qt::ISODate).toStdString()
-                          : std::string();
-}
-
 } // namespace
 
 MomentWorker::MomentWorker(MakeInput make_input, FreeBytes free)

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/sound/recorder.hpp"
 
+#include "audio/sound/sound_words.hpp"
 #include "audio/sound/system_microphone.hpp"
+
+#include <QDateTime>
 
 #include <utility>
 
@@ -44,7 +47,10 @@ void Recorder::ask(Call call) {
 }
 
 void Recorder::start(const RecordingPlan& plan) {
-    ask([plan](RecorderWorker& worker) { worker.start(plan); });
+    RecordingPlan now = plan;
+    if (now.notes.label.recorded.empty())
+        now.notes.label.recorded = time_text(QDateTime::currentDateTime());
+    ask([now](RecorderWorker& worker) { worker.start(now); });
 }
 
 void Recorder::pause() {

@@ -28,7 +28,7 @@ public:
     double rms_dbfs() const { return rms_dbfs_; }
     double peak_dbfs() const { return peak_dbfs_; }
 
-    /// Only while idle.
+    /// Only while idle. A plan that does not say when it was recorded is recorded now.
     void start(const RecordingPlan& plan);
     void pause();
     void go_on();

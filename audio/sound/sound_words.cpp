@@ -43,4 +43,9 @@ QString duration_words(double seconds) {
     return parts.join(' ');
 }
 
+std::string time_text(const QDateTime& time) {
+    return time.isValid() ? time.toOffsetFromUtc(time.offsetFromUtc()).toString(Qt::ISODate).toStdString()
+                          : std::string();
+}
+
 } // namespace tp

@@ -3,21 +3,10 @@
 
 #include "app/album/keeper/photo_files.hpp"
 
-#include <QDateTime>
-
 #include <string>
 #include <utility>
 
 namespace tp {
-
-namespace {
-
-std::string now_with_offset() {
-    const QDateTime now = QDateTime::currentDateTime();
-    return now.toOffsetFromUtc(now.offsetFromUtc()).toString(Qt::ISODate).toStdString();
-}
-
-} // namespace
 
 CaptureMemo::CaptureMemo(CaptureAlbum& album, Recorder& recorder, CaptureTeller& teller)
     : album_(album), recorder_(recorder), teller_(teller) {
@@ -52,7 +41,6 @@ void CaptureMemo::start(const std::filesystem::path& photo, const QString& langu
     plan.folder = tags_folder(photo);
     plan.notes.label.kind = RecordingKind::memo;
     plan.notes.label.language = language.toStdString();
-    plan.notes.label.recorded = now_with_offset();
     recorder_.start(plan);
     emit changed();
 }

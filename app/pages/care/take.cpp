@@ -5,8 +5,6 @@
 #include "app/album/metadata/read_record.hpp"
 #include "app/pages/care/care_words.hpp"
 
-#include <QDateTime>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -19,11 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double quietest_shown_dbfs = -60.0;
-
-std::string now_with_offset() {
-    const QDateTime now = QDateTime::currentDateTime();
-    return now.toOffsetFromUtc(now.offsetFromUtc()).toString(Qt::ISODate).toStdString();
-}
 
 /// Lists the new recording; in place of another one it takes its place in the order, and the other goes to the trash.
 std::string list_take(AlbumKeeper& keeper, const fs::path& photo, const std::string& file, const std::string& instead_of) {
@@ -129,6 +122,7 @@ void Take::startAgain() {
         return;
     RecordingLabel label = old->label;
     label.transcript.clear(); // of other words
+    label.recorded.clear();   // and of another time
     begin(label, old->file);
 }
 
@@ -152,7 +146,6 @@ void Take::begin(const RecordingLabel& label, const std::string& instead_of) {
     RecordingPlan plan;
     plan.folder = tags_folder(place_.photo);
     plan.notes.label = label;
-    plan.notes.label.recorded = now_with_offset();
     recorder_.start(plan);
     emit changed();
     emit timeChanged();

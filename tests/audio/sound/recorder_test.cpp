@@ -8,6 +8,7 @@
 #include "fake_microphone.hpp"
 #include "sound_files.hpp"
 
+#include <QDateTime>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -300,6 +301,11 @@ private slots:
         recorder.finish();
         QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, 60000);
         QCOMPARE(recorder.state(), State::idle);
+        const auto about = about_recording(done.last().at(0).value<FinishedRecording>().file);
+        QVERIFY(about);
+        const QString recorded = QString::fromStdString(about->notes.label.recorded); // now, with its offset
+        QVERIFY2(QDateTime::fromString(recorded, Qt::ISODate).isValid() && recorded.size() >= 20,
+                 qPrintable(recorded));
         recorder.start(plan); // and is destroyed meanwhile
     }
 };

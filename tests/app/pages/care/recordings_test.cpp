@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "album_parts.hpp"
 #include "care_bench.hpp"
 
 #include "app/album/keeper/photo_files.hpp"
@@ -286,6 +287,24 @@ private slots:
         QCOMPARE(bench.list().chosen_tag()->duration_s, 3.0);
         QVERIFY(!fs::exists(tags_folder(bench.photo("a.jpg")) / bench.story));
         QVERIFY(bench.album->keeper_for(bench.photo("a.jpg")).is_in_trash(bench.photo("a.jpg"), bench.story));
+    }
+
+    void what_is_recorded_again_is_of_now() {
+        CareBench bench({"a.jpg"});
+        RecordingLabel old{RecordingKind::story, {}, {}, {}, {}, {}};
+        old.recorded = "2020-05-01T10:00:00+02:00";
+        const auto sound = a_sound(bench.folder, "sounds/old.wav", 1.0, 500.0);
+        QVERIFY(bench.album->keeper_for(bench.photo("a.jpg")).add_recording(bench.photo("a.jpg"), sound, old));
+        bench.open("a.jpg");
+        bench.session->recordings()->choose(0);
+        QCOMPARE(bench.session->recordings()->chosen_tag()->label.recorded, old.recorded);
+        bench.session->take()->startAgain();
+        bench.hear(1.0);
+        bench.session->take()->finish();
+        CARE_TRY_VERIFY(!bench.session->take()->running());
+        QVERIFY(bench.rests());
+        const RecordingLabel& label = bench.session->recordings()->chosen_tag()->label;
+        QVERIFY2(label.recorded > old.recorded, label.recorded.c_str());
     }
 
     void a_take_belongs_to_the_photograph_that_it_was_begun_for() {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "album_parts.hpp"
-#include "care_bench.hpp"
-
 #include "app/album/keeper/photo_files.hpp"
+#include "care_bench.hpp"
 
 #include <QSignalSpy>
 
@@ -294,7 +293,8 @@ private slots:
         RecordingLabel old{RecordingKind::story, {}, {}, {}, {}, {}};
         old.recorded = "2020-05-01T10:00:00+02:00";
         const auto sound = a_sound(bench.folder, "sounds/old.wav", 1.0, 500.0);
-        QVERIFY(bench.album->keeper_for(bench.photo("a.jpg")).add_recording(bench.photo("a.jpg"), sound, old));
+        QVERIFY(
+            bench.album->keeper_for(bench.photo("a.jpg")).add_recording(bench.photo("a.jpg"), sound, old));
         bench.open("a.jpg");
         bench.session->recordings()->choose(0);
         QCOMPARE(bench.session->recordings()->chosen_tag()->label.recorded, old.recorded);

@@ -1,50 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/growing_file.hpp"
 
-#include "core/base/descriptor_posix.hpp"
 #include "core/base/result.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/open_file.hpp"
 
 #include <cerrno>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <optional>
 
 namespace tp {
 
 namespace {
 
-Result<std::uintmax_t> size_of(const Descriptor& file) {
-    struct stat about {};
-    if (!file.ok() || ::fstat(file.number(), &about) != 0)
+Result<std::uintmax_t> size_of(const OpenFile& file) {
+    const auto facts = file.ok() ? file.facts() : std::nullopt;
+    if (!facts)
         return errno == ENOENT ? Error{"it is gone."} : Error{reason_of(errno)};
-    if (!S_ISREG(about.st_mode))
+    if (facts->kind != FileFacts::Kind::file)
         return Error{"it is not a file."};
-    return static_cast<std::uintmax_t>(about.st_size);
+    return std::uintmax_t{facts->bytes};
 }
 
 /// 0, or the system's error.
-int written(const Descriptor& file, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(file.number(), bytes.data(), bytes.size());
-        if (count < 0 && errno != EINTR)
-            return errno;
-        if (count > 0)
-            bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return ::fsync(file.number()) == 0 ? 0 : errno;
+int written(OpenFile& file, std::string_view bytes) {
+    const Written written = file.write(bytes);
+    return written.error != 0 ? written.error : file.to_disk();
 }
 
-int cut(const Descriptor& file, std::uintmax_t size) {
-    if (::ftruncate(file.number(), static_cast<off_t>(size)) != 0 || ::fsync(file.number()) != 0)
-        return errno;
-    return 0;
+int cut(OpenFile& file, std::uintmax_t size) {
+    const int error = file.cut(size);
+    return error != 0 ? error : file.to_disk();
 }
 
 } // namespace
 
 std::string append_to_file(const std::filesystem::path& path, std::uintmax_t size, std::string_view bytes) {
-    const Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK));
+    OpenFile file(path, {.read = false, .write = true, .at_end = true});
     const auto is = size_of(file);
     if (!is)
         return is.error();
@@ -58,7 +49,7 @@ std::string append_to_file(const std::filesystem::path& path, std::uintmax_t siz
 }
 
 std::string cut_file(const std::filesystem::path& path, std::uintmax_t size) {
-    const Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK));
+    OpenFile file(path, {.read = false, .write = true});
     const auto is = size_of(file);
     if (!is)
         return is.error();

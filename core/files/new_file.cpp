@@ -2,18 +2,15 @@
 #include "core/files/new_file.hpp"
 
 #include "core/files/durable_file.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <cstdio>
-#include <fcntl.h>
 #include <mutex>
 #include <string>
-#include <sys/stat.h>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -31,7 +28,7 @@ constexpr int most_links = 40;  // as the system itself follows
 /// A name that nobody else has, and short, however long the file's is.
 fs::path temporary_beside(const fs::path& file) {
     static std::atomic<unsigned> counter{0};
-    return file.parent_path() / (std::string(temporary_start) + std::to_string(::getpid()) + "-" +
+    return file.parent_path() / (std::string(temporary_start) + std::to_string(this_process()) + "-" +
                                  std::to_string(counter++) + std::string(temporary_end));
 }
 
@@ -44,23 +41,6 @@ Result<fs::path> end_of_links(fs::path place) {
         place = place.parent_path() / fs::read_symlink(place, error);
     }
     return Error{reason_of(ELOOP)};
-}
-
-/// Gives `from` the name `to` where no file has it; 0, or the system's error.
-int rename_to_free(const fs::path& from, const fs::path& to) {
-    if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0)
-        return 0;
-    if (errno != EINVAL && errno != ENOSYS)
-        return errno;
-    if (::link(from.c_str(), to.c_str()) != 0) // a file system without that flag
-        return errno;
-    ::unlink(from.c_str());
-    return 0;
-}
-
-/// Gives `from` the name `to`; 0, or the system's error.
-int rename_over(const fs::path& from, const fs::path& to) {
-    return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
 /// The temporary names that this process has given and not yet taken back.
@@ -78,7 +58,7 @@ public:
     void drop(const fs::path& file) { std::erase(files_, file); }
     void remove_all() const noexcept {
         for (const fs::path& file : files_)
-            ::unlink(file.c_str());
+            remove_name(file);
     }
 
 private:
@@ -100,54 +80,44 @@ Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
     if (!fs::is_directory(folder, error) && error != std::errc::permission_denied)
         return Error{"there is no folder " + quoted(folder) + "."};
 
-    const unsigned mode = readers == Readers::owner_only ? 0600 : 0666;
     for (int tries = 0; tries < most_tries; ++tries) {
         fs::path temporary = temporary_beside(target);
         const auto held = Unfinished::all().hold();
-        const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        if (file < 0 && errno == EEXIST)
+        OpenFile file(temporary,
+                      {.read = false, .write = true, .make = true, .only_new = true, .readers = readers});
+        if (!file.ok() && errno == EEXIST)
             continue;
-        if (file < 0)
+        if (!file.ok())
             return Error{reason_of(errno)};
-        struct stat before {};
-        if (::stat(target.c_str(), &before) ==
-            0) // where that cannot be kept, the file is still worth writing
-            static_cast<void>(::fchmod(file, before.st_mode & 0777u));
+        file.give_readers_of(target);
         Unfinished::all().add(temporary);
-        return NewFile(target, target != place, std::move(temporary), file);
+        return NewFile(target, target != place, std::move(temporary), std::move(file));
     }
     return Error{"files that an earlier program left behind are in the way."};
 }
 
 NewFile::NewFile(NewFile&& other) noexcept
     : place_(std::move(other.place_)), linked_(other.linked_),
-      temporary_(std::exchange(other.temporary_, {})), descriptor_(std::exchange(other.descriptor_, -1)) {}
+      temporary_(std::exchange(other.temporary_, {})), file_(std::move(other.file_)) {}
 
 NewFile::~NewFile() {
-    if (descriptor_ >= 0)
-        ::close(descriptor_);
+    file_.close();
     if (temporary_.empty())
         return;
     const auto held = Unfinished::all().hold();
-    ::unlink(temporary_.c_str());
+    remove_name(temporary_);
     Unfinished::all().drop(temporary_);
 }
 
 std::string NewFile::write(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR)
-            return reason_of(errno);
-        if (written > 0)
-            bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return {};
+    const Written written = file_.write(bytes);
+    return written.error == 0 ? std::string{} : reason_of(written.error);
 }
 
 std::string NewFile::take_place(Existing existing) {
-    // fsync of any descriptor brings to the disk what others wrote to the file
-    if (::fsync(descriptor_) != 0)
-        return reason_of(errno);
+    // what others wrote to the file, too
+    if (const int error = file_.to_disk(); error != 0)
+        return reason_of(error);
     auto held = Unfinished::all().hold();
     bool swapped = false;
     int renamed = 0;
@@ -159,9 +129,10 @@ std::string NewFile::take_place(Existing existing) {
         renamed = linked_ ? EEXIST : rename_to_free(temporary_, place_);
         break;
     case Existing::swapped:
-        swapped = ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0;
-        if (!swapped)
-            renamed = errno == EINVAL || errno == ENOSYS ? rename_over(temporary_, place_) : errno;
+        renamed = swap_names(temporary_, place_);
+        swapped = renamed == 0;
+        if (renamed == EINVAL || renamed == ENOSYS)
+            renamed = rename_over(temporary_, place_);
         break;
     }
     if (renamed != 0)

@@ -2,18 +2,14 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/files/open_file.hpp"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace tp {
-
-/// Who may read a file that is made new. A file that is replaced keeps what it had.
-enum class Readers {
-    as_usual,   ///< as the person's other files (the process's umask)
-    owner_only, ///< 0600: what nobody else on this machine may see or hear
-};
 
 /// What happens to a file that has the name already.
 enum class Existing {
@@ -50,14 +46,14 @@ public:
     static void give_up_all();
 
 private:
-    NewFile(std::filesystem::path place, bool linked, std::filesystem::path temporary, int descriptor)
+    NewFile(std::filesystem::path place, bool linked, std::filesystem::path temporary, OpenFile file)
         : place_(std::move(place)), linked_(linked), temporary_(std::move(temporary)),
-          descriptor_(descriptor) {}
+          file_(std::move(file)) {}
 
     std::filesystem::path place_;
     bool linked_ = false; ///< a link has the name, and leads there
     std::filesystem::path temporary_;
-    int descriptor_ = -1;
+    OpenFile file_;
 };
 
 /// Whether a file of this name is one that `NewFile` was writing; in a folder that nothing writes to, a power

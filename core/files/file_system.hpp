@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/files/open_file.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace tp {
+
+// What the system does with names of files, for the rest of this room and for who must tell its errors apart. What others need
+// is in durable_file.hpp and new_file.hpp. Those that return a number return 0, or the system's `errno`.
+
+/// Of what the name leads to, be it by links; none, and `errno`, where it leads to nothing.
+std::optional<FileFacts> facts_of(const std::filesystem::path& file);
+/// Of what has the name, be it a link.
+std::optional<FileFacts> facts_of_name(const std::filesystem::path& file);
+
+/// Gives a file another name, which whatever had it loses.
+int rename_over(const std::filesystem::path& from, const std::filesystem::path& to);
+/// Gives a file another name that nothing has; EEXIST otherwise.
+int rename_to_free(const std::filesystem::path& from, const std::filesystem::path& to);
+/// The same of a file or folder; where the file system cannot do that in one step, a name that is taken meanwhile is lost.
+int move_to_free(const std::filesystem::path& from, const std::filesystem::path& to);
+/// Each file has the other's name from then on; EINVAL or ENOSYS where that cannot be done in one step.
+int swap_names(const std::filesystem::path& one, const std::filesystem::path& other);
+int remove_name(const std::filesystem::path& file) noexcept;
+
+/// EEXIST where something has the name.
+int make_directory(const std::filesystem::path& folder, Readers readers);
+/// Brings a folder's names to the disk; 0 too where its file system does that by itself, or cannot.
+int names_to_disk(const std::filesystem::path& folder);
+/// The times of `from` become those of `to`.
+int copy_times(const OpenFile& from, const std::filesystem::path& to);
+
+/// The number of this process, which no other on this machine has while it runs.
+long this_process();
+bool process_lives(long number);
+
+} // namespace tp

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/files/facts_posix.hpp"
+#include "core/files/file_system.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+enum class Rename { to_free, swap };
+
+/// 0, or the system's error: EINVAL or ENOSYS where it, or the file system, knows no such renaming.
+int renamed(const fs::path& from, const fs::path& to, Rename how) {
+#if defined(__linux__)
+    const unsigned flag = how == Rename::swap ? RENAME_EXCHANGE : RENAME_NOREPLACE;
+    return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flag) == 0 ? 0 : errno;
+#elif defined(__APPLE__)
+    const unsigned flag = how == Rename::swap ? RENAME_SWAP : RENAME_EXCL;
+    const int error = ::renamex_np(from.c_str(), to.c_str(), flag) == 0 ? 0 : errno;
+    return error == ENOTSUP ? ENOSYS : error;
+#else
+    static_cast<void>(from), static_cast<void>(to), static_cast<void>(how);
+    return ENOSYS;
+#endif
+}
+
+bool unknown(int error) { return error == EINVAL || error == ENOSYS; }
+
+} // namespace
+
+std::optional<FileFacts> facts_of(const fs::path& file) {
+    struct stat about {};
+    if (::stat(file.c_str(), &about) != 0)
+        return std::nullopt;
+    return facts_from(about);
+}
+
+std::optional<FileFacts> facts_of_name(const fs::path& file) {
+    struct stat about {};
+    if (::lstat(file.c_str(), &about) != 0)
+        return std::nullopt;
+    return facts_from(about);
+}
+
+int rename_over(const fs::path& from, const fs::path& to) {
+    return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
+int rename_to_free(const fs::path& from, const fs::path& to) {
+    const int error = renamed(from, to, Rename::to_free);
+    if (!unknown(error))
+        return error;
+    if (::link(from.c_str(), to.c_str()) != 0)
+        return errno;
+    ::unlink(from.c_str());
+    return 0;
+}
+
+int move_to_free(const fs::path& from, const fs::path& to) {
+    const int error = renamed(from, to, Rename::to_free);
+    if (!unknown(error))
+        return error;
+    return facts_of_name(to) ? EEXIST : rename_over(from, to);
+}
+
+int swap_names(const fs::path& one, const fs::path& other) { return renamed(one, other, Rename::swap); }
+
+int remove_name(const fs::path& file) noexcept { return ::unlink(file.c_str()) == 0 ? 0 : errno; }
+
+int make_directory(const fs::path& folder, Readers readers) {
+    return ::mkdir(folder.c_str(), readers == Readers::owner_only ? 0700 : 0777) == 0 ? 0 : errno;
+}
+
+int names_to_disk(const fs::path& folder) {
+    const OpenFile directory(
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!directory.ok()) // one that may be written to and not read
+        return errno == EACCES ? 0 : errno;
+    const int error = directory.to_disk();
+    return error == EINVAL || error == EROFS ? 0 : error;
+}
+
+int copy_times(const OpenFile& from, const fs::path& to) {
+    struct stat about {};
+    if (::fstat(from.number(), &about) != 0)
+        return errno;
+#if defined(__APPLE__)
+    const std::array<timespec, 2> times{about.st_atimespec, about.st_mtimespec};
+#else
+    const std::array<timespec, 2> times{about.st_atim, about.st_mtim};
+#endif
+    return ::utimensat(AT_FDCWD, to.c_str(), times.data(), 0) == 0 ? 0 : errno;
+}
+
+long this_process() { return ::getpid(); }
+
+bool process_lives(long number) { return ::kill(static_cast<pid_t>(number), 0) == 0 || errno == EPERM; }
+
+} // namespace tp

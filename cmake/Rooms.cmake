@@ -52,7 +52,7 @@ endfunction()
 # NAME_posix.cpp. tests/house/systems.py keeps a system's own headers in such files.
 function(tp_of_system variable)
   if(WIN32)
-    set(endings windows)
+    set(endings windows elsewhere)
   elseif(APPLE)
     set(endings macos posix elsewhere)
   else()

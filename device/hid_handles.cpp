@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/hid_handles.hpp"
 
+#include "core/files/open_file.hpp"
 #include "device/open_problem.hpp"
 
 #include <cerrno>
 #include <utility>
-
-#if defined(__unix__)
-#include <fcntl.h>
-#include <unistd.h>
-#endif
 
 namespace tp {
 
 namespace {
 
 /// hidapi says what went wrong only in the system's own words; opening the file once more tells the cause.
-OpenProblem why_not([[maybe_unused]] const std::string& path) {
-#if defined(__unix__)
-    const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
-    if (file < 0)
+OpenProblem why_not(const std::string& path) {
+    if (!OpenFile(path, {.write = true}).ok())
         return open_problem_of(errno);
-    ::close(file);
     return OpenProblem::wrong_driver; // a file that opens and is no hidraw device
-#else
-    return OpenProblem::other;
-#endif
 }
 
 } // namespace

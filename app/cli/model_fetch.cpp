@@ -2,6 +2,7 @@
 #include "app/cli/model_fetch.hpp"
 
 #include "core/base/words.hpp"
+#include "core/files/durable_file.hpp"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -14,9 +15,7 @@
 #include <QSslSocket>
 #include <QTimer>
 
-#include <fcntl.h>
 #include <memory>
-#include <unistd.h>
 
 namespace tp {
 
@@ -97,15 +96,6 @@ private:
     std::string problem_;
 };
 
-/// So that the new name survives a power cut too.
-void sync_folder(const QString& folder) {
-    const int descriptor = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
-        return;
-    ::fsync(descriptor);
-    ::close(descriptor);
-}
-
 } // namespace
 
 Result<QByteArray> sha256_of(const QString& file) {
@@ -139,7 +129,7 @@ Result<QString> fetch_file(const QUrl& address, const QString& target, const Kno
         return Error{problem};
     if (!file.commit())
         return Error{tp::quoted(target.toStdString()) + " cannot be written: " + said(file.errorString())};
-    sync_folder(folder);
+    sync_folder(QFile::encodeName(folder).toStdString()); // where that fails, the file is there all the same
     return target;
 }
 

@@ -6,11 +6,8 @@
 #include <QJsonValue>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace tp {
@@ -23,31 +20,22 @@ constexpr qint64 most_result_bytes = 16 << 20; ///< a photograph with a thousand
 /// What a line of results that was cut off can be: the beginning of an object.
 bool is_cut_line(const QByteArray& text) { return text == "{" || text.startsWith("{\""); }
 
-std::string reason() { return std::strerror(errno); }
+std::string reason(int error) { return std::strerror(error); }
 
 } // namespace
 
-ResultsFile::ResultsFile(ResultsFile&& other) noexcept
-    : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)),
-      photos_(std::move(other.photos_)), synced_(other.synced_) {}
-
-ResultsFile::~ResultsFile() {
-    if (descriptor_ >= 0)
-        ::close(descriptor_);
-}
-
 Result<ResultsFile> ResultsFile::open(const std::filesystem::path& file) {
-    const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (descriptor < 0)
-        return Error{"The results cannot be written to \"" + file.string() + "\": " + reason() + "."};
-    ResultsFile results(file, descriptor);
-    struct stat about {};
-    if (::fstat(descriptor, &about) != 0 || !S_ISREG(about.st_mode))
+    OpenFile opened(file, {.write = true, .make = true, .at_end = true});
+    if (!opened.ok())
+        return Error{"The results cannot be written to \"" + file.string() + "\": " + reason(errno) + "."};
+    const auto facts = opened.facts();
+    if (!facts || facts->kind != FileFacts::Kind::file)
         return Error{"The results cannot be written to \"" + file.string() + "\": it is not a file."};
     // Two batches that append to one file would each do the other's photographs again.
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    if (!opened.lock() && errno == EWOULDBLOCK)
         return Error{"Another batch is writing to \"" + file.string() +
                      "\": wait until it ends, or give each its own file."};
+    ResultsFile results(file, std::move(opened));
     if (const std::string problem = results.read(); !problem.empty())
         return Error{problem};
     return results;
@@ -55,7 +43,7 @@ Result<ResultsFile> ResultsFile::open(const std::filesystem::path& file) {
 
 std::string ResultsFile::read() {
     QFile in;
-    if (!in.open(descriptor_, QIODevice::ReadOnly))
+    if (!in.open(open_.number(), QIODevice::ReadOnly))
         return "The results in \"" + file_.string() + "\" cannot be read.";
     qint64 whole = 0; ///< bytes up to the end of the last line that has one
     for (int number = 1; !in.atEnd(); ++number) {
@@ -71,33 +59,29 @@ std::string ResultsFile::read() {
         photos_.insert(photo.toString().toStdString());
         whole += line.size();
     }
-    return whole == in.size() || ::ftruncate(descriptor_, whole) == 0 ? std::string() : unwritable();
+    const int error = whole == in.size() ? 0 : open_.cut(static_cast<std::uint64_t>(whole));
+    return error == 0 ? std::string() : unwritable(error);
 }
 
-std::string ResultsFile::unwritable() const {
-    return "The results cannot be written to \"" + file_.string() + "\": " + reason() +
+std::string ResultsFile::unwritable(int error) const {
+    return "The results cannot be written to \"" + file_.string() + "\": " + reason(error) +
            ". What it holds is good; the same command continues from there.";
 }
 
 std::string ResultsFile::append(const std::string& photo, const QByteArray& line) {
     const QByteArray bytes = line + '\n';
-    for (qsizetype done = 0; done < bytes.size();) {
-        const ssize_t count =
-            ::write(descriptor_, bytes.constData() + done, static_cast<std::size_t>(bytes.size() - done));
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count < 0)
-            return unwritable();
-        done += count;
-    }
+    const Written written = open_.write({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    if (written.error != 0)
+        return unwritable(written.error);
     photos_.insert(photo);
     return std::chrono::steady_clock::now() - synced_ < between_syncs ? std::string() : sync();
 }
 
 std::string ResultsFile::sync() {
     synced_ = std::chrono::steady_clock::now();
-    const bool failed = ::fdatasync(descriptor_) != 0 && errno != EINVAL; // not every file system offers it
-    return failed ? unwritable() : std::string();
+    const int error = open_.bytes_to_disk();
+    return error == 0 || error == EINVAL ? std::string()
+                                         : unwritable(error); // not every file system offers it
 }
 
 } // namespace tp

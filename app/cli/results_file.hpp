@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/files/open_file.hpp"
 
 #include <QByteArray>
 
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <string>
 #include <unordered_set>
+#include <utility>
 
 namespace tp {
 
@@ -20,10 +22,6 @@ public:
     /// An error, and the file as it was, where it holds anything that is not such a line, cannot be written,
     /// or is being written by another process.
     static Result<ResultsFile> open(const std::filesystem::path& file);
-    ResultsFile(ResultsFile&& other) noexcept;
-    ResultsFile& operator=(ResultsFile&&) = delete;
-    ~ResultsFile();
-
     bool holds(const std::string& photo) const { return photos_.contains(photo); }
 
     /// Appends the line of a photograph. It survives this process at once, a power cut within a second. The
@@ -33,13 +31,12 @@ public:
     std::string sync();
 
 private:
-    ResultsFile(std::filesystem::path file, int descriptor)
-        : file_(std::move(file)), descriptor_(descriptor) {}
+    ResultsFile(std::filesystem::path file, OpenFile open) : file_(std::move(file)), open_(std::move(open)) {}
     std::string read();
-    std::string unwritable() const;
+    std::string unwritable(int error) const;
 
     std::filesystem::path file_;
-    int descriptor_ = -1;
+    OpenFile open_;
     std::unordered_set<std::string> photos_;
     std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
 };

@@ -16,10 +16,10 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <string_view>
-#include <unistd.h>
 
 namespace {
 
@@ -61,5 +61,5 @@ int main(int count, char** words) {
         decode_videos<tp::FilmService>();
     else if (what == "--version")
         return std::puts(tp::version_line("touchphoto-decoder").c_str()) < 0;
-    _exit(0); // there is nothing to be put in order, and nothing that might still be done
+    std::_Exit(0); // there is nothing to be put in order, and nothing that might still be done
 }

@@ -5,9 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace tp {
@@ -30,52 +27,39 @@ std::size_t PartOfBytes::read(std::uint64_t at, std::span<char> to) const {
 }
 
 Result<std::unique_ptr<FileBytes>> FileBytes::open(const std::filesystem::path& file) {
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0)
+    OpenFile opened(file, {});
+    if (!opened.ok())
         return Error{errno == ENOENT   ? "it does not exist."
                      : errno == EACCES ? "you are not allowed to read it."
                                        : reason_of(errno)};
-    std::unique_ptr<FileBytes> bytes(new FileBytes(descriptor, true));
+    std::unique_ptr<FileBytes> bytes(new FileBytes(std::move(opened)));
     if (std::string reason = bytes->measure(); !reason.empty())
         return Error{reason};
     return bytes;
 }
 
-Result<std::unique_ptr<FileBytes>> FileBytes::of(int descriptor) {
-    std::unique_ptr<FileBytes> bytes(new FileBytes(descriptor, false));
+Result<std::unique_ptr<FileBytes>> FileBytes::of(const OpenFile& file) {
+    std::unique_ptr<FileBytes> bytes(new FileBytes(&file));
     if (std::string reason = bytes->measure(); !reason.empty())
         return Error{reason};
     return bytes;
-}
-
-FileBytes::~FileBytes() {
-    if (own_)
-        ::close(descriptor_);
 }
 
 std::string FileBytes::measure() {
-    struct stat about {};
-    if (::fstat(descriptor_, &about) != 0)
+    const auto facts = file_->facts();
+    if (!facts)
         return reason_of(errno);
-    if (!S_ISREG(about.st_mode))
+    if (facts->kind != FileFacts::Kind::file)
         return "it is not a file.";
-    size_ = static_cast<std::uint64_t>(about.st_size);
+    size_ = facts->bytes;
     return {};
 }
 
 std::size_t FileBytes::read(std::uint64_t at, std::span<char> to) const {
-    std::size_t done = 0;
-    while (done < to.size() && at + done < size_) {
-        const std::size_t most =
-            static_cast<std::size_t>(std::min<std::uint64_t>(to.size() - done, size_ - at - done));
-        const ssize_t count = ::pread(descriptor_, to.data() + done, most, static_cast<off_t>(at + done));
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count <= 0)
-            break;
-        done += static_cast<std::size_t>(count);
-    }
-    return done;
+    if (at >= size_)
+        return 0;
+    const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(to.size(), size_ - at));
+    return file_->read_at(at, to.first(most));
 }
 
 } // namespace tp

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/files/open_file.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace tp {
 
@@ -51,21 +53,21 @@ public:
     /// An error is the end of a sentence. Pipes, devices and folders are refused, because reading them may
     /// never end.
     static Result<std::unique_ptr<FileBytes>> open(const std::filesystem::path& file);
-    /// Of a file that is open already; the descriptor stays the caller's.
-    static Result<std::unique_ptr<FileBytes>> of(int descriptor);
+    /// Of a file that is open already, and stays so for as long as this is.
+    static Result<std::unique_ptr<FileBytes>> of(const OpenFile& file);
     FileBytes(const FileBytes&) = delete;
     FileBytes& operator=(const FileBytes&) = delete;
-    ~FileBytes() override;
 
     std::uint64_t size() const override { return size_; }
     std::size_t read(std::uint64_t at, std::span<char> to) const override;
 
 private:
-    FileBytes(int descriptor, bool own) : descriptor_(descriptor), own_(own) {}
+    explicit FileBytes(OpenFile file) : own_(std::move(file)), file_(&own_) {}
+    explicit FileBytes(const OpenFile* file) : file_(file) {}
     std::string measure();
 
-    int descriptor_;
-    bool own_;
+    OpenFile own_;
+    const OpenFile* file_;
     std::uint64_t size_ = 0;
 };
 

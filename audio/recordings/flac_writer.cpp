@@ -2,12 +2,11 @@
 #include "audio/recordings/flac_writer.hpp"
 
 #include "core/files/file_words.hpp"
+#include "core/files/open_file.hpp"
 
 #include <cerrno>
-#include <fcntl.h>
+#include <cstdio>
 #include <sndfile.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace tp {
@@ -29,7 +28,7 @@ int subtype_of(SampleDepth depth) {
 } // namespace
 
 struct FlacWriter::Impl {
-    int descriptor = -1;
+    OpenFile place;
     SNDFILE* file = nullptr;
     int error = 0; ///< the first errno; libsndfile does not tell
 
@@ -39,37 +38,31 @@ struct FlacWriter::Impl {
     ~Impl() {
         if (file != nullptr)
             sf_close(file);
-        if (descriptor >= 0)
-            ::close(descriptor);
     }
 
     std::string reason() const { return error != 0 ? reason_of(error) : "the FLAC encoder reports a fault."; }
 
     static Impl& self(void* user) { return *static_cast<Impl*>(user); }
     static sf_count_t size(void* user) {
-        struct stat about {};
-        return ::fstat(self(user).descriptor, &about) == 0 ? about.st_size : -1;
+        const auto facts = self(user).place.facts();
+        return facts ? static_cast<sf_count_t>(facts->bytes) : -1;
     }
     static sf_count_t go_to(sf_count_t offset, int whence, void* user) {
-        return ::lseek(self(user).descriptor, offset, whence);
+        return self(user).place.go_to(offset, whence);
     }
     static sf_count_t take(void* to, sf_count_t count, void* user) {
-        return ::read(self(user).descriptor, to, static_cast<std::size_t>(count));
+        return self(user).place.read({static_cast<char*>(to), static_cast<std::size_t>(count)});
     }
     static sf_count_t put(const void* from, sf_count_t count, void* user) {
         Impl& impl = self(user);
-        sf_count_t done = 0;
-        while (done < count && impl.error == 0) {
-            const ssize_t some = ::write(impl.descriptor, static_cast<const char*>(from) + done,
-                                         static_cast<std::size_t>(count - done));
-            if (some < 0 && errno != EINTR)
-                impl.error = errno;
-            else if (some > 0)
-                done += some;
-        }
-        return done;
+        if (impl.error != 0)
+            return 0;
+        const Written written =
+            impl.place.write({static_cast<const char*>(from), static_cast<std::size_t>(count)});
+        impl.error = written.error;
+        return static_cast<sf_count_t>(written.count);
     }
-    static sf_count_t where(void* user) { return ::lseek(self(user).descriptor, 0, SEEK_CUR); }
+    static sf_count_t where(void* user) { return self(user).place.go_to(0, SEEK_CUR); }
 };
 
 FlacWriter::FlacWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -79,8 +72,8 @@ FlacWriter::~FlacWriter() = default;
 Result<FlacWriter> FlacWriter::over(const std::filesystem::path& file, const SoundFormat& format,
                                     SampleDepth depth) {
     auto impl = std::make_unique<Impl>();
-    impl->descriptor = ::open(file.c_str(), O_RDWR | O_TRUNC | O_CLOEXEC);
-    if (impl->descriptor < 0)
+    impl->place = OpenFile(file, {.write = true, .emptied = true});
+    if (!impl->place.ok())
         return Error{reason_of(errno)};
     SF_INFO info{};
     info.samplerate = format.rate;

@@ -8,11 +8,11 @@
 #include "audio/recordings/wav_layout.hpp"
 #include "audio/recordings/wav_stream.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/new_file.hpp"
 
 #include <cerrno>
-#include <unistd.h>
 
 namespace tp {
 
@@ -50,8 +50,8 @@ std::optional<fs::path> made_before(const fs::path& part, const ByteSource& byte
 }
 
 std::string remove_durably(const fs::path& file) {
-    if (::unlink(file.c_str()) != 0 && errno != ENOENT)
-        return reason_of(errno);
+    if (const int error = remove_name(file); error != 0 && error != ENOENT)
+        return reason_of(error);
     return sync_folder(file.parent_path());
 }
 
@@ -82,7 +82,7 @@ Result<std::optional<fs::path>> finish_recording(WavPart part, const RecordingNo
 
 Result<std::optional<fs::path>> finish_part(const fs::path& part, const PartLock& lock,
                                             const std::optional<RecordingNotes>& notes) {
-    const auto bytes = FileBytes::of(lock.descriptor());
+    const auto bytes = FileBytes::of(lock.file());
     if (!bytes)
         return Error{bytes.error()};
     const auto layout = wav_layout(**bytes);

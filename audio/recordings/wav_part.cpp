@@ -6,8 +6,6 @@
 #include "core/files/new_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <unistd.h>
 
 namespace tp {
 
@@ -46,18 +44,10 @@ std::string WavPart::append(std::span<const std::int16_t> samples) {
     const std::uint64_t offered = samples.size() / static_cast<std::size_t>(format_.channels);
     const std::uint64_t begin = header_bytes_ + frames_ * frame_bytes();
     const std::uint64_t bytes = std::min(offered, most - frames_) * frame_bytes();
-    std::string reason;
-    std::uint64_t done = 0;
-    while (done < bytes && reason.empty()) {
-        const ssize_t count =
-            ::pwrite(lock_.descriptor(), reinterpret_cast<const char*>(samples.data()) + done,
-                     static_cast<std::size_t>(bytes - done), static_cast<off_t>(begin + done));
-        if (count < 0 && errno != EINTR)
-            reason = reason_of(errno);
-        else if (count > 0)
-            done += static_cast<std::uint64_t>(count);
-    }
-    frames_ += done / frame_bytes();
+    const auto* const first = reinterpret_cast<const char*>(samples.data());
+    const Written written = lock_.file().write_at(begin, {first, static_cast<std::size_t>(bytes)});
+    std::string reason = written.error == 0 ? std::string{} : reason_of(written.error);
+    frames_ += written.count / frame_bytes();
     if (!reason.empty())
         return reason;
     if (frames_ - synced_ >= static_cast<std::uint64_t>(format_.rate))
@@ -72,8 +62,8 @@ std::string WavPart::sync() {
         return broken_;
     if (synced_ == frames_)
         return {};
-    if (::fdatasync(lock_.descriptor()) != 0)
-        return broken_ = reason_of(errno);
+    if (const int error = lock_.file().bytes_to_disk(); error != 0)
+        return broken_ = reason_of(error);
     synced_ = frames_;
     return {};
 }

@@ -3,8 +3,7 @@
 
 #include "audio/sound/sound_format.hpp"
 
-#include <cerrno>
-#include <sys/statvfs.h>
+#include <system_error>
 
 namespace tp {
 
@@ -13,14 +12,16 @@ constexpr double bytes_a_frame = 2.0;
 } // namespace
 
 std::optional<std::uint64_t> free_bytes(const std::filesystem::path& folder) {
-    struct statvfs disk {};
     std::filesystem::path existing = folder.empty() ? "." : folder;
-    while (::statvfs(existing.c_str(), &disk) != 0) {
-        if (errno != ENOENT || existing == existing.parent_path())
+    while (true) {
+        std::error_code error;
+        const std::filesystem::space_info disk = std::filesystem::space(existing, error);
+        if (!error)
+            return disk.available;
+        if (error != std::errc::no_such_file_or_directory || existing == existing.parent_path())
             return std::nullopt;
         existing = existing.has_parent_path() ? existing.parent_path() : ".";
     }
-    return static_cast<std::uint64_t>(disk.f_bavail) * disk.f_frsize;
 }
 
 double seconds_of_room(std::uint64_t free, std::uint64_t recorded_frames) {

@@ -9,15 +9,10 @@
 #include <QStringList>
 #include <QThread>
 
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -60,16 +55,8 @@ DispatcherWorker::DispatcherWorker(std::string socket, bool may_start) : path_(s
 DispatcherWorker::~DispatcherWorker() { hang_up(); }
 
 bool DispatcherWorker::connected() {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    if (path_.size() >= sizeof address.sun_path)
-        return false;
-    std::memcpy(address.sun_path, path_.data(), path_.size());
-    socket_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    if (socket_ >= 0 && ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0)
-        return true;
-    hang_up();
-    return false;
+    socket_ = LocalSocket::to(path_);
+    return socket_.ok();
 }
 
 /// Starts the server, and is connected to it.
@@ -94,7 +81,7 @@ bool DispatcherWorker::started() {
 bool DispatcherWorker::open() {
     if (!connected() && !(may_start_ && started()))
         return false;
-    ear_ = std::make_unique<QSocketNotifier>(socket_, QSocketNotifier::Read);
+    ear_ = std::make_unique<QSocketNotifier>(socket_.number(), QSocketNotifier::Read);
     connect(ear_.get(), &QSocketNotifier::activated, this, &DispatcherWorker::hear);
     std::string user = variable("USER");
     if (user.find_first_of(": \r\n") != std::string::npos || user.empty())
@@ -143,26 +130,18 @@ void DispatcherWorker::send(Command command) {
 }
 
 void DispatcherWorker::send_next() {
-    if (commands_.empty() || socket_ < 0)
+    if (commands_.empty())
         return;
-    std::string_view left = commands_.front().bytes;
-    while (!left.empty()) {
-        const ssize_t sent = ::send(socket_, left.data(), left.size(), MSG_NOSIGNAL);
-        if (sent < 0 && errno == EINTR)
-            continue;
-        if (sent <= 0)
-            return; // it has gone: hear() is told
-        left.remove_prefix(static_cast<std::size_t>(sent));
-    }
+    socket_.send(commands_.front().bytes); // where it has gone, hear() is told
 }
 
 void DispatcherWorker::hear() {
     std::array<char, 4096> bytes{};
-    const ssize_t got = ::recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
-    if (got < 0 && (errno == EAGAIN || errno == EINTR))
+    const std::optional<std::size_t> got = socket_.receive(bytes);
+    if (!got)
         return;
     std::vector<SsipReply> replies;
-    const bool sound = got > 0 && reader_.read({bytes.data(), static_cast<std::size_t>(got)}, replies);
+    const bool sound = *got > 0 && reader_.read({bytes.data(), *got}, replies);
     for (const SsipReply& reply : replies)
         take(reply);
     if (!sound) {
@@ -205,8 +184,7 @@ void DispatcherWorker::take_event(const SsipReply& event) {
 void DispatcherWorker::hang_up() {
     if (ear_ != nullptr)
         ear_->setEnabled(false); // it may be what calls
-    if (socket_ >= 0)
-        ::close(std::exchange(socket_, -1));
+    socket_ = {};
 }
 
 } // namespace tp

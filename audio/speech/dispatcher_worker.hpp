@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audio/speech/local_socket.hpp"
 #include "audio/speech/speech_worker.hpp"
 #include "audio/speech/ssip.hpp"
 
@@ -50,7 +51,7 @@ private:
 
     std::string path_;
     bool may_start_;
-    int socket_ = -1;
+    LocalSocket socket_;
     std::unique_ptr<QSocketNotifier> ear_;
     SsipReader reader_;
     std::deque<Command> commands_; ///< the first one is being answered

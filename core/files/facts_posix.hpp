@@ -4,9 +4,14 @@
 #include "core/files/open_file.hpp"
 
 #include <cstdint>
+#include <ctime>
 #include <sys/stat.h>
 
 namespace tp {
+
+inline std::int64_t ns_of(const timespec& time) {
+    return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
 
 /// What POSIX's `stat` says.
 inline FileFacts facts_from(const struct stat& about) {
@@ -17,11 +22,12 @@ inline FileFacts facts_from(const struct stat& about) {
                                           : FileFacts::Kind::other;
     facts.bytes = static_cast<std::uint64_t>(about.st_size);
 #if defined(__APPLE__)
-    const timespec& written = about.st_mtimespec;
+    facts.written_ns = ns_of(about.st_mtimespec);
+    facts.changed_ns = ns_of(about.st_ctimespec);
 #else
-    const timespec& written = about.st_mtim;
+    facts.written_ns = ns_of(about.st_mtim);
+    facts.changed_ns = ns_of(about.st_ctim);
 #endif
-    facts.written_ns = std::int64_t{written.tv_sec} * 1'000'000'000 + written.tv_nsec;
     facts.identity = {static_cast<std::uint64_t>(about.st_dev), static_cast<std::uint64_t>(about.st_ino)};
     return facts;
 }

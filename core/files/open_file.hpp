@@ -36,6 +36,7 @@ struct FileFacts {
     Kind kind = Kind::other;
     std::uint64_t bytes = 0;
     std::int64_t written_ns = 0;                      ///< when its content changed last, since 1970
+    std::int64_t changed_ns = 0;                      ///< when anything of it changed last, its name too
     std::pair<std::uint64_t, std::uint64_t> identity; ///< disk and number: one file under all its names
 };
 
@@ -68,8 +69,8 @@ public:
     std::optional<FileFacts> facts() const;
     /// Fills `to` from where it stands; how many bytes there were, fewer at the file's end. −1: a fault.
     std::int64_t read(std::span<char> to);
-    /// The same from the byte `at` on.
-    std::int64_t read_at(std::uint64_t at, std::span<char> to) const;
+    /// Fills `to` from the byte `at` on; how many bytes there were before the file's end, or a fault.
+    std::size_t read_at(std::uint64_t at, std::span<char> to) const;
     Written write(std::string_view bytes);
     Written write_at(std::uint64_t at, std::string_view bytes) const;
     /// Where it stands from then on, in bytes from its beginning; `from` is SEEK_SET, SEEK_CUR or SEEK_END. −1: a fault.
@@ -94,7 +95,7 @@ private:
 };
 
 /// Fills `to` from the byte `at` on of a file that somebody else has open, and asks the system for nothing else (a confined
-/// process may not); how many bytes there were. −1: a fault.
-std::int64_t read_at(int file, std::uint64_t at, std::span<char> to);
+/// process may not); how many bytes there were before its end, or a fault.
+std::size_t read_at(int file, std::uint64_t at, std::span<char> to);
 
 } // namespace tp

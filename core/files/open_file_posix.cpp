@@ -22,21 +22,20 @@ int flags_of(const Opening& how) {
     return flags;
 }
 
-/// `some(done)` reads what follows the `done` bytes.
+/// `some(done)` reads what follows the `done` bytes. False: a fault; `done` were read before.
 template <typename Some>
-std::int64_t filled(std::size_t size, const Some& some) {
-    std::size_t done = 0;
+bool filled(std::size_t size, std::size_t& done, const Some& some) {
     while (done < size) {
         const ssize_t count = some(done);
         if (count < 0 && errno == EINTR)
             continue;
         if (count < 0)
-            return -1;
+            return false;
         if (count == 0)
             break;
         done += static_cast<std::size_t>(count);
     }
-    return static_cast<std::int64_t>(done);
+    return true;
 }
 
 template <typename Some>
@@ -78,11 +77,12 @@ std::optional<FileFacts> OpenFile::facts() const {
 }
 
 std::int64_t OpenFile::read(std::span<char> to) {
-    return filled(to.size(),
-                  [&](std::size_t done) { return ::read(number_, to.data() + done, to.size() - done); });
+    std::size_t done = 0;
+    const auto some = [&](std::size_t at) { return ::read(number_, to.data() + at, to.size() - at); };
+    return filled(to.size(), done, some) ? static_cast<std::int64_t>(done) : -1;
 }
 
-std::int64_t OpenFile::read_at(std::uint64_t at, std::span<char> to) const {
+std::size_t OpenFile::read_at(std::uint64_t at, std::span<char> to) const {
     return tp::read_at(number_, at, to);
 }
 
@@ -129,10 +129,12 @@ bool OpenFile::wait_for_lock() const {
     return true;
 }
 
-std::int64_t read_at(int file, std::uint64_t at, std::span<char> to) {
-    return filled(to.size(), [&](std::size_t done) {
-        return ::pread(file, to.data() + done, to.size() - done, static_cast<off_t>(at + done));
+std::size_t read_at(int file, std::uint64_t at, std::span<char> to) {
+    std::size_t done = 0;
+    filled(to.size(), done, [&](std::size_t before) {
+        return ::pread(file, to.data() + before, to.size() - before, static_cast<off_t>(at + before));
     });
+    return done;
 }
 
 } // namespace tp

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/exit_guard.hpp"
 
+#include "core/servo/ending_signals.hpp"
+
 #include <array>
 #include <atomic>
 #include <cstdlib>
 #include <mutex>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <csignal>
-#endif
 
 namespace tp {
 
@@ -26,40 +24,12 @@ void halt_all() noexcept {
             device->halt();
 }
 
-#if defined(__unix__) || defined(__APPLE__)
-constexpr std::array ways_out{SIGINT,  SIGTERM, SIGHUP, SIGQUIT, SIGABRT,
-                              SIGSEGV, SIGBUS,  SIGFPE, SIGILL,  SIGXCPU};
-std::array<struct sigaction, ways_out.size()> before;
-
-extern "C" void halt_and_go_on(int signal) {
-    halt_all();
-    for (std::size_t i = 0; i < ways_out.size(); ++i)
-        if (ways_out[i] == signal)
-            sigaction(signal, &before[i], nullptr);
-    raise(signal); // blocked until this handler returns; then what stood here before has its turn
-}
-
-void catch_signals() noexcept {
-    for (std::size_t i = 0; i < ways_out.size(); ++i) {
-        struct sigaction ours {};
-        ours.sa_handler = halt_and_go_on;
-        sigemptyset(&ours.sa_mask);
-        ours.sa_flags = SA_ONSTACK;
-        sigaction(ways_out[i], nullptr, &before[i]);
-        if (before[i].sa_handler != SIG_IGN)
-            sigaction(ways_out[i], &ours, nullptr);
-    }
-}
-#else
-void catch_signals() noexcept {}
-#endif
-
 } // namespace
 
 ExitGuard::ExitGuard(ForceDevice& device) noexcept {
     static std::once_flag once;
     std::call_once(once, [] {
-        catch_signals();
+        on_ending_signals(halt_all);
         std::atexit(halt_all);
 #if !defined(__MINGW32__) && !defined(__APPLE__) // whose libraries have no such thing
         std::at_quick_exit(halt_all);

@@ -1,35 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/hid_pid/hid_pid_transport.hpp"
 
+#include "core/files/open_file.hpp"
 #include "device/guard/guard_process.hpp"
 #include "device/hid_handles.hpp"
 #include "device/hid_pid/pid_layout.hpp"
 #include "device/hid_pid/report_descriptor.hpp"
 #include "device/open_problem.hpp"
 
-#include <cstddef>
-#include <cstdint>
-#include <hidapi.h>
-#include <utility>
-
-#if defined(__linux__)
 #include <cerrno>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
-#include <fcntl.h>
-#include <sys/file.h>
+#include <hidapi.h>
+#include <string_view>
 #include <thread>
-#include <unistd.h>
-#endif
+#include <utility>
 
 namespace tp {
 
 namespace {
 
-/// The kernel's copy, which everyone may read: also before anybody has the permission to open the device.
-std::vector<std::uint8_t> descriptor_of([[maybe_unused]] const std::string& path) {
+/// Linux's copy, which everyone may read: also before anybody has the permission to open the device. Empty on other systems.
+std::vector<std::uint8_t> descriptor_of(const std::string& path) {
     std::vector<std::uint8_t> bytes;
-#if defined(__linux__)
     const std::string node = path.substr(path.rfind('/') + 1);
     std::FILE* const file =
         std::fopen(("/sys/class/hidraw/" + node + "/device/report_descriptor").c_str(), "rb");
@@ -38,54 +33,35 @@ std::vector<std::uint8_t> descriptor_of([[maybe_unused]] const std::string& path
     bytes.resize(hid::most_descriptor_bytes + 1); // one more shows that it is too long
     bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
     std::fclose(file);
-#endif
     return bytes;
 }
 
-/// The device's node opened once more, for what must be done without hidapi. −1 where there is none.
+/// The device's node opened once more, for what must be done without hidapi.
 class Node {
 public:
-    explicit Node([[maybe_unused]] const std::string& path) {
-#if defined(__linux__)
-        file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
-#endif
-    }
-    Node(Node&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
-    ~Node() {
-#if defined(__linux__)
-        if (file_ >= 0)
-            ::close(file_);
-#endif
-    }
-    Node(const Node&) = delete;
-    Node& operator=(const Node&) = delete;
+    explicit Node(const std::string& path) : file_(path, {.write = true}) {}
 
-    void write([[maybe_unused]] const hid::Report& report) const noexcept {
-#if defined(__linux__)
-        if (file_ >= 0 && ::write(file_, report.bytes.data(), report.size) < 0)
-            return; // nothing more can be done from where this is called
-#endif
+    void write(const hid::Report& report) noexcept { // nothing more can be done from where this is called
+        if (file_.ok())
+            file_.write({reinterpret_cast<const char*>(report.bytes.data()), report.size});
     }
 
     /// The guard is started with the node, which is locked for as long as either has it. False where another
     /// guard has it: it takes no longer than this to leave a stick whose program is gone.
     bool lock() const noexcept {
-#if defined(__linux__)
         constexpr int tries = 50;
         for (int i = 0; i < tries; ++i) {
-            if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+            if (!file_.ok() || file_.lock() || errno != EWOULDBLOCK)
                 return true;
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
         return false;
-#else
-        return true;
-#endif
     }
-    int descriptor() const noexcept { return file_; }
+    /// −1 where there is none.
+    int descriptor() const noexcept { return file_.number(); }
 
 private:
-    int file_ = -1;
+    OpenFile file_;
 };
 
 void append_words(std::vector<std::string>& words, std::span<const hid::Report> reports) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/decode/picture_file.hpp"
 
+#include "core/files/open_file.hpp"
 #include "faces/decode/raw_file.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <fcntl.h>
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -90,7 +90,7 @@ Result<PictureFile> open_picture_file(const std::filesystem::path& file) {
     const Result<std::uintmax_t> size = size_to_read(file);
     if (!size)
         return Error{size.error()};
-    Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    Descriptor descriptor(OpenFile(file, {}).release());
     if (!descriptor.ok())
         return cannot_be_read();
     return PictureFile{std::move(descriptor), *size};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/decode/picture_service.hpp"
 
+#include "core/files/open_file.hpp"
 #include "faces/decode/libavcodec.hpp"
 #include "faces/decode/libheif.hpp"
 #include "faces/decode/other_formats.hpp"
@@ -9,7 +10,7 @@
 #include "faces/decode/upright_picture.hpp"
 
 #include <new>
-#include <unistd.h>
+#include <span>
 #include <utility>
 
 namespace tp {
@@ -18,13 +19,9 @@ namespace {
 /// From its beginning, wherever whoever opened it has read.
 Result<Bytes> bytes_of(const PictureFile& file) {
     Bytes bytes(static_cast<std::size_t>(file.size));
-    for (std::size_t at = 0; at < bytes.size();) {
-        const ssize_t count =
-            ::pread(file.descriptor.number(), bytes.data() + at, bytes.size() - at, static_cast<off_t>(at));
-        if (count <= 0)
-            return Error{"The file cannot be read."};
-        at += static_cast<std::size_t>(count);
-    }
+    const std::span<char> all(reinterpret_cast<char*>(bytes.data()), bytes.size());
+    if (read_at(file.descriptor.number(), 0, all) < bytes.size())
+        return Error{"The file cannot be read."};
     return bytes;
 }
 

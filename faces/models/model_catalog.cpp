@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/models/model_catalog.hpp"
 
+#include "faces/models/embedded_memory.hpp"
 #include "faces/models/packed_onnx.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
-#include <sys/mman.h>
 #include <system_error>
-#include <unistd.h>
 
 // Where embedded_models.S puts them.
 #define TP_MODELS(MODEL)                                                                                     \
@@ -43,16 +42,6 @@ bool is_file(const std::filesystem::path& path) {
 bool looks_like_a_path(const std::string& choice) {
     return choice.find('/') != std::string::npos || choice.ends_with(".onnx") || choice.ends_with(".yaml") ||
            choice.ends_with(".xml");
-}
-
-/// Lets the system take back the memory of a file's bytes inside the program, which it reads again when they
-/// are wanted.
-void let_go(const char* begin, const char* end) {
-    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-    const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
-    const auto last = reinterpret_cast<std::uintptr_t>(end) / page * page;
-    if (first < last)
-        madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED); // failing, it costs memory only
 }
 
 /// An embedded file and what a person reads about it.
@@ -117,7 +106,7 @@ cv::dnn::Net embedded_net(EmbeddedModel model) {
     const auto unpacked = unpacked_onnx({file.begin, file.facts.bytes});
     cv::dnn::Net net = unpacked ? cv::dnn::readNetFromONNX(unpacked->data(), unpacked->size())
                                 : cv::dnn::readNetFromONNX(file.begin, file.facts.bytes);
-    let_go(file.begin, file.end);
+    let_go_of_memory(file.begin, file.end);
     return net;
 }
 

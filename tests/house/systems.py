@@ -4,8 +4,7 @@
 the house whose name ends in _posix, _linux, _macos or _windows, or in a folder of such a name. The rest uses ports, such as
 core/files/open_file.hpp.
 
-STILL lists the files that do not keep to it yet; one that is there without need is a fault too, so that the list can only
-grow shorter. Tests are not looked at. Usage: systems.py ROOT
+Tests are not looked at. Usage: systems.py ROOT
 """
 
 import pathlib
@@ -26,43 +25,6 @@ HEADERS = re.compile(
     r"|windows|win\w+|shlobj|shlobj_core|shellapi|setupapi|cfgmgr32|hidsdi|hidpi|io|direct|process|initguid|objbase|knownfolders"
     r"|avrt|tlhelp32|psapi|dbghelp|fileapi|handleapi|synchapi", re.IGNORECASE)
 INCLUDE = re.compile(r"^\s*#\s*(?:include|import)\s+[<\"]([^>\"]+)\.h[>\"]", re.M)
-STILL = set("""
-    app/album/check/recording_check.cpp
-    app/album/grouping/group_worker.cpp
-    app/album/index/album_index.cpp
-    app/album/index/album_scan.cpp
-    app/album/index/folder_listing.cpp
-    app/album/index/index_file.cpp
-    app/album/index/photo_content.cpp
-    app/album/index/sql_connection.cpp
-    app/album/keeper/bundle_writer.cpp
-    app/album/keeper/trash.cpp
-    app/album/looking/look_worker.cpp
-    app/album/metadata/photo_metadata.cpp
-    app/cli/model_fetch.cpp
-    app/cli/results_file.cpp
-    app/decoder/main.cpp
-    app/pages/care/face_finder.cpp
-    app/photo/picture/picture_ahead.cpp
-    app/shell/few_heaps.cpp
-    device/guard/process/packet_taker.cpp
-    device/hid_handles.cpp
-    device/hid_pid/hid_pid_transport.cpp
-    device/usb/usb_devices.cpp
-    audio/recordings/byte_source.cpp
-    audio/recordings/flac_writer.cpp
-    audio/recordings/part_lock.cpp
-    audio/recordings/recording_file.cpp
-    audio/recordings/wav_part.cpp
-    audio/sound/recording_room.cpp
-    audio/speech/dispatcher_worker.cpp
-    audio/video/sound_of_video.cpp
-    audio/video/sound_service.cpp
-    faces/base/freed_memory.cpp
-    faces/decode/picture_file.cpp
-    faces/decode/picture_service.cpp
-    faces/models/model_catalog.cpp
-""".split())
 
 
 def says_its_system(path):
@@ -74,22 +36,15 @@ def headers_of_systems(text):
     return [f"{name}.h" for name in INCLUDE.findall(text) if HEADERS.fullmatch(name)]
 
 
-def faults(root, still=None):
-    """Sentences, one for each file that does not keep to it, or is in the list without need."""
-    still = STILL if still is None else set(still)
-    needed = set()
+def faults(root):
+    """Sentences, one for each file that does not keep to it."""
     for room in ROOMS:
         for path in sorted(path for path in (root / room).rglob("*") if path.suffix in SOURCES):
             name = path.relative_to(root)
             found = headers_of_systems(path.read_text(encoding="utf-8"))
-            if not found or says_its_system(name):
-                continue
-            needed.add(name.as_posix())
-            if name.as_posix() not in still:
+            if found and not says_its_system(name):
                 yield (f"{name.as_posix()}: includes <{'>, <'.join(found)}>, which not every system has; use a port, such as"
                        f" core/files/open_file.hpp, or put it into {name.stem}_posix{name.suffix}")
-    for name in sorted(still - needed):
-        yield f"{name}: is in the list of those that are still to be mended without need"
 
 
 def main():

@@ -10,10 +10,10 @@
 #include "app/album/keeper/importer.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <set>
 #include <system_error>
@@ -30,7 +30,7 @@ bool writer_lives(const fs::path& temporary) {
     const std::string name = temporary.filename().string();
     const std::size_t begin = name.find_first_of("0123456789");
     const long pid = begin == std::string::npos ? 0 : std::strtol(name.c_str() + begin, nullptr, 10);
-    return pid > 0 && (::kill(static_cast<pid_t>(pid), 0) == 0 || errno == EPERM);
+    return pid > 0 && process_lives(pid);
 }
 
 void half_written(const fs::path& file, Findings& findings) {

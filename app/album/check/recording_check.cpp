@@ -9,8 +9,6 @@
 #include "core/files/new_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <sys/stat.h>
 #include <system_error>
 #include <vector>
 
@@ -30,6 +28,22 @@ void missing_recording(const fs::path& photo, const Tag& tag, Findings& findings
     else
         findings.add(Finding::Kind::missing_recording, file,
                      sentence + " Bring it back from a copy of the album.");
+}
+
+constexpr fs::perms others = fs::perms::group_all | fs::perms::others_all;
+constexpr fs::perms owner_may_write = fs::perms::owner_read | fs::perms::owner_write;
+
+bool open_to_others(const fs::path& place) {
+    std::error_code error;
+    const fs::perms allowed = fs::status(place, error).permissions();
+    return !error && (allowed & others) != fs::perms::none;
+}
+
+/// Empty: done.
+std::string only_for_owner(const fs::path& place, fs::perms allowed) {
+    std::error_code error;
+    fs::permissions(place, allowed, error);
+    return error ? reason_of(error.value()) : std::string{};
 }
 
 } // namespace
@@ -98,19 +112,19 @@ std::size_t check_recordings(const fs::path& photo, const PhotoRecord& record, F
 
 void check_readers(const fs::path& folder, const std::set<std::string>& files, Findings& findings) {
     std::vector<fs::path> open;
-    struct stat about {};
     for (const std::string& file : files)
-        if (::stat((folder / file).c_str(), &about) == 0 && (about.st_mode & 077u) != 0)
+        if (open_to_others(folder / file))
             open.push_back(folder / file);
-    if (::stat(folder.c_str(), &about) != 0 || ((about.st_mode & 077u) == 0 && open.empty()))
+    if (!open_to_others(folder) && open.empty())
         return;
     findings.add(Finding::Kind::open_to_others, folder,
                  "Other people on this machine may listen to recordings in " + quoted(folder) + ".",
                  "Only their owner may from then on.", [&] {
                      for (const fs::path& file : open)
-                         if (::chmod(file.c_str(), 0600) != 0)
-                             return reason_of(errno);
-                     return ::chmod(folder.c_str(), 0700) == 0 ? std::string{} : reason_of(errno);
+                         if (const std::string reason = only_for_owner(file, owner_may_write);
+                             !reason.empty())
+                             return reason;
+                     return only_for_owner(folder, fs::perms::owner_all);
                  });
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/grouping/group_worker.hpp"
 
+#include "app/album/open/polite_thread.hpp"
 #include "app/photo/people/region_place.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <span>
-#include <sys/resource.h>
 #include <utility>
 
 namespace tp {
@@ -15,7 +15,6 @@ namespace tp {
 namespace {
 
 constexpr std::size_t most_offered = 50; ///< people, the largest, to whom a name is looked for
-constexpr int politeness = 10;           ///< as that of whoever looks at photographs
 
 KnownFace known_face(const StoredFace& stored) {
     KnownFace face{stored.id, stored.photo, {}, stored.moment_ms};
@@ -92,7 +91,7 @@ void add_difference(const GroupsState& before, const GroupsState& after, GroupsK
 bool GroupWorker::ready() {
     if (index_)
         return true;
-    ::setpriority(PRIO_PROCESS, 0, politeness); // of this thread alone, on Linux
+    make_thread_polite();
     Result<AlbumIndex> index = shared_.another();
     if (!index)
         return false; // whoever scans tells

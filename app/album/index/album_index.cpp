@@ -6,6 +6,7 @@
 #include "app/album/index/index_file.hpp"
 #include "app/album/index/photo_store.hpp"
 #include "app/album/index/schema.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QSqlDatabase>
@@ -15,8 +16,6 @@
 #include <cerrno>
 #include <map>
 #include <set>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace tp {
 
@@ -28,10 +27,7 @@ constexpr const char* no_driver = "Qt's driver for SQLite is not installed; with
                                   "Debian it is the package libqt6sql6-sqlite.";
 
 /// Whether nothing has that name. Where the system will not tell, something may.
-bool is_gone(const fs::path& path) {
-    struct stat about {};
-    return ::lstat(path.c_str(), &about) != 0 && (errno == ENOENT || errno == ENOTDIR);
-}
+bool is_gone(const fs::path& path) { return !facts_of_name(path) && (errno == ENOENT || errno == ENOTDIR); }
 
 /// The path of a photograph in a row whose columns begin with its folder's path and its name.
 fs::path path_in(const SqlRun& row) { return fs::path(row.bytes(0)) / row.bytes(1); }
@@ -46,10 +42,10 @@ std::vector<fs::path> paths_in(SqlRun run) {
 /// One of each file: a link, or a second name, is the same file.
 std::vector<fs::path> different_files(const std::vector<fs::path>& paths) {
     std::vector<fs::path> different;
-    std::set<std::pair<dev_t, ino_t>> files;
+    std::set<std::pair<std::uint64_t, std::uint64_t>> files;
     for (const fs::path& path : paths) {
-        struct stat about {};
-        if (::stat(path.c_str(), &about) == 0 && files.emplace(about.st_dev, about.st_ino).second)
+        const auto facts = facts_of(path);
+        if (facts && files.insert(facts->identity).second)
             different.push_back(path);
     }
     return different;
@@ -79,7 +75,7 @@ Result<AlbumIndex> AlbumIndex::in_memory() {
         return Error{no_driver};
     static std::atomic<int> count = 0;
     const std::string name =
-        "touchphoto-" + std::to_string(::getpid()) + "-" + std::to_string(count.fetch_add(1));
+        "touchphoto-" + std::to_string(this_process()) + "-" + std::to_string(count.fetch_add(1));
     try {
         const MemoryTurn turn = std::make_shared<std::shared_mutex>();
         AlbumIndex index(SqlConnection::to_memory(name, turn), {}, name, turn);

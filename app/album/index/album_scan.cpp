@@ -7,11 +7,11 @@
 #include "app/album/index/photo_store.hpp"
 #include "app/album/metadata/photo_name.hpp"
 #include "audio/recordings/wav_part.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 
 #include <cerrno>
 #include <set>
-#include <sys/stat.h>
 #include <utility>
 
 namespace tp {
@@ -168,8 +168,8 @@ private:
         SqlTransaction all(connection_);
         // What lies in a folder that was walked, another process saw after this one did not.
         for (const auto& [id, path] : changes_.gone)
-            if (struct stat about{}; ::stat(path.c_str(), &about) != 0 || !S_ISREG(about.st_mode) ||
-                                     !walk_.was_walked(path.parent_path())) {
+            if (const auto facts = facts_of(path);
+                !facts || facts->kind != FileFacts::Kind::file || !walk_.was_walked(path.parent_path())) {
                 miss_photo(connection_, id);
                 ++report_.missing;
             }

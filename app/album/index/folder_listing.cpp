@@ -3,22 +3,19 @@
 
 #include "app/album/index/photo_content.hpp"
 #include "app/album/metadata/photo_name.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/new_file.hpp"
+#include "core/files/open_folder.hpp"
 
 #include <QCryptographicHash>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <ctime>
-#include <dirent.h>
-#include <fcntl.h>
-#include <memory>
 #include <optional>
 #include <string_view>
-#include <sys/stat.h>
 
 namespace tp {
 
@@ -28,56 +25,24 @@ namespace {
 
 constexpr std::string_view recordings_end = ".tags";
 
-struct Entry {
-    std::string name;
-    struct stat about {};
-    bool link = false;
-};
-
-struct CloseFolder {
-    void operator()(DIR* folder) const { ::closedir(folder); }
-};
-using OpenFolder = std::unique_ptr<DIR, CloseFolder>;
-
-std::int64_t ns(const timespec& time) { return time.tv_sec * 1'000'000'000LL + time.tv_nsec; }
-
 /// What is not hidden, by name; the system's number in `error` where it would not say.
-std::vector<Entry> entries_of(DIR* folder, int& error) {
-    std::vector<Entry> entries;
-    errno = 0;
-    while (const dirent* item = ::readdir(folder)) {
-        Entry entry;
-        entry.name = item->d_name;
-        const bool wanted = !entry.name.starts_with('.') && !is_temporary(entry.name);
-        if (wanted && ::fstatat(::dirfd(folder), item->d_name, &entry.about, AT_SYMLINK_NOFOLLOW) == 0) {
-            entry.link = S_ISLNK(entry.about.st_mode);
-            if (!entry.link || ::fstatat(::dirfd(folder), item->d_name, &entry.about, 0) == 0)
-                entries.push_back(std::move(entry));
-        }
-        errno = 0; // a link to nothing, or a file that has just gone
-    }
-    error = errno;
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.name < b.name; });
-    return entries;
+std::vector<FolderEntry> entries_of(const OpenFolder& folder, int& error) {
+    return folder.entries(
+        [](std::string_view name) { return !name.starts_with('.') && !is_temporary(std::string(name)); },
+        error);
 }
 
 /// Joins what a file shows of its state. The system stamps changes with a clock that stands still for some
 /// milliseconds: of a file that changed in this very tick a further change might leave the same stamp.
 class Stamp {
 public:
-    Stamp() {
-        timespec now{};
-        ::clock_gettime(CLOCK_REALTIME_COARSE, &now);
-        now_ns_ = ns(now);
-    }
-
-    void add(const struct stat& about) {
+    void add(const FileFacts& facts) {
         constexpr std::int64_t tick_ns = 10'000'000; // CONFIG_HZ=100, the slowest
-        number(about.st_size);
-        number(ns(about.st_mtim));
-        number(ns(about.st_ctim));
-        number(static_cast<std::int64_t>(about.st_ino));
-        settled_ = settled_ && std::abs(ns(about.st_ctim) - now_ns_) > tick_ns;
+        number(static_cast<std::int64_t>(facts.bytes));
+        number(facts.written_ns);
+        number(facts.changed_ns);
+        number(static_cast<std::int64_t>(facts.identity.second));
+        settled_ = settled_ && std::abs(facts.changed_ns - now_ns_) > tick_ns;
     }
     void add(std::string_view name) {
         number(static_cast<std::int64_t>(name.size()));
@@ -96,13 +61,13 @@ private:
     void number(std::int64_t value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
 
     std::string bytes_;
-    std::int64_t now_ns_ = 0;
+    std::int64_t now_ns_ = file_clock_ns();
     bool settled_ = true;
 };
 
-std::string stamp_of(const struct stat& about) {
+std::string stamp_of(const FileFacts& facts) {
     Stamp stamp;
-    stamp.add(about);
+    stamp.add(facts);
     return stamp.result();
 }
 
@@ -113,38 +78,38 @@ bool goes_with(std::string_view stem, std::string_view name) {
     return name.starts_with(stem) && std::isalnum(next) == 0 && next < 0x80;
 }
 
-void add_recordings(Stamp& stamp, int folder, const Entry& entry) {
-    const int descriptor = ::openat(folder, entry.name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    const OpenFolder opened(descriptor < 0 ? nullptr : ::fdopendir(descriptor));
-    if (!opened)
+void add_recordings(Stamp& stamp, const fs::path& folder) {
+    const OpenFolder opened(folder);
+    if (!opened.ok())
         return;
     int error = 0;
-    for (const Entry& recording : entries_of(opened.get(), error)) {
+    for (const FolderEntry& recording : entries_of(opened, error)) {
         stamp.add(recording.name);
-        stamp.add(recording.about);
+        stamp.add(recording.facts);
     }
 }
 
-std::string stamp_beside(int folder, const std::vector<Entry>& entries, std::string_view photo) {
+std::string stamp_beside(const fs::path& folder, const std::vector<FolderEntry>& entries,
+                         std::string_view photo) {
     const std::string_view stem = photo.substr(0, std::max<std::size_t>(photo.rfind('.'), 1));
     Stamp stamp;
     auto entry = std::lower_bound(entries.begin(), entries.end(), stem,
-                                  [](const Entry& e, std::string_view name) { return e.name < name; });
+                                  [](const FolderEntry& e, std::string_view name) { return e.name < name; });
     for (; entry != entries.end() && entry->name.starts_with(stem); ++entry) {
-        const bool is_folder = S_ISDIR(entry->about.st_mode);
+        const bool is_folder = entry->facts.kind == FileFacts::Kind::folder;
         if (!goes_with(stem, entry->name) ||
             (is_folder ? !is_recordings_folder(entry->name) : has_photo_name(entry->name)))
             continue;
         stamp.add(entry->name);
-        stamp.add(entry->about);
+        stamp.add(entry->facts);
         if (is_folder)
-            add_recordings(stamp, folder, *entry);
+            add_recordings(stamp, folder / entry->name);
     }
     return stamp.result();
 }
 
 /// Where a folder in `folder` is walked; none where it is not.
-std::optional<fs::path> walked(const fs::path& folder, const Entry& entry) {
+std::optional<fs::path> walked(const fs::path& folder, const FolderEntry& entry) {
     if (is_recordings_folder(entry.name))
         return std::nullopt;
     if (!entry.link)
@@ -161,39 +126,40 @@ std::optional<fs::path> walked(const fs::path& folder, const Entry& entry) {
 
 FolderListing list_folder(const fs::path& folder) {
     FolderListing listing;
-    const OpenFolder opened(::opendir(folder.c_str()));
-    if (!opened) {
+    const OpenFolder opened(folder);
+    if (!opened.ok()) {
         listing.error = errno;
         return listing;
     }
-    if (struct stat about{}; ::fstat(::dirfd(opened.get()), &about) == 0)
-        listing.stamp = stamp_of(about);
-    const std::vector<Entry> entries = entries_of(opened.get(), listing.error);
-    for (const Entry& entry : entries) {
-        if (S_ISDIR(entry.about.st_mode)) {
+    if (const auto facts = opened.facts())
+        listing.stamp = stamp_of(*facts);
+    const std::vector<FolderEntry> entries = entries_of(opened, listing.error);
+    for (const FolderEntry& entry : entries) {
+        const FileFacts& facts = entry.facts;
+        if (facts.kind == FileFacts::Kind::folder) {
             if (auto path = walked(folder, entry))
-                listing.folders.push_back({std::move(*path), stamp_of(entry.about)});
-        } else if (S_ISREG(entry.about.st_mode) && may_be_photo(entry.name)) {
-            listing.photos.push_back({entry.name, entry.about.st_size, ns(entry.about.st_mtim),
-                                      static_cast<std::int64_t>(entry.about.st_ino), stamp_of(entry.about),
-                                      stamp_beside(::dirfd(opened.get()), entries, entry.name)});
+                listing.folders.push_back({std::move(*path), stamp_of(facts)});
+        } else if (facts.kind == FileFacts::Kind::file && may_be_photo(entry.name)) {
+            listing.photos.push_back({entry.name, static_cast<std::int64_t>(facts.bytes), facts.written_ns,
+                                      static_cast<std::int64_t>(facts.identity.second), stamp_of(facts),
+                                      stamp_beside(folder, entries, entry.name)});
         }
     }
     return listing;
 }
 
 std::string folder_stamp(const fs::path& folder) {
-    struct stat about {};
-    return ::stat(folder.c_str(), &about) == 0 ? stamp_of(about) : "gone";
+    const auto facts = facts_of(folder);
+    return facts ? stamp_of(*facts) : "gone";
 }
 
 std::vector<fs::path> recordings_of(const fs::path& photo) {
     const fs::path folder = recordings_folder(photo);
     std::vector<fs::path> recordings;
-    if (const OpenFolder opened(::opendir(folder.c_str())); opened) {
+    if (const OpenFolder opened(folder); opened.ok()) {
         int error = 0;
-        for (const Entry& entry : entries_of(opened.get(), error))
-            if (S_ISREG(entry.about.st_mode))
+        for (const FolderEntry& entry : entries_of(opened, error))
+            if (entry.facts.kind == FileFacts::Kind::file)
                 recordings.push_back(folder / entry.name);
     }
     return recordings;

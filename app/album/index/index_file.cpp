@@ -4,13 +4,11 @@
 #include "app/album/index/schema.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/open_file.hpp"
 
 #include <cerrno>
-#include <fcntl.h>
 #include <optional>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <system_error>
 
 namespace tp {
 
@@ -23,25 +21,14 @@ constexpr const char* aside_name = "album.sqlite.aside";
 constexpr const char* damage_name = "album.sqlite.damaged";
 constexpr const char* lock_name = "album.lock";
 
-/// Held by one process at a time; a killed one lets go of it.
-class Lock {
-public:
-    explicit Lock(const fs::path& cache)
-        : descriptor_(::open((cache / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600)) {
-        while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
-        }
-    }
-    ~Lock() {
-        if (descriptor_ >= 0)
-            ::close(descriptor_);
-    }
-    Lock(const Lock&) = delete;
-    Lock& operator=(const Lock&) = delete;
-    bool ok() const { return descriptor_ >= 0; }
-
-private:
-    int descriptor_;
-};
+/// Held by one process at a time; a killed one lets go of it. Not `ok`, and `errno`, where it cannot be made.
+OpenFile index_lock(const fs::path& cache) {
+    OpenFile file(cache / lock_name,
+                  {.write = true, .make = true, .follow_link = false, .readers = Readers::owner_only});
+    if (file.ok())
+        file.wait_for_lock();
+    return file;
+}
 
 /// SQLite's own files beside the database, first those without which it is whole.
 constexpr const char* parts[] = {"-shm", "-wal", ""};
@@ -68,7 +55,8 @@ std::string sql_reason(const SqlFault& fault) {
 /// None: it was written by a newer program.
 std::optional<SqlConnection> opened(const fs::path& file) {
     SqlConnection connection = SqlConnection::to_file(file);
-    ::chmod(file.c_str(), 0600);
+    std::error_code none; // where they cannot be taken away, the index is still worth having
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, none);
     if (version_of(connection) > schema_version())
         return std::nullopt;
     migrate(connection);
@@ -81,7 +69,7 @@ std::optional<SqlConnection> opened(const fs::path& file) {
 Result<IndexFile> IndexFile::open(const fs::path& cache, std::vector<std::string>& notices) {
     if (std::string reason = make_folder(cache, Readers::owner_only); !reason.empty())
         return Error{reason};
-    const Lock lock(cache);
+    const OpenFile lock = index_lock(cache);
     if (!lock.ok())
         return Error{reason_of(errno)};
     const fs::path file = cache / file_name;
@@ -113,7 +101,7 @@ std::string IndexFile::remove(const fs::path& cache) {
     std::error_code error;
     if (!fs::exists(cache, error))
         return {};
-    const Lock lock(cache);
+    const OpenFile lock = index_lock(cache);
     if (!lock.ok())
         return reason_of(errno);
     for (const char* part : parts)
@@ -124,10 +112,9 @@ std::string IndexFile::remove(const fs::path& cache) {
 }
 
 void IndexFile::note_damage(const fs::path& cache) {
-    const int descriptor =
-        ::open((cache / damage_name).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-    if (descriptor >= 0)
-        ::close(descriptor);
+    const OpenFile noted(
+        cache / damage_name,
+        {.read = false, .write = true, .make = true, .follow_link = false, .readers = Readers::owner_only});
 }
 
 } // namespace tp

@@ -2,15 +2,13 @@
 #include "app/album/index/photo_content.hpp"
 
 #include "app/album/metadata/photo_name.hpp"
+#include "core/files/open_file.hpp"
 
 #include <QCryptographicHash>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -26,28 +24,12 @@ constexpr std::array<std::string_view, 12> picture_brands{"heic", "heix", "heim"
 constexpr std::array<std::string_view, 4> raw_beginnings{"IIRO", "IIRS", "MMOR",
                                                          std::string_view("IIU\0", 4)};
 
-/// Reads until the block is full or the file ends; -1 where the system would not.
-ssize_t read_block(int file, char* block, std::size_t size) {
-    std::size_t filled = 0;
-    while (filled < size) {
-        const ssize_t count = ::read(file, block + filled, size - filled);
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count < 0)
-            return -1;
-        if (count == 0)
-            break;
-        filled += static_cast<std::size_t>(count);
-    }
-    return static_cast<ssize_t>(filled);
-}
-
-std::optional<PhotoContent> read_open_file(int file, const std::stop_token& stop, int& error) {
+std::optional<PhotoContent> read_open_file(OpenFile& file, const std::stop_token& stop, int& error) {
     std::vector<char> block(1 << 16);
     QCryptographicHash hash(QCryptographicHash::Sha256);
     bool first = true;
     while (!stop.stop_requested()) {
-        const ssize_t count = read_block(file, block.data(), block.size());
+        const std::int64_t count = file.read(block);
         if (count < 0) {
             error = errno;
             return std::nullopt;
@@ -84,17 +66,15 @@ bool begins_like_photo(std::string_view bytes) {
 std::optional<PhotoContent> read_photo_content(const std::filesystem::path& file, const std::stop_token& stop,
                                                int& error) {
     error = 0;
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-    if (descriptor < 0) {
+    OpenFile opened(file, {});
+    if (!opened.ok()) {
         error = errno;
         return std::nullopt;
     }
-    struct stat about {};
-    std::optional<PhotoContent> content = PhotoContent{};
-    if (::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode)) // a pipe may never end
-        content = read_open_file(descriptor, stop, error);
-    ::close(descriptor);
-    return content;
+    const auto facts = opened.facts();
+    if (!facts || facts->kind != FileFacts::Kind::file) // a pipe may never end
+        return PhotoContent{};
+    return read_open_file(opened, stop, error);
 }
 
 } // namespace tp

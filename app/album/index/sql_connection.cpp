@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/sql_connection.hpp"
 
+#include "core/files/open_file.hpp"
+
 #include <QFile>
 #include <QSqlError>
 #include <QString>
 
 #include <atomic>
-#include <fcntl.h>
-#include <unistd.h>
 #include <utility>
 
 namespace tp {
@@ -59,10 +59,9 @@ bool SqlRun::null(int column) const { return query_->isNull(column); }
 
 SqlConnection SqlConnection::to_file(const std::filesystem::path& file) {
     // made here, because SQLite would let the umask say who may read it; its -wal and -shm follow the file
-    const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-    if (descriptor < 0)
+    if (!OpenFile(file, {.write = true, .make = true, .follow_link = false, .readers = Readers::owner_only})
+             .ok())
         throw SqlFault{sqlite_cannot_open, "unable to open database file"};
-    ::close(descriptor);
     return {QFile::decodeName(QByteArray::fromStdString(file.string())),
             QStringLiteral("QSQLITE_BUSY_TIMEOUT=20000"), nullptr};
 }

@@ -3,15 +3,18 @@
 #include "app/album/keeper/import_sources.hpp"
 #include "app/album/keeper/path_text.hpp"
 #include "app/album/keeper/photo_files.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/new_file.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>
 #include <array>
+#include <chrono>
+#include <cstdint>
+#include <ctime>
 #include <fstream>
 #include <memory>
-#include <sys/stat.h>
 #include <system_error>
 
 namespace tp {
@@ -43,6 +46,17 @@ std::vector<Packed> files_of(const fs::path& album, const fs::path& photo, Folde
     }
     add(photo);
     return files;
+}
+
+struct Moment {
+    std::time_t seconds;
+    long ns; ///< after them
+};
+
+Moment moment_of(std::int64_t ns) {
+    const std::chrono::nanoseconds whole(ns);
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(whole);
+    return {static_cast<std::time_t>(seconds.count()), static_cast<long>((whole - seconds).count())};
 }
 
 /// libarchive's own words, as the end of a sentence.
@@ -83,16 +97,17 @@ private:
 
     std::string add(const Packed& one) {
         std::ifstream stream(one.file, std::ios::binary);
-        struct stat about {};
-        if (!stream || ::stat(one.file.c_str(), &about) != 0)
+        const auto facts = facts_of(one.file);
+        if (!stream || !facts)
             return quoted(one.file) + " cannot be read.";
         const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(),
                                                                                   archive_entry_free);
         archive_entry_set_pathname_utf8(entry.get(), path_text(one.name).toUtf8().constData());
-        archive_entry_set_size(entry.get(), about.st_size);
+        archive_entry_set_size(entry.get(), static_cast<la_int64_t>(facts->bytes));
         archive_entry_set_filetype(entry.get(), AE_IFREG);
         archive_entry_set_perm(entry.get(), 0600);
-        archive_entry_set_mtime(entry.get(), about.st_mtim.tv_sec, about.st_mtim.tv_nsec);
+        const Moment written = moment_of(facts->written_ns);
+        archive_entry_set_mtime(entry.get(), written.seconds, written.ns);
         if (archive_write_header(zip_.get(), entry.get()) < ARCHIVE_WARN)
             return why();
         std::array<char, 1 << 16> block;
@@ -110,9 +125,7 @@ private:
         }
         if (stop_.stop_requested())
             return "it was stopped.";
-        return copied == static_cast<std::uintmax_t>(about.st_size)
-                   ? std::string{}
-                   : quoted(one.file) + " changed meanwhile.";
+        return copied == facts->bytes ? std::string{} : quoted(one.file) + " changed meanwhile.";
     }
 
     NewFile& file_;

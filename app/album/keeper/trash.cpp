@@ -4,6 +4,7 @@
 #include "app/album/keeper/path_text.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/whole_file.hpp"
 
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <sys/stat.h>
 #include <system_error>
 
 namespace tp {
@@ -44,10 +44,11 @@ Result<std::string> new_folder(const fs::path& trash, const QDateTime& now) {
     const std::string start = now.toString(QStringLiteral("yyyy-MM-ddThhmmss.zzz")).toStdString();
     for (int number = 1;; ++number) {
         const std::string id = number == 1 ? start : start + "-" + std::to_string(number);
-        if (::mkdir((trash / id).c_str(), 0700) == 0)
+        const int error = make_directory(trash / id, Readers::owner_only);
+        if (error == 0)
             return id;
-        if (errno != EEXIST)
-            return Error{"Nothing was deleted, because the trash cannot be written to: " + reason_of(errno)};
+        if (error != EEXIST)
+            return Error{"Nothing was deleted, because the trash cannot be written to: " + reason_of(error)};
     }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/looking/look_worker.hpp"
 
+#include "app/album/open/polite_thread.hpp"
 #include "app/photo/words/description.hpp"
 
 #include <string>
-#include <sys/resource.h>
 #include <system_error>
 #include <utility>
 
@@ -12,8 +12,6 @@ namespace tp {
 
 namespace {
 
-/// A tenth of a busy core. Not the idle class: a thread that may be starved must hold no lock of the database.
-constexpr int politeness = 10;
 constexpr int words_version = 1; ///< larger whenever descriptions are put in other words
 
 /// A photograph that is worded so is done with.
@@ -26,7 +24,7 @@ std::string wording(const LookTask& task) {
 
 LookReport LookWorker::work(const LookTask& task) {
     if (!index_) {
-        ::setpriority(PRIO_PROCESS, 0, politeness); // of this thread alone, on Linux
+        make_thread_polite();
         Result<AlbumIndex> index = shared_.another();
         if (!index)
             return {}; // whoever scans tells

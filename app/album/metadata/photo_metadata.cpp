@@ -8,6 +8,7 @@
 #include "audio/recordings/byte_source.hpp"
 #include "core/base/utf8.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/open_file.hpp"
 #include "faces/exiv2/prepare_exiv2.hpp"
 
 #include <exiv2/exiv2.hpp>
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace tp {
@@ -191,7 +191,7 @@ Result<PhotoMetadata> photo_metadata(const fs::path& photo) {
         return Error{"There is no photograph " + quoted(photo) + "."};
     if (!fs::is_regular_file(status))
         return Error{quoted(photo) + " is not a file."};
-    if (::access(photo.c_str(), R_OK) != 0)
+    if (!OpenFile(photo, {}).ok())
         return Error{"You are not allowed to read the photograph " + quoted(photo) + "."};
     PhotoMetadata metadata;
     if (has_oversized_metadata(photo)) {

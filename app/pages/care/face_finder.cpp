@@ -3,6 +3,7 @@
 
 #include "app/photo/picture/overlay.hpp"
 #include "app/photo/scene/corrections.hpp"
+#include "core/files/file_system.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/extract/face_extractor.hpp"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <sys/stat.h>
 #include <utility>
 
 namespace tp {
@@ -23,11 +23,8 @@ constexpr int longest_side_px = 2000; ///< of the picture that crops are cut fro
 constexpr std::size_t most_kept = 3;
 
 std::string file_stamp(const fs::path& file) {
-    struct stat seen {};
-    if (::stat(file.c_str(), &seen) != 0)
-        return "-";
-    return std::to_string(seen.st_size) + " " + std::to_string(seen.st_mtim.tv_sec) + "." +
-           std::to_string(seen.st_mtim.tv_nsec);
+    const auto facts = facts_of(file);
+    return facts ? std::to_string(facts->bytes) + " " + std::to_string(facts->written_ns) : "-";
 }
 
 /// Of everything that what is found depends on.

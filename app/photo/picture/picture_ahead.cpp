@@ -2,13 +2,13 @@
 #include "app/photo/picture/picture_ahead.hpp"
 
 #include "app/photo/picture/overlay.hpp"
+#include "core/files/file_system.hpp"
 #include "faces/decode/picture.hpp"
 
 #include <QMetaObject>
 
 #include <algorithm>
 #include <exception>
-#include <sys/stat.h>
 #include <utility>
 
 namespace tp {
@@ -22,11 +22,8 @@ constexpr int threads = 2;
 
 /// Another one, another content: size, and when it was written.
 std::string stamp_of(const fs::path& file) {
-    struct stat seen {};
-    if (::stat(file.c_str(), &seen) != 0)
-        return {};
-    return std::to_string(seen.st_size) + " " + std::to_string(seen.st_mtim.tv_sec) + "." +
-           std::to_string(seen.st_mtim.tv_nsec);
+    const auto facts = facts_of(file);
+    return facts ? std::to_string(facts->bytes) + " " + std::to_string(facts->written_ns) : std::string{};
 }
 
 std::size_t bytes_of(const ShownPicture& picture) { return static_cast<std::size_t>(picture.image.sizeInBytes()); }

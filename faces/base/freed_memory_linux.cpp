@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/base/freed_memory.hpp"
 
-#if __has_include(<malloc.h>)
 #include <malloc.h>
-#endif
 
 namespace tp {
 
 void give_back_freed_memory() {
-#ifdef __GLIBC__
+#ifdef __GLIBC__ // another library gives it back by itself
     malloc_trim(0);
 #endif
 }

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/shell/few_heaps.hpp"
 
-#if __has_include(<malloc.h>)
 #include <malloc.h>
-#endif
 
 namespace tp {
 
 void keep_few_heaps() {
-#ifdef __GLIBC__
+#ifdef __GLIBC__ // another library keeps few by itself
     mallopt(M_ARENA_MAX, 2);
     mallopt(M_MMAP_THRESHOLD, 1 << 20); // bytes; otherwise glibc raises it to 32 MB
 #endif

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/guard/process/force_taker.hpp"
-
-#if defined(__linux__)
 #include "device/guard/process/posix_ends.hpp"
 
 #include <cerrno>
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
 #include <utility>
-#endif
 
 namespace tp::guard {
-
-#if defined(__linux__)
 
 namespace {
 
@@ -52,11 +47,5 @@ private:
 std::unique_ptr<ForceTaker> packet_taker(std::uint8_t endpoint, Bytes no_force) {
     return std::make_unique<PacketTaker>(endpoint, std::move(no_force));
 }
-
-#else
-
-std::unique_ptr<ForceTaker> packet_taker(std::uint8_t, Bytes) { return nullptr; }
-
-#endif
 
 } // namespace tp::guard

@@ -6,13 +6,13 @@
 #include "audio/video/video_film.hpp"
 #include "core/base/descriptor_posix.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/open_file.hpp"
 #include "core/processes/foreign_decoder_linux.hpp"
 #include "core/processes/helper_linux.hpp"
 
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <fcntl.h>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -76,7 +76,7 @@ Result<std::unique_ptr<FilmStream>> film_of_video(const std::filesystem::path& f
         FilmQuestion question;
         question.what = FilmQuestion::What::open;
         question.size = static_cast<std::int64_t>((*bytes)->size());
-        question.file = Descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+        question.file = Descriptor(OpenFile(file, {}).release());
         if (!question.file.ok())
             return Error{"it cannot be read: " + reason_of(errno)};
         return by_helper(decoders->films, std::move(question));

@@ -50,7 +50,9 @@ std::string reason_of(int error) {
     case EROFS:
         return "you are not allowed to write there.";
     case ENOSPC:
+#if defined(EDQUOT) // Windows knows no quota of its own
     case EDQUOT:
+#endif
         return "the disk is full.";
     case EIO:
         return "the disk reports a fault.";

@@ -14,8 +14,9 @@ double SteadyClock::now() noexcept {
 
 void SteadyClock::sleep_until(double time) noexcept {
     using Ticks = std::chrono::steady_clock::duration;
-    std::this_thread::sleep_until(
-        std::chrono::steady_clock::time_point(std::chrono::duration_cast<Ticks>(Seconds(time))));
+    const auto due = std::chrono::steady_clock::time_point(std::chrono::ceil<Ticks>(Seconds(time)));
+    while (std::chrono::steady_clock::now() < due) // Windows wakes a thread before its time
+        std::this_thread::sleep_until(due);
 }
 
 } // namespace tp

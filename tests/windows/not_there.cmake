@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: Apache-2.0
+# Tests of rooms that are built for Windows which cannot be tried there, and why.
+set(not_there
+  core.files                   # asks POSIX who may read a file; files_test.cpp beside this is Windows's own
+  core.files.growing_file      # puts itself in the place of POSIX's own functions
+  core.files.failing_disk      # the same
+  core.libraries               # names libraries as Linux does
+  core.guidance.hostile_scenes # reads SVG: core/svg needs lib2geom
+  core.servo.servo_loop        # asks Linux's scheduler
+  core.servo.snapshot          # the same
+  core.servo.real_time         # the same
+  core.servo.exit_guard        # ends processes by signals
+  core.servo.allocation        # needs device, which is not built for Windows as a whole
+  core.study.exploring_finger  # the same
+  core.statistics.r_agrees)    # needs R

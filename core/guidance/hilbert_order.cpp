@@ -37,7 +37,7 @@ std::uint32_t lattice(double middle, double min, double extent) {
 
 } // namespace
 
-void sort_along_hilbert_curve(SegmentSet& set) {
+void sort_along_hilbert_curve(SegmentSet& set, Repeats repeats) {
     const auto count = static_cast<std::uint32_t>(set.size());
     if (count == 0)
         return;
@@ -66,11 +66,12 @@ void sort_along_hilbert_curve(SegmentSet& set) {
         return std::tie(set.owners[l.segment], set.numbers[l.segment]) <
                std::tie(set.owners[r.segment], set.numbers[r.segment]);
     });
-    order.erase(std::unique(order.begin(), order.end(),
-                            [&](const Keyed& l, const Keyed& r) {
-                                return l.key == r.key && ends(l.segment) == ends(r.segment);
-                            }),
-                order.end());
+    if (repeats == Repeats::left_out)
+        order.erase(std::unique(order.begin(), order.end(),
+                                [&](const Keyed& l, const Keyed& r) {
+                                    return l.key == r.key && ends(l.segment) == ends(r.segment);
+                                }),
+                    order.end());
 
     SegmentSet sorted;
     sorted.longest = set.longest;

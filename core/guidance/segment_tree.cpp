@@ -77,6 +77,12 @@ void SegmentTree::set_box(std::size_t level, std::uint32_t box, const std::array
     holder.max_y[slot] = bounds[3];
 }
 
+std::array<float, 4> SegmentTree::as_box(Vec2 low, Vec2 high) const {
+    const Vec2 from = low - middle_;
+    const Vec2 to = high - middle_;
+    return {rounded_down(from.x), rounded_down(from.y), rounded_up(to.x), rounded_up(to.y)};
+}
+
 SegmentTree::SegmentTree(const SegmentSet& set) : segment_count_(static_cast<std::uint32_t>(set.size())) {
     if (segment_count_ == 0)
         return;

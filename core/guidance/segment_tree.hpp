@@ -25,6 +25,11 @@ public:
     void collect_unbeaten(const std::array<Vec2, 4>& corners, Vec2 rival, double margin,
                           std::vector<std::uint32_t>& out) const;
 
+    /// Calls `visit` with every segment whose box meets the rectangle from `low` to `high` (mm), and perhaps with a few more.
+    /// Allocates nothing.
+    template <typename Visit>
+    void for_each_near(Vec2 low, Vec2 high, Visit visit) const noexcept;
+
     std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 
 private:
@@ -53,6 +58,8 @@ private:
         return std::min(fan_out, boxes_[static_cast<std::size_t>(level) - 1] - box * fan_out);
     }
     void set_box(std::size_t level, std::uint32_t box, const std::array<float, 4>& bounds);
+    /// The rectangle as boxes are kept, rounded outwards: min x, min y, max x, max y.
+    std::array<float, 4> as_box(Vec2 low, Vec2 high) const;
 
     Vec2 middle_{0.0};
     std::uint32_t segment_count_ = 0;
@@ -62,8 +69,41 @@ private:
     std::vector<Node> nodes_;
 };
 
-/// Brings segments into Hilbert order and leaves out those that repeat another one with the same owner or a
-/// later one: they can never be the answer. Adds the filler.
-void sort_along_hilbert_curve(SegmentSet& set);
+template <typename Visit>
+void SegmentTree::for_each_near(Vec2 low, Vec2 high, Visit visit) const noexcept {
+    if (segment_count_ == 0)
+        return;
+    const std::array<float, 4> wanted = as_box(low, high);
+    struct Waiting {
+        std::uint32_t box;
+        std::int32_t level;
+    };
+    std::array<Waiting, most_levels * fan_out> stack;
+    std::size_t height = 0;
+    stack[height++] = {0, levels_};
+    while (height > 0) {
+        const Waiting now = stack[--height];
+        if (now.level == 0) {
+            const std::uint32_t end = std::min(segment_count_, (now.box + 1) * leaf_size);
+            for (std::uint32_t i = now.box * leaf_size; i < end; ++i)
+                visit(i);
+            continue;
+        }
+        const Node& holder = node(now.level - 1, now.box);
+        for (std::uint32_t k = 0; k < held(now.level, now.box); ++k)
+            if (!(holder.min_x[k] > wanted[2] || holder.max_x[k] < wanted[0] || holder.min_y[k] > wanted[3] ||
+                  holder.max_y[k] < wanted[1]))
+                stack[height++] = {now.box * fan_out + k, now.level - 1};
+    }
+}
+
+/// Whether segments that lie on one another are kept.
+enum class Repeats {
+    left_out, ///< of those that repeat another one only that with the first owner: the others can never be nearest
+    kept
+};
+
+/// Brings segments into Hilbert order. Adds the filler.
+void sort_along_hilbert_curve(SegmentSet& set, Repeats repeats = Repeats::left_out);
 
 } // namespace tp

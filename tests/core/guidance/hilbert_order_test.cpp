@@ -56,6 +56,14 @@ private slots:
         }
     }
 
+    void repeats_are_kept_where_that_is_asked_for() {
+        SegmentSet set = shuffled_grid(4, 3, 0.0, {5.0, 5.0});
+        sort_along_hilbert_curve(set, Repeats::kept);
+        QCOMPARE(set.size(), std::size_t(12));
+        sort_along_hilbert_curve(set);
+        QCOMPARE(set.size(), std::size_t(1));
+    }
+
     void of_the_same_segment_the_first_owner_and_number_stay() {
         SegmentSet set;
         for (const auto& [owner, number] : {std::pair{2, 1u}, {1, 7u}, {1, 5u}, {3, 0u}}) {

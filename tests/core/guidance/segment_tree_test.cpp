@@ -49,6 +49,32 @@ FlatScene dots(const std::vector<Vec2>& places) {
 class SegmentTreeTest : public QObject {
     Q_OBJECT
 private slots:
+    /// None that a rectangle meets is missed, on its edge too, and not all are visited.
+    void near_a_rectangle_are_all_that_it_meets() {
+        std::mt19937 random(37);
+        std::size_t visited = 0, offered = 0;
+        for (int round = 0; round < 100; ++round) {
+            const SegmentSet set = set_of(many_curves(1000, 60.0));
+            const SegmentTree tree(set);
+            const Vec2 p = random_point(random), q = p + 0.1 * random_point(random);
+            const Vec2 low = glm::min(p, q), high = glm::max(p, q);
+            std::vector<char> near(set.size(), 0);
+            tree.for_each_near(low, high, [&](std::uint32_t i) { near[i] = 1; });
+            for (std::uint32_t i = 0; i < set.size(); ++i) {
+                const Vec2 from = glm::min(set.segments[i].a, set.segments[i].b);
+                const Vec2 to = glm::max(set.segments[i].a, set.segments[i].b);
+                const bool apart = to.x < low.x || from.x > high.x || to.y < low.y || from.y > high.y;
+                QVERIFY(apart || near[i] != 0);
+                bool touched = false;
+                tree.for_each_near(to, to + Vec2(1.0), [&](std::uint32_t k) { touched |= k == i; });
+                QVERIFY(touched);
+                visited += near[i] != 0 ? 1 : 0;
+            }
+            offered += set.size();
+        }
+        QVERIFY(visited > 0 && visited < offered / 10);
+    }
+
     /// Full and half-empty leaves and nodes, one level and several.
     void of_any_number_of_segments_the_nearest_is_found() {
         std::mt19937 random(31);

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/friction/friction_law.hpp"
+#include "core/guidance/guidance_law.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace tp {
+
+/// What happened between a finger and a line.
+enum class LineEventKind {
+    crossed,  ///< the finger's way went across it
+    followed, ///< the finger has gone along it for a while
+    left,     ///< a line that was followed is no longer under the finger
+    corner    ///< a sharp turn of a line is under the finger
+};
+
+struct LineEvent {
+    LineEventKind kind = LineEventKind::crossed;
+    int contour = -1;          ///< index into the FlatScene
+    std::uint32_t segment = 0; ///< of that contour's line; of a crossing the one that is crossed
+    Vec2 place{0.0};           ///< mm; of a crossing and a corner on the line, else the finger's
+    double speed = 0.0;        ///< of the finger, mm/s
+    double angle = 0.0;        ///< between the finger's way and the line, rad, 0 … π/2; of a crossing only
+    bool to_left = false;      ///< of the line as it was drawn; of a crossing only
+    double share = 0.0; ///< FrictionLaw::share_at of this speed: nothing of it is felt where the finger rests
+};
+
+/// What a bare finger should feel now.
+struct Friction {
+    double level = 0.0; ///< 0 … 1; 0 where the finger rests
+    std::span<const LineEvent>
+        events;               ///< crossings in their order, then the others; valid until the next step
+    std::size_t left_out = 0; ///< crossings for which there was no room, see StepCrossings
+};
+
+/// One finger before the resistive law: remembers where it was, and so knows what it crossed, follows and left. One thread;
+/// allocates nothing, locks nothing, throws nothing.
+class FrictionFinger {
+public:
+    static constexpr double along_mm = 1.0;     ///< so near to a line a finger may be following it
+    static constexpr double away_mm = 2.0;      ///< from here on a line that was followed is left
+    static constexpr double along_way_mm = 4.0; ///< so far a finger goes near a line before it follows it
+    static constexpr double along_share = 0.9;  ///< of that way at least so much is along the line
+
+    /// `law` must outlive it.
+    explicit FrictionFinger(const FrictionLaw& law) : law_(&law) {}
+
+    /// The finger is at `place` (mm) and moves at `velocity` (mm/s); `exact` is what ExactLaw answered for this place, over
+    /// the same scene. A place that is not finite is that of a lifted finger.
+    Friction step(Vec2 place, Vec2 velocity, const Guidance& exact) noexcept;
+    /// The finger is off the surface: what it passes until it is set down again is not crossed.
+    void lift() noexcept;
+
+    bool following() const { return following_; }
+
+private:
+    void cross_lines(Vec2 place, double way, double speed, double share, double distance) noexcept;
+    void look_for_corner(Vec2 place, double speed, double share, const Guidance& exact) noexcept;
+    void follow(Vec2 place, double way, double speed, double share, const Guidance& exact) noexcept;
+    void forget_way() noexcept;
+    void tell(const LineEvent& event) noexcept { events_[told_++] = event; }
+
+    const FrictionLaw* law_;
+    bool down_ = false;
+    Vec2 place_{0.0};       ///< mm, of the sample before
+    double distance_ = 0.0; ///< mm, there
+    bool in_texture_ = false;
+
+    int contour_ = -1; ///< near which the finger goes
+    std::uint32_t segment_ = 0;
+    Vec2 nearest_{0.0};    ///< mm, its place nearest to the finger
+    double near_mm_ = 0.0; ///< way near it so far
+    double way_ = 0.0;     ///< the same, older way forgotten
+    double along_ = 0.0;   ///< … as far as it was along the line
+    bool following_ = false;
+    bool at_corner_ = false;
+    Vec2 corner_{0.0}; ///< mm, the one told last
+
+    StepCrossings crossings_;
+    std::array<LineEvent, StepCrossings::room + 3> events_{};
+    std::size_t told_ = 0;
+};
+
+} // namespace tp

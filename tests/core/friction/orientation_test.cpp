@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/friction/orientation.hpp"
+
+#include <QTest>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <random>
+
+using namespace tp;
+
+namespace {
+
+__extension__ using Wide = __int128;
+
+/// The same in whole numbers.
+int true_orientation(std::array<std::int64_t, 6> c) {
+    const Wide value = Wide(c[2] - c[0]) * (c[5] - c[1]) - Wide(c[3] - c[1]) * (c[4] - c[0]);
+    return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+} // namespace
+
+class OrientationTest : public QObject {
+    Q_OBJECT
+private slots:
+    void left_is_positive() {
+        QCOMPARE(orientation({0, 0}, {1, 0}, {0, 1}), 1);
+        QCOMPARE(orientation({0, 0}, {1, 0}, {0, -1}), -1);
+        QCOMPARE(orientation({0, 0}, {1, 0}, {7, 0}), 0);
+    }
+
+    /// Numbers of 60 bits are no doubles' products; places nearly on the line have nearly all digits in common.
+    void equals_whole_numbers_however_close() {
+        std::mt19937_64 random(1);
+        int zero = 0, close = 0;
+        for (int round = 0; round < 300'000; ++round) {
+            const std::int64_t size = std::int64_t(1) << (4 + round % 49);
+            std::uniform_int_distribution<std::int64_t> place(-size, size);
+            std::array<std::int64_t, 6> c{};
+            for (std::int64_t& value : c)
+                value = place(random);
+            if (round % 2 == 0) { // p = a + k·(b − a), or next to it
+                const std::int64_t k = std::int64_t(round % 7) - 3;
+                c = {c[0] / 4, c[1] / 4, c[0] / 4 + c[2] / 8, c[1] / 4 + c[3] / 8, 0, 0};
+                c[4] = c[0] + k * (c[2] - c[0]) + std::int64_t(random() % 3) - 1;
+                c[5] = c[1] + k * (c[3] - c[1]) + std::int64_t(random() % 3) - 1;
+                ++close;
+            }
+            const int right = true_orientation(c);
+            zero += right == 0 ? 1 : 0;
+            const double unit = round % 3 == 0 ? 1.0 : round % 3 == 1 ? 0x1p-40 : 0x1p-300;
+            const auto at = [&](int i) {
+                return unit * Vec2(double(c[std::size_t(2 * i)]), double(c[std::size_t(2 * i + 1)]));
+            };
+            QCOMPARE(orientation(at(0), at(1), at(2)), right);
+            QCOMPARE(orientation(at(1), at(0), at(2)), -right);
+            QCOMPARE(orientation(at(1), at(2), at(0)), right);
+        }
+        QVERIFY(close == 150'000 && zero > 10'000);
+    }
+
+    /// Kettner, Mehlhorn, Pion, Schirra, Yap, "Classroom examples of robustness problems" (2008): double alone takes many of
+    /// these places for the wrong side.
+    void one_ulp_beside_a_diagonal() {
+        const double ulp = std::numeric_limits<double>::epsilon() / 2.0;
+        for (int i = 0; i < 256; ++i)
+            for (int j = 0; j < 256; ++j) {
+                const Vec2 p(0.5 + i * ulp, 0.5 + j * ulp);
+                QCOMPARE(orientation({12, 12}, {24, 24}, p), i == j ? 0 : j > i ? 1 : -1);
+            }
+    }
+
+    void what_is_not_finite_or_huge_is_answered() {
+        const double values[] = {0.0,    1e-320,       1e308,
+                                 -1e308, std::nan(""), std::numeric_limits<double>::infinity()};
+        for (const double x : values)
+            for (const double y : values)
+                for (const double z : values) {
+                    const int side = orientation({x, y}, {z, x}, {y, z});
+                    QVERIFY(side >= -1 && side <= 1);
+                }
+    }
+};
+
+QTEST_APPLESS_MAIN(OrientationTest)
+#include "orientation_test.moc"

@@ -4,6 +4,7 @@
 #include "core/files/whole_file.hpp"
 
 #include <QByteArray>
+#include <QList>
 
 namespace tp {
 

@@ -18,7 +18,7 @@ struct Verb {
     int (*run)(const QStringList& words);
 };
 
-constexpr std::array<Verb, 16> verbs{{
+constexpr std::array<Verb, 17> verbs{{
     {"album", "photographs, people and recordings: scan, search, import, export, check", album_verb},
     {"faces", "find the faces of photographs and their contours", faces_verb},
     {"models", "list, check and fetch the models that faces can use", models_verb},
@@ -28,6 +28,7 @@ constexpr std::array<Verb, 16> verbs{{
     {"expressions", "say which expressions the contours of faces tell a finger", expressions_verb},
     {"force", "answer the force at places read from stdin", force_verb},
     {"field", "draw the force field of a scene", field_verb},
+    {"friction", "write the friction of a scene as a picture for electrostatic displays", friction_verb},
     {"devices", "list, test and home force devices, record and replay sessions", devices_verb},
     {"servo", "measure how punctual the servo loop is on this machine", servo_verb},
     {"stability", "measure how stable the guidance is", stability_verb},

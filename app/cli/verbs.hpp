@@ -14,6 +14,7 @@ int devices_verb(const QStringList& words);
 int expressions_verb(const QStringList& words);
 int faces_verb(const QStringList& words);
 int field_verb(const QStringList& words);
+int friction_verb(const QStringList& words);
 int bench_faces_verb(const QStringList& words);
 int correction_verb(const QStringList& words);
 int force_verb(const QStringList& words);

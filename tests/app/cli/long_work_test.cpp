@@ -109,6 +109,7 @@ private slots:
         };
         const char* const index = "cache/.*";
         row("field", "field --scene @tangle.svg --out @field.png");
+        row("friction", "friction --scene @tangle.svg --out @friction.png");
         row("force", "force --scene @tangle.svg");
         row("trace", "trace --scene @tangle.svg --out @trace");
         row("devices record a scene", "devices record @tangle.rec --scene @tangle.svg");

@@ -108,7 +108,7 @@ tp_may(tp_looking      tp_base tp_metadata tp_index tp_open_album tp_seen tp_sig
 
 # app/figures: measurements that end in tables and plots
 tp_may(tp_report       ${below_app} tp_aiming tp_handheld  USES Qt6::Gui Qt6::Svg)
-tp_may(tp_simulated    ${below_app} tp_pad_firmware tp_experiment tp_study_folder tp_trials tp_participant  USES Threads::Threads)
+tp_may(tp_simulated    ${below_app} tp_pad_firmware tp_experiment tp_study_folder tp_trials tp_participant tp_report  USES Threads::Threads)
 tp_may(tp_study_report tp_base tp_files tp_geometry tp_experiment tp_study_folder tp_statistics tp_report  USES Qt6::Core Qt6::Gui)
 tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_models tp_identity tp_extract tp_evaluation
                        tp_picture tp_report

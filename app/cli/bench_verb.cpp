@@ -148,15 +148,18 @@ int bench_verb(const QStringList& words) {
         return bench_accuracy(words.mid(1));
     if (what == QLatin1String("faces"))
         return bench_faces_verb(words.mid(1));
+    if (what == QLatin1String("touch"))
+        return bench_touch_verb(words.mid(1));
     if (what == QLatin1String("--help") || what == QLatin1String("-h")) {
         std::puts("touchphoto-lab bench guidance [--json FILE] [--quick]\n"
                   "touchphoto-lab bench accuracy --out DIR [--quick]\n"
                   "touchphoto-lab bench faces --photos DIR --truth FILE --out DIR [--people FILE]\n"
                   "touchphoto-lab bench faces --wild DIR --out DIR [--only FILE] [--labels FILE]\n"
-                  "touchphoto-lab bench faces --identity DIR --out DIR");
+                  "touchphoto-lab bench faces --identity DIR --out DIR\n"
+                  "touchphoto-lab bench touch --out DIR [--people N] [--seed S]");
         return exit_done;
     }
-    return wrong_usage("bench", "Say what to measure: guidance, accuracy or faces.");
+    return wrong_usage("bench", "Say what to measure: guidance, accuracy, faces or touch.");
 }
 
 } // namespace tp

@@ -16,6 +16,7 @@ int faces_verb(const QStringList& words);
 int field_verb(const QStringList& words);
 int friction_verb(const QStringList& words);
 int bench_faces_verb(const QStringList& words);
+int bench_touch_verb(const QStringList& words);
 int correction_verb(const QStringList& words);
 int force_verb(const QStringList& words);
 int models_verb(const QStringList& words);

@@ -121,6 +121,7 @@ private slots:
         row("stability", "stability --out @stability");
         row("bench guidance", "bench guidance --json @bench.json");
         row("bench accuracy", "bench accuracy --out @accuracy");
+        row("bench touch", "bench touch --people 10000 --out @touch");
         row("bench faces --wild", "bench faces --wild @album --out @wild", "wild/[a-z_]+[.](csv|png|svg)");
         row("scene", "scene @large.jpg --out @scene.svg");
         row("tactile", "tactile @large.jpg @tactile.pdf");

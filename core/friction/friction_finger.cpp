@@ -11,6 +11,8 @@ namespace {
 /// What the distances of an index and the length of a step may be wrong by: their rounding, many times over.
 constexpr double slack_share = 1e-9;
 constexpr double slack_mm = 1e-9;
+/// Farther from each line a finger that follows none has nothing to be told.
+constexpr double heed_mm = std::max(FrictionFinger::along_mm, FrictionLaw::corner_mm);
 
 /// A third of the time of `length`. Beyond 1e154 it is infinite, and below 1e-154 zero: a step so small is looked at anyway
 /// where a line is near (slack_mm).
@@ -37,50 +39,55 @@ Friction FrictionFinger::step(Vec2 place, Vec2 velocity, const Guidance& exact) 
         lift();
         return {};
     }
-    const double speed = quick_length(velocity);
-    const double share = law_->share_at(speed);
-    const bool sets_down = !down_;
-    if (sets_down) {
+    if (!down_) {
         down_ = true;
         in_texture_ = law_->in_texture(place);
+    } else if (may_cross(place, exact.distance) || exact.distance <= heed_mm || following_ || at_corner_) {
+        const double speed = quick_length(velocity);
+        const Movement now{place, quick_length(place - place_), speed, law_->share_at(speed)};
+        if (may_cross(place, exact.distance))
+            cross_lines(now);
+        follow(now, exact);
+        look_for_corner(now, exact);
     } else {
-        const double way = quick_length(place - place_);
-        cross_lines(place, way, speed, share, exact.distance);
-        follow(place, way, speed, share, exact);
-        look_for_corner(place, speed, share, exact);
+        forget_way();
     }
     place_ = place;
     distance_ = exact.distance;
     nearest_ = exact.nearest;
     contour_ = exact.contour;
     segment_ = exact.segment;
-    const double level = share > 0.0 ? share * law_->moving_level(place, exact.distance, in_texture_) : 0.0;
+    double level = law_->moving_level(place, exact.distance, in_texture_);
+    if (level > 0.0)
+        level *= law_->share_at(quick_length(velocity));
     return {level, {events_.data(), told_}, crossings_.left_out()};
 }
 
 /// No place of the step is nearer to a line than the distances at its ends allow: most steps cross nothing, and are not
 /// looked at.
-void FrictionFinger::cross_lines(Vec2 place, double way, double speed, double share,
-                                 double distance) noexcept {
-    if (way + slack_mm < (1.0 - slack_share) * (distance_ + distance))
-        return;
-    law_->lines().find(place_, place, crossings_);
+bool FrictionFinger::may_cross(Vec2 place, double distance) const noexcept {
+    const Vec2 way = place - place_;
+    const double clear = (1.0 - slack_share) * (distance_ + distance) - slack_mm;
+    return !(clear > 0.0 && glm::dot(way, way) < clear * clear);
+}
+
+void FrictionFinger::cross_lines(const Movement& now) noexcept {
+    law_->lines().find(place_, now.place, crossings_);
     for (const LineCrossing& crossing : crossings_.list()) {
         in_texture_ ^= law_->bounds_texture(crossing.contour);
-        tell({LineEventKind::crossed, crossing.contour, crossing.segment, crossing.place, speed,
-              angle_between(place - place_, crossing.along), crossing.to_left, share});
+        tell({LineEventKind::crossed, crossing.contour, crossing.segment, crossing.place, now.speed,
+              angle_between(now.place - place_, crossing.along), crossing.to_left, now.share});
     }
     if (crossings_.left_out() > 0)
-        in_texture_ = law_->in_texture(place);
+        in_texture_ = law_->in_texture(now.place);
 }
 
 /// A finger follows a line where the place nearest to it goes along as the finger does; one that crosses leaves that place
 /// where it is. Older way counts less and less.
-void FrictionFinger::follow(Vec2 place, double way, double speed, double share,
-                            const Guidance& exact) noexcept {
+void FrictionFinger::follow(const Movement& now, const Guidance& exact) noexcept {
     const bool same = exact.contour == contour_ && contour_ >= 0;
     if (following_ && (!same || exact.distance > away_mm)) {
-        tell({LineEventKind::left, contour_, segment_, place, speed, 0.0, false, share});
+        tell({LineEventKind::left, contour_, segment_, now.place, now.speed, 0.0, false, now.share});
         following_ = false;
         forget_way();
     }
@@ -88,28 +95,29 @@ void FrictionFinger::follow(Vec2 place, double way, double speed, double share,
         forget_way();
         return;
     }
-    const double kept = std::max(0.0, 1.0 - way * (1.0 / along_way_mm));
-    near_mm_ += way;
-    way_ = kept * way_ + way;
-    along_ = kept * along_ + std::min(way, quick_length(exact.nearest - nearest_));
+    const double kept = std::max(0.0, 1.0 - now.way * (1.0 / along_way_mm));
+    near_mm_ += now.way;
+    way_ = kept * way_ + now.way;
+    along_ = kept * along_ + std::min(now.way, quick_length(exact.nearest - nearest_));
     if (following_ || near_mm_ < along_way_mm || along_ < along_share * way_)
         return;
     following_ = true;
-    tell({LineEventKind::followed, contour_, exact.segment, place, speed, 0.0, false, share});
+    tell({LineEventKind::followed, contour_, exact.segment, now.place, now.speed, 0.0, false, now.share});
 }
 
 /// Once; again when the finger has been away from it.
-void FrictionFinger::look_for_corner(Vec2 place, double speed, double share, const Guidance& exact) noexcept {
-    if (at_corner_ && quick_length(place - corner_) > 2.0 * FrictionLaw::corner_mm)
+void FrictionFinger::look_for_corner(const Movement& now, const Guidance& exact) noexcept {
+    if (at_corner_ && quick_length(now.place - corner_) > 2.0 * FrictionLaw::corner_mm)
         at_corner_ = false;
-    if (exact.contour < 0 || exact.distance > FrictionLaw::corner_mm || place == place_)
+    if (exact.contour < 0 || exact.distance > FrictionLaw::corner_mm || now.place == place_)
         return;
-    const Nearest corner = law_->corners().nearest_within(place, FrictionLaw::corner_mm);
+    const Nearest corner = law_->corners().nearest_within(now.place, FrictionLaw::corner_mm);
     if (!corner.found() || (at_corner_ && corner.point == corner_))
         return;
     at_corner_ = true;
     corner_ = corner.point;
-    tell({LineEventKind::corner, exact.contour, exact.segment, corner.point, speed, 0.0, false, share});
+    tell({LineEventKind::corner, exact.contour, exact.segment, corner.point, now.speed, 0.0, false,
+          now.share});
 }
 
 } // namespace tp

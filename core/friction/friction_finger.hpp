@@ -58,9 +58,16 @@ public:
     bool following() const { return following_; }
 
 private:
-    void cross_lines(Vec2 place, double way, double speed, double share, double distance) noexcept;
-    void look_for_corner(Vec2 place, double speed, double share, const Guidance& exact) noexcept;
-    void follow(Vec2 place, double way, double speed, double share, const Guidance& exact) noexcept;
+    struct Movement {
+        Vec2 place;
+        double way;   ///< mm since the sample before
+        double speed; ///< mm/s
+        double share; ///< FrictionLaw::share_at of it
+    };
+    bool may_cross(Vec2 place, double distance) const noexcept;
+    void cross_lines(const Movement& now) noexcept;
+    void follow(const Movement& now, const Guidance& exact) noexcept;
+    void look_for_corner(const Movement& now, const Guidance& exact) noexcept;
     void forget_way() noexcept;
     void tell(const LineEvent& event) noexcept { events_[told_++] = event; }
 

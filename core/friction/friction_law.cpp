@@ -51,7 +51,7 @@ double FrictionLaw::ridge(double distance) const noexcept {
     return 0.0;
 }
 
-double FrictionLaw::moving_level(Vec2 place, double distance, bool in_texture) const noexcept {
+double FrictionLaw::rough_level(Vec2 place, double distance, bool in_texture) const noexcept {
     const double on_ridge = ridge(distance);
     if (!in_texture || !std::isfinite(place.x))
         return on_ridge;

@@ -26,7 +26,10 @@ public:
 
     /// Friction level 0 … 1 for a finger that moves, where the nearest line is `distance` ≥ 0 mm away and the place lies in
     /// a textured feature or does not. For a place or a distance that is not a number it is 0.
-    double moving_level(Vec2 place, double distance, bool in_texture) const noexcept;
+    double moving_level(Vec2 place, double distance, bool in_texture) const noexcept {
+        return in_texture || distance * per_half_width_ < 1.0 ? rough_level(place, distance, in_texture)
+                                                              : 0.0;
+    }
     /// How much of that a finger feels at this speed, mm/s: 0 at rest … 1, continuous, never falling.
     double share_at(double speed) const noexcept {
         const double share = (speed - choices_.rest_mm_s) * per_speed_;
@@ -45,6 +48,7 @@ public:
     static constexpr double corner_mm = 1.5; ///< a finger that comes so near passes a corner
 
 private:
+    double rough_level(Vec2 place, double distance, bool in_texture) const noexcept;
     double ridge(double distance) const noexcept;
 
     FrictionChoices choices_;

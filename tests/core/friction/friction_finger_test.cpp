@@ -161,6 +161,21 @@ private slots:
         walk.to({-0.2, 0.2});
         QCOMPARE(walk.of(LineEventKind::corner).size(), std::size_t(2));
         QVERIFY(walk.of(LineEventKind::corner).back().place == Vec2(0, 0));
+        walk.to({6.0, -6.0}); // off all lines, and straight back
+        walk.to({0.2, -0.2});
+        QCOMPARE(walk.of(LineEventKind::corner).size(), std::size_t(3));
+    }
+
+    /// Hops so long that no sample lies between near the line and far from it.
+    void way_before_a_hop_does_not_count_as_following() {
+        Walk walk(line);
+        for (int i = 0; i < 3; ++i) {
+            const double x = (FrictionFinger::along_way_mm - 0.5) * i;
+            walk.step({x, 0.9}, {80, 0});
+            walk.to({x + FrictionFinger::along_way_mm - 0.5, 0.9});
+            walk.step({x + FrictionFinger::along_way_mm - 0.5, 1.6}, {80, 0});
+        }
+        QVERIFY(walk.of(LineEventKind::followed).empty());
     }
 
     void a_line_that_becomes_another_is_left() {

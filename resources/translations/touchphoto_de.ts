@@ -4353,6 +4353,34 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>nothing of its pictures can be decoded.</source>
         <translation>Keines der Bilder kann decodiert werden.</translation>
     </message>
+    <message>
+        <source>A friction map has between 0 and 1000 dots a millimetre.</source>
+        <translation>Eine Reibungskarte hat mehr als 0 und höchstens 1000 Punkte je Millimeter.</translation>
+    </message>
+    <message>
+        <source>A ridge of %1 mm is narrower than two dots at %2 dots a millimetre and would have gaps; choose more dots or a wider ridge.</source>
+        <translation>Ein Wulst von %1 mm ist bei %2 Punkten je Millimeter schmaler als zwei Punkte und hätte Lücken; wählen Sie mehr Punkte oder einen breiteren Wulst.</translation>
+    </message>
+    <message>
+        <source>At %1 dots a millimetre the map would be %2 × %3 dots, more than can be drawn; choose fewer dots a millimetre.</source>
+        <translation>Bei %1 Punkten je Millimeter hätte die Karte %2 × %3 Punkte, mehr als gezeichnet werden können; wählen Sie weniger Punkte je Millimeter.</translation>
+    </message>
+    <message>
+        <source>The friction of a ridge and of a stripe must be numbers from 0 to 1.</source>
+        <translation>Die Reibung eines Wulstes und eines Streifens müssen Zahlen von 0 bis 1 sein.</translation>
+    </message>
+    <message>
+        <source>The speed of a moving finger must be a number above that of a resting one.</source>
+        <translation>Die Geschwindigkeit eines bewegten Fingers muss eine Zahl über der eines ruhenden sein.</translation>
+    </message>
+    <message>
+        <source>The width of a ridge and of a stripe must be numbers of millimetres above zero.</source>
+        <translation>Die Breite eines Wulstes und eines Streifens müssen Zahlen in Millimetern über null sein.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a map of so many dots; choose fewer dots a millimetre.</source>
+        <translation>Für eine Karte mit so vielen Punkten reicht der Speicher nicht; wählen Sie weniger Punkte je Millimeter.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

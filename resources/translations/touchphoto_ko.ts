@@ -4330,6 +4330,34 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>nothing of its pictures can be decoded.</source>
         <translation>화면을 하나도 디코딩할 수 없습니다.</translation>
     </message>
+    <message>
+        <source>A friction map has between 0 and 1000 dots a millimetre.</source>
+        <translation>마찰 지도의 점은 밀리미터당 0개보다 많고 1000개 이하입니다.</translation>
+    </message>
+    <message>
+        <source>A ridge of %1 mm is narrower than two dots at %2 dots a millimetre and would have gaps; choose more dots or a wider ridge.</source>
+        <translation>%1 mm 돌기는 밀리미터당 점 %2개에서 점 두 개보다 좁아 끊어집니다. 점을 늘리거나 더 넓은 돌기를 선택하세요.</translation>
+    </message>
+    <message>
+        <source>At %1 dots a millimetre the map would be %2 × %3 dots, more than can be drawn; choose fewer dots a millimetre.</source>
+        <translation>밀리미터당 점 %1개이면 지도가 %2 × %3개의 점이 되어 그릴 수 없습니다. 밀리미터당 점을 줄이세요.</translation>
+    </message>
+    <message>
+        <source>The friction of a ridge and of a stripe must be numbers from 0 to 1.</source>
+        <translation>돌기와 줄무늬의 마찰은 0에서 1 사이의 수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The speed of a moving finger must be a number above that of a resting one.</source>
+        <translation>움직이는 손가락의 속도는 쉬는 손가락의 속도보다 큰 수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The width of a ridge and of a stripe must be numbers of millimetres above zero.</source>
+        <translation>돌기와 줄무늬의 너비는 0보다 큰 밀리미터 수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a map of so many dots; choose fewer dots a millimetre.</source>
+        <translation>점이 이렇게 많은 지도를 만들 메모리가 부족합니다. 밀리미터당 점을 줄이세요.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -18,7 +18,7 @@ enum class Readers {
 };
 
 /// How a file is opened. No program that is started meanwhile has it; a pipe or a device never makes one wait.
-struct Opening {
+struct OpenMode {
     bool read = true;
     bool write = false;
     bool make = false;                   ///< where nothing has that name
@@ -54,7 +54,7 @@ public:
     /// Takes over what is open already.
     explicit OpenFile(int number) : number_(number) {}
     /// Not `ok` where it could not be opened.
-    OpenFile(const std::filesystem::path& file, const Opening& how);
+    OpenFile(const std::filesystem::path& file, const OpenMode& how);
     OpenFile(OpenFile&& other) noexcept : number_(other.release()) {}
     OpenFile& operator=(OpenFile&& other) noexcept;
     ~OpenFile() { close(); }

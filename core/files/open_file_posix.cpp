@@ -11,7 +11,7 @@ namespace tp {
 
 namespace {
 
-int flags_of(const Opening& how) {
+int flags_of(const OpenMode& how) {
     int flags = O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
     flags |= !how.write ? O_RDONLY : how.read ? O_RDWR : O_WRONLY;
     flags |= how.make ? O_CREAT : 0;
@@ -55,7 +55,7 @@ Written all_written(std::size_t size, const Some& some) {
 
 } // namespace
 
-OpenFile::OpenFile(const std::filesystem::path& file, const Opening& how)
+OpenFile::OpenFile(const std::filesystem::path& file, const OpenMode& how)
     : number_(::open(file.c_str(), flags_of(how), how.readers == Readers::owner_only ? 0600 : 0666)) {}
 
 OpenFile& OpenFile::operator=(OpenFile&& other) noexcept {

@@ -30,7 +30,7 @@ DWORD most_at_once(std::size_t size) {
     return static_cast<DWORD>(std::min<std::size_t>(size, std::size_t{1} << 30));
 }
 
-DWORD disposition_of(const Opening& how) {
+DWORD disposition_of(const OpenMode& how) {
     if (how.make && how.only_new)
         return CREATE_NEW;
     if (how.make)
@@ -85,7 +85,7 @@ bool locked(int number, DWORD how) {
 } // namespace
 
 // Who may read a file that is made follows from its folder: a person's own are theirs alone.
-OpenFile::OpenFile(const std::filesystem::path& file, const Opening& how) {
+OpenFile::OpenFile(const std::filesystem::path& file, const OpenMode& how) {
     const DWORD access = (how.read ? GENERIC_READ : FILE_READ_ATTRIBUTES) | (how.write ? GENERIC_WRITE : 0U);
     const DWORD links = how.follow_link ? 0 : FILE_FLAG_OPEN_REPARSE_POINT;
     const DWORD folders = how.write ? 0 : FILE_FLAG_BACKUP_SEMANTICS; // to be looked at, as on other systems

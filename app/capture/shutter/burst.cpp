@@ -84,12 +84,30 @@ Burst::Burst(std::vector<CameraFrame> frames, HeldCamera held, double shutter_s)
 }
 
 cv::Mat Burst::picture(std::size_t number) const {
+    if (!coded_.empty())
+        return pixels_of(coded_[number]);
     const cv::Mat& pixels = frames_[number].pixels;
     if (!held_.mirrored || pixels.empty())
         return pixels;
     cv::Mat turned_back;
     cv::flip(pixels, turned_back, 1);
     return turned_back;
+}
+
+Result<CodedPicture> Burst::coded(std::size_t number) const {
+    return coded_.empty() ? coded_picture(picture(number)) : coded_[number];
+}
+
+Burst Burst::packed() const {
+    Burst packed = *this;
+    for (std::size_t i = 0; i < size(); ++i) {
+        Result<CodedPicture> coded = this->coded(i);
+        if (!coded)
+            return *this;
+        packed.coded_.push_back(std::move(coded).value());
+        packed.frames_[i].pixels = cv::Mat();
+    }
+    return packed;
 }
 
 BurstOrder Burst::choose(QuickFaces& faces) const {

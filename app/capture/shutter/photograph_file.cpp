@@ -65,7 +65,7 @@ void say_place(Exiv2::ExifData& exif, const Place& place) {
     exif["Exif.GPSInfo.GPSLongitude"] = degrees_text(place.longitude);
 }
 
-Exiv2::ExifData exif_of(const cv::Mat& picture, const PhotographFacts& facts) {
+Exiv2::ExifData exif_of(cv::Size size, const PhotographFacts& facts) {
     Exiv2::ExifData exif;
     exif["Exif.Image.Orientation"] = std::uint16_t{1};
     exif["Exif.Image.Software"] = facts.software;
@@ -75,8 +75,8 @@ Exiv2::ExifData exif_of(const cv::Mat& picture, const PhotographFacts& facts) {
         exif["Exif.Image.Model"] = facts.model;
     exif["Exif.Photo.ExifVersion"] = "48 50 51 49"; // "0231", where offsets of time came
     exif["Exif.Photo.ColorSpace"] = std::uint16_t{1};
-    exif["Exif.Photo.PixelXDimension"] = static_cast<std::uint32_t>(picture.cols);
-    exif["Exif.Photo.PixelYDimension"] = static_cast<std::uint32_t>(picture.rows);
+    exif["Exif.Photo.PixelXDimension"] = static_cast<std::uint32_t>(size.width);
+    exif["Exif.Photo.PixelYDimension"] = static_cast<std::uint32_t>(size.height);
     if (facts.taken.isValid())
         say_time(exif, facts.taken);
     if (facts.place)
@@ -86,7 +86,7 @@ Exiv2::ExifData exif_of(const cv::Mat& picture, const PhotographFacts& facts) {
 
 } // namespace
 
-Result<std::string> photograph_jpeg(const cv::Mat& picture, const PhotographFacts& facts) {
+Result<CodedPicture> coded_picture(const cv::Mat& picture) {
     if (picture.empty() || picture.type() != CV_8UC3)
         return Error{"it cannot be written."};
     const std::unique_ptr<void, EndCoder> coder(tjInitCompress());
@@ -97,10 +97,26 @@ Result<std::string> photograph_jpeg(const cv::Mat& picture, const PhotographFact
     const std::unique_ptr<unsigned char, FreeBytes> bytes(made);
     if (failed)
         return Error{"it cannot be written."};
+    return CodedPicture{std::string(reinterpret_cast<const char*>(bytes.get()), size), picture.size()};
+}
+
+cv::Mat pixels_of(const CodedPicture& coded) {
+    if (coded.jpeg.empty() || coded.size.empty())
+        return {};
+    const std::unique_ptr<void, EndCoder> coder(tjInitDecompress());
+    cv::Mat pixels(coded.size, CV_8UC3);
+    const bool done = tjDecompress2(coder.get(), reinterpret_cast<const unsigned char*>(coded.jpeg.data()),
+                                    static_cast<unsigned long>(coded.jpeg.size()), pixels.data, pixels.cols,
+                                    static_cast<int>(pixels.step), pixels.rows, TJPF_BGR, 0) == 0;
+    return done ? pixels : cv::Mat();
+}
+
+Result<std::string> photograph_jpeg(const CodedPicture& coded, const PhotographFacts& facts) {
     try {
         prepare_exiv2();
-        const auto image = Exiv2::ImageFactory::open(bytes.get(), static_cast<long>(size));
-        image->setExifData(exif_of(picture, facts));
+        const auto image = Exiv2::ImageFactory::open(reinterpret_cast<const Exiv2::byte*>(coded.jpeg.data()),
+                                                     static_cast<long>(coded.jpeg.size()));
+        image->setExifData(exif_of(coded.size, facts));
         image->writeMetadata();
         Exiv2::BasicIo& file = image->io();
         file.seek(0, Exiv2::BasicIo::beg);

@@ -7,6 +7,7 @@
 #include <QDateTime>
 
 #include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
 
 #include <optional>
 #include <string>
@@ -24,8 +25,18 @@ struct PhotographFacts {
 /// Of 100; cameras write 90 to 95.
 inline constexpr int photograph_quality = 92;
 
-/// An upright picture, 8-bit BGR, as the bytes of a JPEG file (4:2:0) with EXIF 2.31. An error is the end of a sentence. 12 megapixel
-/// take about a tenth of a second.
-Result<std::string> photograph_jpeg(const cv::Mat& picture, const PhotographFacts& facts);
+/// A picture as the bytes of a JPEG file (4:2:0) that says nothing of itself yet.
+struct CodedPicture {
+    std::string jpeg;
+    cv::Size size;
+};
+
+/// Of an upright picture, 8-bit BGR. An error is the end of a sentence. 12 megapixel take about a tenth of a second.
+Result<CodedPicture> coded_picture(const cv::Mat& picture);
+/// Its pixels again, 8-bit BGR; empty where they cannot be had.
+cv::Mat pixels_of(const CodedPicture& coded);
+
+/// The same bytes with EXIF 2.31. An error is the end of a sentence.
+Result<std::string> photograph_jpeg(const CodedPicture& coded, const PhotographFacts& facts);
 
 } // namespace tp

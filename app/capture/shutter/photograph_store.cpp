@@ -14,11 +14,17 @@ namespace tp {
 
 Result<AlbumKeeper::AddedPhoto> PhotographStore::keep(const cv::Mat& picture, const PhotographFacts& facts,
                                                       const std::vector<FaceRegion>& faces) {
+    return keep(coded_picture(picture), facts, faces);
+}
+
+Result<AlbumKeeper::AddedPhoto> PhotographStore::keep(const Result<CodedPicture>& picture,
+                                                      const PhotographFacts& facts,
+                                                      const std::vector<FaceRegion>& faces) {
     const QDateTime taken = facts.taken.isValid() ? facts.taken : QDateTime::currentDateTime();
     const QString time = taken.toString(QStringLiteral("yyyy-MM-dd")) + QLatin1Char(' ') +
                          taken.toString(QStringLiteral("HH.mm.ss"));
     const std::filesystem::path name = time.toStdString() + ".jpg";
-    const auto bytes = photograph_jpeg(picture, facts);
+    const auto bytes = picture ? photograph_jpeg(*picture, facts) : Error{picture.error()};
     if (!bytes)
         return Error{quoted(name) + " cannot be added: " + bytes.error()};
     return keeper_.add_photo(folder_ / name, *bytes, faces);

@@ -29,6 +29,9 @@ public:
     /// `faces`: of whom it is known who they are. Another frame of a burst is another call.
     Result<AlbumKeeper::AddedPhoto> keep(const cv::Mat& picture, const PhotographFacts& facts,
                                          const std::vector<FaceRegion>& faces = {});
+    /// The same of a picture that is coded already.
+    Result<AlbumKeeper::AddedPhoto> keep(const Result<CodedPicture>& picture, const PhotographFacts& facts,
+                                         const std::vector<FaceRegion>& faces = {});
     /// The sound of the moment becomes an ambient recording of it; where nothing was done since, the same undo takes both. A
     /// sound that lies among the photograph's recordings, as `MomentRecorder` leaves it, is listed with what it says of itself; any
     /// other file is taken in as one that begins at `begun`, and stays.

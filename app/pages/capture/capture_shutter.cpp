@@ -44,6 +44,7 @@ struct CaptureShutter::Work {
 CaptureShutter::CaptureShutter(CaptureAlbum& album, std::shared_ptr<const KnownPeople> people,
                                CaptureTeller& teller)
     : album_(album), teller_(teller), nets_(std::make_shared<Nets>(std::move(people))) {
+    packing_.setMaxThreadCount(1);
     connect(&album_, &CaptureAlbum::changed, this, &CaptureShutter::changed);
 }
 
@@ -85,11 +86,23 @@ void CaptureShutter::finish(const std::shared_ptr<Work>& work, const QString& pr
     if (work->run == run_) {
         burst_ = work->burst;
         order_ = work->order.frames;
+        pack();
     }
     emit changed();
     emit touched(photo_);
     emit kept(photo_);
     teller_.did(Earcon::saved, taken_);
+}
+
+/// On a thread of its own, so that the next photograph does not wait for it.
+void CaptureShutter::pack() {
+    packing_.start([this, burst = burst_, run = run_] {
+        const auto packed = std::make_shared<const Burst>(burst->packed());
+        QMetaObject::invokeMethod(this, [this, packed, run] {
+            if (run == run_)
+                burst_ = packed;
+        });
+    });
 }
 
 void CaptureShutter::look(int step) {
@@ -102,7 +115,6 @@ void CaptureShutter::look(int step) {
     }
     shown_ = next;
     const std::size_t frame = order_[static_cast<std::size_t>(next)];
-    picture_ = small_picture(burst_->picture(frame), looked_at_px);
     emit changed();
     teller_.sound(step > 0 ? Earcon::next : Earcon::previous);
     describe(frame);
@@ -110,16 +122,22 @@ void CaptureShutter::look(int step) {
 
 void CaptureShutter::describe(std::size_t frame) {
     const auto words = std::make_shared<QString>();
+    const auto small = std::make_shared<QImage>();
     const QString place = tr("Frame %1 of %2: %3.").arg(shown_ + 1).arg(count());
     album_.run(
-        [words, nets = nets_, burst = burst_, frame, language = QLocale().language()](AlbumKeeper&,
-                                                                                      PhotographStore&) {
-            *words = short_description(taken_view(nets->look.see(burst->picture(frame)), language), language);
+        [words, small, nets = nets_, burst = burst_, frame,
+         language = QLocale().language()](AlbumKeeper&, PhotographStore&) {
+            const cv::Mat picture = burst->picture(frame);
+            *small = small_picture(picture, looked_at_px);
+            *words = short_description(taken_view(nets->look.see(picture), language), language);
             return std::string();
         },
-        [this, words, place, run = run_, shown = shown_](const QString&) {
-            if (run == run_ && shown == shown_)
-                teller_.answer(place.arg(*words));
+        [this, words, small, place, run = run_, shown = shown_](const QString&) {
+            if (run != run_ || shown != shown_)
+                return;
+            picture_ = *small;
+            emit changed();
+            teller_.answer(place.arg(*words));
         });
 }
 
@@ -131,7 +149,7 @@ void CaptureShutter::keepShown() {
     album_.run(
         [kept, burst = burst_, frame = order_[static_cast<std::size_t>(shown_)],
          facts = facts_now(device_)](AlbumKeeper&, PhotographStore& store) -> std::string {
-            auto added = store.keep(burst->picture(frame), facts);
+            auto added = store.keep(burst->coded(frame), facts);
             if (!added)
                 return added.error();
             *kept = *added;

@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QObject>
 #include <QString>
+#include <QThreadPool>
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
 
@@ -77,6 +78,7 @@ private:
     struct Nets;
     struct Work;
     void finish(const std::shared_ptr<Work>& work, const QString& problem);
+    void pack();
     void describe(std::size_t frame);
 
     CaptureAlbum& album_;
@@ -91,6 +93,7 @@ private:
     int shown_ = -1;
     QImage picture_;
     quint64 run_ = 0; ///< answers about another burst are not heard
+    QThreadPool packing_; ///< last: it ends before what its work is for
 };
 
 } // namespace tp

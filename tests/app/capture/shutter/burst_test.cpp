@@ -54,6 +54,33 @@ std::vector<double> times_of(const Burst& burst) {
 class BurstTest : public QObject {
     Q_OBJECT
 private slots:
+    void a_packed_one_is_what_would_be_kept() {
+        for (const bool mirrored : {false, true}) {
+            const Burst burst({frame_at(0.0, view(anna(), {.pan_deg = 5.0})), frame_at(0.1, view(anna()))},
+                              {mirrored, mirrored}, 0.1);
+            const Burst packed = burst.packed();
+            QCOMPARE(times_of(packed), times_of(burst));
+            QCOMPARE(packed.wished(), burst.wished());
+            for (std::size_t i = 0; i < burst.size(); ++i) {
+                QVERIFY(packed.frame(i).pixels.empty());
+                QVERIFY(!burst.frame(i).pixels.empty());
+                QVERIFY(packed.coded(i)->jpeg == burst.coded(i)->jpeg);
+                const cv::Mat before = burst.picture(i), after = packed.picture(i);
+                QCOMPARE(after.size(), before.size());
+                QVERIFY(cv::norm(after, before, cv::NORM_L1) / static_cast<double>(before.total() * 3) < 2.0);
+                QVERIFY(10 * packed.coded(i)->jpeg.size() < before.total() * before.elemSize());
+            }
+            QVERIFY(packed.packed().coded(1)->jpeg == packed.coded(1)->jpeg);
+        }
+    }
+
+    void what_cannot_be_packed_stays_as_it_is() {
+        const Burst burst({frame_at(0.0, view(anna())), frame_at(0.1)}, {}, 0.0);
+        const Burst packed = burst.packed();
+        QVERIFY(!packed.picture(0).empty() && packed.picture(1).empty());
+        QCOMPARE(packed.frame(0).pixels.data, burst.frame(0).pixels.data);
+    }
+
     void one_frame_is_kept_and_none_is_none() {
         QVERIFY(order_of({}, 0).frames.empty());
         const BurstOrder one = order_of({{1, 1, {}}}, 0);

@@ -102,7 +102,7 @@ private slots:
         QVERIFY(shutter.count() > 3);
         shutter.look(1);
         QCOMPARE(shutter.shown(), 1);
-        QVERIFY(!shutter.picture().value<QImage>().isNull());
+        QTRY_VERIFY_WITH_TIMEOUT(!shutter.picture().value<QImage>().isNull(), 60000);
         QTRY_VERIFY2(bench.last_said().startsWith("Frame 2 of "), qPrintable(bench.last_said()));
         shutter.keepShown();
         bench.settle();

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/figures/simulated/touch_trials.hpp"
 
+#include "app/figures/simulated/bare_finger.hpp"
 #include "app/figures/simulated/simulated_trial.hpp"
 #include "core/base/chance.hpp"
-#include "core/friction/friction_finger.hpp"
-#include "core/guidance/exact_law.hpp"
 #include "core/participant/study_hand.hpp"
 #include "core/participant/touch_hand.hpp"
 #include "core/servo/servo_loop.hpp"
@@ -13,76 +12,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 namespace tp {
 namespace {
 
 constexpr double side_mm = 140.0; // of the surface
 constexpr double off_line_mm = 15.0;
-constexpr double tick_s = 0.001;
-constexpr int ticks_a_step = 5;
-constexpr double step_s = ticks_a_step * tick_s;
+constexpr double tick_s = BareFinger::tick_s;
+constexpr int ticks_a_step = BareFinger::ticks_a_step;
+constexpr double step_s = BareFinger::step_s;
 
 std::size_t ticks_of(double latency_s) { return static_cast<std::size_t>(std::lround(latency_s / tick_s)); }
-
-/// A finger on a surface that resists or ticks, and what of that arrives after the latency.
-class BareFinger {
-public:
-    BareFinger(const StudyTrial& trial, const Person& person, TouchManner manner, double latency_s,
-               Vec2 start)
-        : manner_(manner),
-          hold_mm_(strongest_friction_n / person.stiffness_n_per_mm), scene_{{"path"}, {trial.path}},
-          exact_(scene_, trial.profile), law_(scene_, {}), felt_(law_), place_(start), drawn_(start),
-          on_their_way_(ticks_of(latency_s)) {}
-
-    /// One step of the hand.
-    BareTouch move(Vec2 meant) {
-        BareTouch touch;
-        for (int i = 0; i < ticks_a_step; ++i) {
-            const BareTouch arrived = tick(meant);
-            touch.friction = arrived.friction;
-            touch.ticked |= arrived.ticked;
-        }
-        return touch;
-    }
-    Vec2 place() const { return place_; }
-    double distance() const { return exact_.at(place_).distance; }
-
-private:
-    /// The arm draws the finger by its spring; the friction that acts now holds it back by as much of the spring as it takes.
-    BareTouch tick(Vec2 meant) {
-        drawn_ += tick_s / bare_finger_lag_s * (meant - drawn_);
-        const Vec2 spring = drawn_ - place_;
-        const double held = now_.friction * hold_mm_;
-        const Vec2 before = place_;
-        if (length(spring) > held)
-            place_ = drawn_ - held / length(spring) * spring;
-        const Friction friction = felt_.step(place_, (place_ - before) / tick_s, exact_.at(place_));
-        BareTouch made;
-        if (manner_ == TouchManner::resistance)
-            made.friction = friction.level;
-        else
-            made.ticked = std::ranges::any_of(friction.events, [](const LineEvent& event) {
-                return event.kind == LineEventKind::crossed && event.share > 0.0;
-            });
-        on_their_way_.push_back(made);
-        now_ = on_their_way_.front();
-        on_their_way_.pop_front();
-        return now_;
-    }
-
-    TouchManner manner_;
-    double hold_mm_;
-    FlatScene scene_;
-    ExactLaw exact_;
-    FrictionLaw law_;
-    FrictionFinger felt_;
-    Vec2 place_; ///< mm
-    Vec2 drawn_; ///< mm, where the arm would have it without friction
-    BareTouch now_;
-    std::deque<BareTouch> on_their_way_;
-};
 
 Vec2 off_the_line(const StudyTrial& trial, std::uint64_t seed) {
     Chance chance(seed + 7);
@@ -173,7 +113,7 @@ Result<TouchFollowing> follow_line(const StudyTrial& trial, const Person& person
             return Error{done.error()};
         return TouchFollowing{done->state == TrialState::done, done->time_s, done->error_mm.value_or(0.0), 0};
     }
-    BareFinger finger(trial, person, manner, latency_s, trial.start);
+    BareFinger finger(trial.path, person, manner, latency_s, trial.start);
     TouchHand hand(person, trial.scene.surface(), trial.start, true, step_s, seed);
     TrialJudge judge(trial);
     Vec2 meant = trial.start;
@@ -191,7 +131,7 @@ Result<std::optional<double>> find_line(const StudyTrial& trial, const Person& p
     const Vec2 start = off_the_line(trial, seed);
     if (manner == TouchManner::force)
         return find_by_force(trial, person, latency_s, start, seed);
-    BareFinger finger(trial, person, manner, latency_s, start);
+    BareFinger finger(trial.path, person, manner, latency_s, start);
     TouchHand hand(person, trial.scene.surface(), start, false, step_s, seed);
     Finding finding;
     Vec2 meant = start;

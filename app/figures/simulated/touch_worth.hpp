@@ -20,11 +20,6 @@ enum class TouchManner {
 };
 std::string_view name_of(TouchManner manner); ///< "force", "resistance", "ticks"
 
-/// A bare finger is where the hand means it to be after so long (assumed), and held back by friction as by a dry brake between it
-/// and the arm's spring.
-inline constexpr double bare_finger_lag_s = 0.03;
-inline constexpr double strongest_friction_n =
-    0.2; ///< at level 1 (assumed: of the order of electrostatic displays)
 inline constexpr double longest_touch_s = 120.0; ///< then a line that is followed or looked for is given up
 /// Found: the hand has met the line, and the finger has been so near to it for so long.
 inline constexpr double found_mm = 3.0;
@@ -38,7 +33,8 @@ struct TouchRow {
     std::size_t found = 0, followed = 0;   ///< within longest_touch_s; followed: past every knot to the end
     double find_s = 0.0;                   ///< mean of those found
     double follow_s = 0.0, error_mm = 0.0; ///< means of those followed; error: mean distance to the line
-    double lost = 0.0;                     ///< mean times that the line was lost, of all trials of following; of the force unknown
+    double lost =
+        0.0; ///< mean times that the line was lost, of all trials of following; of the force unknown
 };
 
 struct TouchPlan {

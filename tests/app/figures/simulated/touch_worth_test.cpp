@@ -38,6 +38,12 @@ private slots:
         }
     }
 
+    void friction_and_ticks_are_not_the_same() {
+        const TouchRow friction = row_of(TouchManner::resistance, 0.02),
+                       ticks = row_of(TouchManner::ticks, 0.02);
+        QVERIFY(friction.find_s != ticks.find_s && friction.lost != ticks.lost);
+    }
+
     void the_same_people_do_the_same_again() {
         const TouchRow one = row_of(TouchManner::ticks, 0.02), again = row_of(TouchManner::ticks, 0.02);
         QVERIFY(one.find_s == again.find_s && one.follow_s == again.follow_s && one.lost == again.lost);

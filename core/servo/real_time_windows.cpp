@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/real_time.hpp"
 
-#include <timeapi.h> // after the one above
+// clang-format off: the second needs what the first declares
 #include <windows.h>
+#include <timeapi.h>
+// clang-format on
 
 namespace tp {
 

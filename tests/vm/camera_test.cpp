@@ -122,12 +122,15 @@ private slots:
     }
 
     void slow_frames_are_waited_for() {
+        // Three in four frames are lost by chance: sixteen pauses are shorter than this once in a hundred thousand times.
+        constexpr int pauses = 16;
+        constexpr double least_s = 1.5 * pauses / rate;
         const vm::VideoNode fault(node);
-        QVERIFY(fault.set("Percentage of Dropped Buffers", 90));
-        const Seen seen = watch(camera_, at_least(4));
+        QVERIFY(fault.set("Percentage of Dropped Buffers", 75));
+        const Seen seen = watch(camera_, at_least(pauses + 1));
         QVERIFY(fault.set("Percentage of Dropped Buffers", 0));
         QCOMPARE(seen.why, std::string());
-        QVERIFY2(seconds_of(seen) > 3.0 * 2.0 / rate, qPrintable(QString::number(seconds_of(seen))));
+        QVERIFY2(seconds_of(seen) > least_s, qPrintable(QString::number(seconds_of(seen))));
     }
 
     void a_camera_that_falls_silent_is_said() {

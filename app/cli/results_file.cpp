@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/results_file.hpp"
 
+#include "core/files/file_words.hpp"
+
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonValue>
 
 #include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <utility>
 
 namespace tp {
@@ -20,14 +21,12 @@ constexpr qint64 most_result_bytes = 16 << 20; ///< a photograph with a thousand
 /// What a line of results that was cut off can be: the beginning of an object.
 bool is_cut_line(const QByteArray& text) { return text == "{" || text.startsWith("{\""); }
 
-std::string reason(int error) { return std::strerror(error); }
-
 } // namespace
 
 Result<ResultsFile> ResultsFile::open(const std::filesystem::path& file) {
     OpenFile opened(file, {.write = true, .make = true, .at_end = true});
     if (!opened.ok())
-        return Error{"The results cannot be written to \"" + file.string() + "\": " + reason(errno) + "."};
+        return Error{"The results cannot be written to \"" + file.string() + "\": " + reason_of(errno)};
     const auto facts = opened.facts();
     if (!facts || facts->kind != FileFacts::Kind::file)
         return Error{"The results cannot be written to \"" + file.string() + "\": it is not a file."};
@@ -64,8 +63,8 @@ std::string ResultsFile::read() {
 }
 
 std::string ResultsFile::unwritable(int error) const {
-    return "The results cannot be written to \"" + file_.string() + "\": " + reason(error) +
-           ". What it holds is good; the same command continues from there.";
+    return "The results cannot be written to \"" + file_.string() + "\": " + reason_of(error) +
+           " What it holds is good; the same command continues from there.";
 }
 
 std::string ResultsFile::append(const std::string& photo, const QByteArray& line) {

@@ -7,8 +7,10 @@ namespace tp {
 
 void keep_few_heaps() {
 #ifdef __GLIBC__ // another library keeps few by itself
+    // NOLINTBEGIN(concurrency-mt-unsafe): asked for before there are other threads
     mallopt(M_ARENA_MAX, 2);
     mallopt(M_MMAP_THRESHOLD, 1 << 20); // bytes; otherwise glibc raises it to 32 MB
+    // NOLINTEND(concurrency-mt-unsafe)
 #endif
 }
 

@@ -40,6 +40,7 @@ std::vector<FolderEntry> OpenFolder::entries(const std::function<bool(std::strin
     std::vector<FolderEntry> entries;
     const int folder = ::dirfd(system_->folder);
     errno = 0;
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread reads this stream
     while (const dirent* item = ::readdir(system_->folder)) {
         struct stat about {};
         if (wanted(item->d_name) && ::fstatat(folder, item->d_name, &about, AT_SYMLINK_NOFOLLOW) == 0) {

@@ -71,8 +71,6 @@ private:
 
 template <typename Visit>
 void SegmentTree::for_each_near(Vec2 low, Vec2 high, Visit visit) const noexcept {
-    if (segment_count_ == 0)
-        return;
     const std::array<float, 4> wanted = as_box(low, high);
     struct Waiting {
         std::uint32_t box;

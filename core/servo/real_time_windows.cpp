@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/real_time.hpp"
 
-// clang-format off: the second needs what the first declares
+// The second needs what the first declares.
+// clang-format off
 #include <windows.h>
 #include <timeapi.h>
 // clang-format on

@@ -9,10 +9,11 @@ namespace tp {
 
 void let_go_of_memory(const char* begin, const char* end) {
     const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-    const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
-    const auto last = reinterpret_cast<std::uintptr_t>(end) / page * page;
-    if (first < last)
-        madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED); // failing, it costs memory only
+    const std::uintptr_t before = (page - reinterpret_cast<std::uintptr_t>(begin) % page) % page;
+    const std::uintptr_t behind = reinterpret_cast<std::uintptr_t>(end) % page;
+    const auto bytes = static_cast<std::uintptr_t>(end - begin);
+    if (before + behind < bytes) // failing, it costs memory only
+        madvise(const_cast<char*>(begin + before), bytes - before - behind, MADV_DONTNEED);
 }
 
 } // namespace tp

@@ -22,6 +22,9 @@ def sources_to_ask(program, changes):
     for name, lines in changes.items():
         if not name.startswith(ROOMS):
             continue
+        if re.search(r"_(windows|macos)\.hpp$", name):
+            unseen.append(name)
+            continue
         source = re.sub(r"\.hpp$", ".cpp", name)
         try:
             if source != name and not program.is_compiled(source):

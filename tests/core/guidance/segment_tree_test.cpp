@@ -54,9 +54,15 @@ private slots:
         std::mt19937 random(37);
         std::size_t visited = 0, offered = 0;
         for (int round = 0; round < 100; ++round) {
-            const SegmentSet set = set_of(many_curves(1000, 60.0));
+            const bool is_empty = round % 10 == 9, is_at_origin = round % 2 == 0;
+            const Vec2 shift = is_at_origin ? Vec2(0.0) : 5.0 * random_point(random);
+            FlatScene scene = many_curves(is_empty ? 0 : 1000, 60.0);
+            for (Polyline& line : scene.lines)
+                for (Vec2& point : line.points)
+                    point += shift;
+            const SegmentSet set = set_of(scene);
             const SegmentTree tree(set);
-            const Vec2 p = random_point(random), q = p + 0.1 * random_point(random);
+            const Vec2 p = shift + random_point(random), q = p + 0.1 * random_point(random);
             const Vec2 low = glm::min(p, q), high = glm::max(p, q);
             std::vector<char> near(set.size(), 0);
             tree.for_each_near(low, high, [&](std::uint32_t i) { near[i] = 1; });

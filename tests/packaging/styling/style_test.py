@@ -89,11 +89,12 @@ class Style(unittest.TestCase):
 
     def test_most_changes_come_first_and_a_header_comes_with_its_source_or_alone(self):
         changes = {"core/a.cpp": {1}, "core/b.hpp": {1, 2, 3}, "core/alone.hpp": {1, 2}, "core/a_windows.cpp": {1},
+                   "core/b_windows.hpp": {1},
                    "tests/core/a_test.cpp": {1, 2, 3}}
         sources, unseen = sources_to_ask(OneRoom(), changes)
         self.assertEqual([name for name, _ in sources], ["core/b.cpp", "core/alone.hpp", "core/a.cpp"])
         self.assertEqual(sources[0][1], ["-std=c++20", "-fPIC", "-xc++"])
-        self.assertEqual(unseen, ["core/a_windows.cpp"])
+        self.assertEqual(unseen, ["core/a_windows.cpp", "core/b_windows.hpp"])
 
     def test_sources_that_changed_and_are_there(self):
         def git(*words):

@@ -2,33 +2,10 @@
 // A finger that feels friction allocates nothing, over a million samples with lines crossed, followed and left.
 #include "core/friction/friction_finger.hpp"
 #include "core/guidance/exact_law.hpp"
+#include "counted_allocations.hpp"
 #include "scenes.hpp"
 
 #include <QTest>
-
-#include <cstdlib>
-#include <new>
-
-namespace {
-
-bool counting = false;
-long allocations = 0;
-
-void* counted(std::size_t size) {
-    allocations += counting ? 1 : 0;
-    if (void* memory = std::malloc(size == 0 ? 1 : size))
-        return memory;
-    throw std::bad_alloc();
-}
-
-} // namespace
-
-void* operator new(std::size_t size) { return counted(size); }
-void* operator new[](std::size_t size) { return counted(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 using namespace tp;
 using namespace tp::testing;
@@ -40,7 +17,7 @@ private slots:
         counting = true;
         const std::vector<int> something(100);
         counting = false;
-        QVERIFY(allocations > 0 && something.size() == 100);
+        QVERIFY(allocations.load() > 0 && something.size() == 100);
     }
 
     void a_million_samples_allocate_nothing() {
@@ -61,7 +38,7 @@ private slots:
             events += finger.step(place, {60, 20}, exact.at(place)).events.size();
         }
         counting = false;
-        QCOMPARE(allocations, 0L);
+        QCOMPARE(allocations.load(), 0L);
         QVERIFY(events > 300);
     }
 };

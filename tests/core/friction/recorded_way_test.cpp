@@ -15,7 +15,7 @@ using namespace tp::testing;
 namespace {
 
 /// Where a finger is each millisecond, on the lattice of a sensor with `per_mm` steps a millimetre: it goes about the face,
-/// rests, and trembles by one step.
+/// rests, and trembles by one step. The same by each compiler.
 class RecordedFinger {
 public:
     explicit RecordedFinger(double per_mm) : per_mm_(per_mm) {}
@@ -25,10 +25,12 @@ public:
         if (++sample_ % 400 == 0)
             rests_ = !rests_;
         if (!rests_) {
-            velocity_ = 0.98 * velocity_ + Vec2(gust(random_), gust(random_)) - 0.0008 * place_;
+            const double up = gust(random_), right = gust(random_);
+            velocity_ = 0.98 * velocity_ + Vec2(right, up) - 0.0008 * place_;
             place_ += 0.003 * velocity_;
         }
-        const Vec2 tremble(shake(random_), shake(random_));
+        const int up = shake(random_), right = shake(random_);
+        const Vec2 tremble(right, up);
         return (glm::round(per_mm_ * place_) + tremble) / per_mm_;
     }
 

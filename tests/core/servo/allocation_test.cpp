@@ -1,45 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ticking thread allocates nothing, over a million ticks with scene swaps and tours going on.
 #include "core/servo/servo_loop.hpp"
+#include "counted_allocations.hpp"
 #include "device/simulated/simulated_device.hpp"
 #include "scenes.hpp"
 
 #include <QTest>
 
 #include <atomic>
-#include <cstdlib>
-#include <new>
 #include <thread>
-
-namespace {
-
-alignas(64) thread_local bool counting = false; // why aligned: cmake/Compiler.cmake, mold
-std::atomic<long> allocations{0};
-
-void* counted_or_null(std::size_t size) noexcept {
-    if (counting)
-        allocations.fetch_add(1);
-    return std::malloc(size == 0 ? 1 : size);
-}
-
-void* counted(std::size_t size) {
-    if (void* memory = counted_or_null(size))
-        return memory;
-    throw std::bad_alloc();
-}
-
-} // namespace
-
-void* operator new(std::size_t size) { return counted(size); }
-void* operator new[](std::size_t size) { return counted(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 
 using namespace tp;
 using namespace tp::testing;

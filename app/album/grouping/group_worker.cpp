@@ -161,7 +161,7 @@ void GroupWorker::follow(const FacesToGroup& next, GroupsKept& kept) {
         }
     }
     groups_.add(coming);
-    kept.done.push_back(next.hash);
+    kept.done.push_back(next);
 }
 
 bool GroupWorker::says(GroupId group, const std::string& name) const {

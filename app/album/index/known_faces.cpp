@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/known_faces.hpp"
 
+#include <algorithm>
+
 namespace tp {
 
 namespace fs = std::filesystem;
@@ -54,6 +56,34 @@ std::vector<FacesToGroup::Copy> copies_of(SqlConnection& connection, const std::
     return copies;
 }
 
+FacesToGroup faces_to_group(SqlConnection& connection, const std::string& hash) {
+    FacesToGroup photo;
+    photo.hash = hash;
+    {
+        SqlRun run = connection.run("SELECT turned FROM seen WHERE hash = ?", SqlBytes{hash});
+        photo.turned_degrees = run.next() ? static_cast<int>(run.integer(0)) : 0;
+    }
+    {
+        SqlRun run = connection.run(TP_STORED ", sf.left, sf.top, sf.right, sf.bottom FROM known_faces k "
+                                              "JOIN seen_faces sf ON sf.hash = k.hash AND sf.nr = k.nr "
+                                              "WHERE k.hash = ? ORDER BY k.nr",
+                                    SqlBytes{hash});
+        while (run.next())
+            photo.faces.push_back(
+                {stored_face(run), Rect{Vec2(run.real(6), run.real(7)), Vec2(run.real(8), run.real(9))}});
+    }
+    photo.copies = copies_of(connection, hash);
+    return photo;
+}
+
+/// Nothing has come, gone or been said since it was read.
+bool is_still_so(SqlConnection& connection, const FacesToGroup& then) {
+    const FacesToGroup now = faces_to_group(connection, then.hash);
+    const auto id_of = [](const FacesToGroup::Face& face) { return face.stored.id; };
+    return now.turned_degrees == then.turned_degrees && now.copies == then.copies &&
+           std::ranges::equal(now.faces, then.faces, {}, id_of, id_of);
+}
+
 } // namespace
 
 Result<StoredGroups> KnownFaces::all() {
@@ -78,28 +108,15 @@ Result<StoredGroups> KnownFaces::all() {
 Result<std::optional<FacesToGroup>> KnownFaces::next(const std::string& after) {
     return index_.guarded([&]() -> std::optional<FacesToGroup> {
         SqlConnection& connection = index_.connection();
-        FacesToGroup next;
+        std::string hash;
         {
-            SqlRun run =
-                connection.run("SELECT t.hash, coalesce(s.turned, 0) FROM to_group t "
-                               "LEFT JOIN seen s ON s.hash = t.hash WHERE t.hash > ? ORDER BY t.hash LIMIT 1",
-                               SqlBytes{after});
+            SqlRun run = connection.run("SELECT hash FROM to_group WHERE hash > ? ORDER BY hash LIMIT 1",
+                                        SqlBytes{after});
             if (!run.next())
                 return std::nullopt;
-            next.hash = run.bytes(0);
-            next.turned_degrees = static_cast<int>(run.integer(1));
+            hash = run.bytes(0);
         }
-        {
-            SqlRun run = connection.run(TP_STORED ", sf.left, sf.top, sf.right, sf.bottom FROM known_faces k "
-                                                  "JOIN seen_faces sf ON sf.hash = k.hash AND sf.nr = k.nr "
-                                                  "WHERE k.hash = ? ORDER BY k.nr",
-                                        SqlBytes{next.hash});
-            while (run.next())
-                next.faces.push_back(
-                    {stored_face(run), Rect{Vec2(run.real(6), run.real(7)), Vec2(run.real(8), run.real(9))}});
-        }
-        next.copies = copies_of(connection, next.hash);
-        return next;
+        return faces_to_group(connection, hash);
     });
 }
 
@@ -131,8 +148,9 @@ std::string KnownFaces::keep(const GroupsKept& kept) {
         for (const auto& [face, group] : kept.apart) // the face may have gone meanwhile
             connection.run("INSERT OR IGNORE INTO faces_apart SELECT id, ? FROM known_faces WHERE id = ?",
                            group, face);
-        for (const std::string& hash : kept.done)
-            connection.run("DELETE FROM to_group WHERE hash = ?", SqlBytes{hash});
+        for (const FacesToGroup& photo : kept.done)
+            if (is_still_so(connection, photo))
+                connection.run("DELETE FROM to_group WHERE hash = ?", SqlBytes{photo.hash});
         for (const std::int64_t face : kept.taken_away)
             connection.run("DELETE FROM gone_faces WHERE id = ?", face);
         connection.run("UPDATE last_face_group SET id = max(id, ?)", kept.last);

@@ -45,6 +45,7 @@ struct FacesToGroup {
     struct Copy {
         int orientation = 1;
         std::vector<FaceRegion> regions;
+        bool operator==(const Copy&) const = default;
     };
     std::vector<Copy> copies; ///< the photographs with these bytes
 };
@@ -55,7 +56,7 @@ struct GroupsKept {
     std::vector<std::pair<std::int64_t, std::string>> said;       ///< face, who it is
     std::map<std::int64_t, std::optional<std::string>> names;     ///< nothing: the group is gone
     std::vector<std::pair<std::int64_t, std::int64_t>> apart, no_more_apart;
-    std::vector<std::string> done;        ///< hashes
+    std::vector<FacesToGroup> done; ///< as they were read; what has changed since is to be grouped again
     std::vector<std::int64_t> taken_away; ///< faces that are gone
     std::int64_t last = 0;
 };

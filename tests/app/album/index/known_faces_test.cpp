@@ -63,7 +63,7 @@ struct Bench {
         std::string after;
         while (const auto next = faces().next(after).value()) {
             after = next->hash;
-            kept.done.push_back(next->hash);
+            kept.done.push_back(*next);
             for (const FacesToGroup::Face& face : next->faces)
                 kept.groups_of.emplace_back(face.stored.id, group);
             all.push_back(*next);
@@ -135,6 +135,25 @@ private slots:
         fs::remove(bench.path("b.jpg"));
         bench.scan();
         QCOMPARE(bench.faces().placed().value().size(), std::size_t(1));
+    }
+
+    void what_is_said_while_it_is_grouped_is_not_lost() {
+        Bench bench;
+        bench.look("a.jpg", "f");
+        GroupsKept kept;
+        kept.done.push_back(*bench.faces().next().value());
+        PhotoRecord record;
+        record.faces = {{0.5, 0.5, 0.25, 0.25, "Anna"}};
+        write_file(fs::path(bench.path("a.jpg").string() + ".xmp"), sidecar_text(record));
+        QVERIFY(bench.album.settles());
+        bench.scan();
+        QCOMPARE(bench.faces().keep(kept), std::string());
+        const auto again = bench.faces().next().value();
+        QVERIFY(again);
+        QCOMPARE(again->copies[0].regions[0].name, std::string("Anna"));
+        kept.done = {*again};
+        QCOMPARE(bench.faces().keep(kept), std::string());
+        QVERIFY(!bench.faces().next().value());
     }
 
     void what_somebody_says_of_a_face_makes_it_to_be_grouped_again() {

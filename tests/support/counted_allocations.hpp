@@ -28,8 +28,12 @@ inline void* counted(std::size_t size) {
 
 void* operator new(std::size_t size) { return tp::testing::counted(size); }
 void* operator new[](std::size_t size) { return tp::testing::counted(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return tp::testing::counted_or_null(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return tp::testing::counted_or_null(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return tp::testing::counted_or_null(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+    return tp::testing::counted_or_null(size);
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

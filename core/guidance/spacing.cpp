@@ -129,7 +129,7 @@ std::optional<Contour> thinned(const Contour& contour, double gap) {
     const Polyline other = resampled(back, count);
     std::vector<Vec2> middle;
     for (std::size_t i = 0; i < count; ++i)
-        middle.push_back(0.5 * (one.points[i] + other.points[i]));
+        middle.push_back(0.5 * one.points[i] + 0.5 * other.points[i]); // a sum may be too large for a double
     return contour_through(contour.name, middle, false);
 }
 

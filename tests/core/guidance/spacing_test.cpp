@@ -33,6 +33,14 @@ private slots:
         QVERIFY(closeness(two_lines(8.0), {0.2, 4.0}).empty());
     }
 
+    void at_the_end_of_doubles_the_middle_is_none_beyond_it() {
+        const Contour far = contour_through("eye", {{-1e308, 30.0}, {-1e308, 22.0}, {-1e308, 38.0}}, true);
+        const auto line = thinned(far);
+        QVERIFY(line.has_value());
+        for (const Piece& piece : line->pieces)
+            QVERIFY(is_finite(piece));
+    }
+
     void a_contour_too_long_for_a_double_is_not_thinned() {
         const Contour endless =
             contour_through("endless", {{-1.5e308, 0}, {1.5e308, 0}, {1.5e308, 0.1}}, true);

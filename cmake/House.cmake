@@ -13,6 +13,7 @@ tp_may(tp_processes   tp_base  USES PkgConfig::seccomp Threads::Threads)
 tp_may(tp_geometry     tp_base  USES glm::glm)
 tp_may(tp_guidance     tp_base tp_geometry)
 tp_may(tp_friction     tp_base tp_geometry tp_guidance)
+tp_may(tp_touch        tp_base tp_geometry tp_guidance tp_friction)
 tp_may(tp_svg          tp_base tp_files tp_geometry tp_guidance  USES PkgConfig::pugixml PkgConfig::2geom)
 tp_may(tp_servo        tp_base tp_geometry tp_guidance  USES Threads::Threads)
 tp_may(tp_experiment   tp_base)
@@ -23,7 +24,7 @@ tp_may(tp_statistics   tp_base  USES Boost::headers)
 tp_may(tp_study        tp_base tp_geometry tp_guidance tp_servo)
 tp_may(tp_aiming       tp_geometry)
 tp_may(tp_handheld     tp_base tp_geometry tp_aiming)
-set(core tp_base tp_files tp_geometry tp_guidance tp_friction tp_servo tp_svg tp_study)
+set(core tp_base tp_files tp_geometry tp_guidance tp_friction tp_touch tp_servo tp_svg tp_study)
 
 # device: what pulls the finger
 tp_may(tp_pad_protocol) # nothing at all: it runs on a microcontroller

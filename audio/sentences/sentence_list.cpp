@@ -352,6 +352,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "There is no recording \"%1\" on \"%2\"."),
     QT_TRANSLATE_NOOP("Sentence", "There is no study in \"%1\"."),
     QT_TRANSLATE_NOOP("Sentence", "There is no such file."),
+    QT_TRANSLATE_NOOP("Sentence", "There is no touch output \"%1\" now. Check that it is plugged in; \"touchphoto-lab devices\" lists what is there."),
     QT_TRANSLATE_NOOP("Sentence", "There is no unfinished import \"%1\"."),
     QT_TRANSLATE_NOOP("Sentence", "There is not enough memory for a map of so many dots; choose fewer dots a millimetre."),
     QT_TRANSLATE_NOOP("Sentence", "There is not enough memory for this picture."),

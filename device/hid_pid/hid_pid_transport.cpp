@@ -5,7 +5,7 @@
 #include "device/guard/guard_process.hpp"
 #include "device/hid_handles.hpp"
 #include "device/hid_pid/pid_layout.hpp"
-#include "device/hid_pid/report_descriptor.hpp"
+#include "device/hid/report_descriptor.hpp"
 #include "device/open_problem.hpp"
 
 #include <cerrno>

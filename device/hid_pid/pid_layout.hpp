@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "device/hid_pid/report_bits.hpp"
-#include "device/hid_pid/report_descriptor.hpp"
+#include "device/hid/report_bits.hpp"
+#include "device/hid/report_descriptor.hpp"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #include "device/hid_pid/pid_stick.hpp"
 
 #include "device/hid_pid/pid_layout.hpp"
-#include "device/hid_pid/report_descriptor.hpp"
+#include "device/hid/report_descriptor.hpp"
 #include "device/open_problem.hpp"
 
 #include <algorithm>

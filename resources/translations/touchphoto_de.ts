@@ -4381,6 +4381,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>There is not enough memory for a map of so many dots; choose fewer dots a millimetre.</source>
         <translation>Für eine Karte mit so vielen Punkten reicht der Speicher nicht; wählen Sie weniger Punkte je Millimeter.</translation>
     </message>
+    <message>
+        <source>There is no touch output &quot;%1&quot; now. Check that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
+        <translation>Die Fühlausgabe „%1“ gibt es jetzt nicht. Prüfen Sie, ob sie angeschlossen ist; „touchphoto-lab devices“ zählt auf, was da ist.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

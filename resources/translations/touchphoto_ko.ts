@@ -4358,6 +4358,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>There is not enough memory for a map of so many dots; choose fewer dots a millimetre.</source>
         <translation>점이 이렇게 많은 지도를 만들 메모리가 부족합니다. 밀리미터당 점을 줄이세요.</translation>
     </message>
+    <message>
+        <source>There is no touch output &quot;%1&quot; now. Check that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
+        <translation>촉각 출력 “%1”: 지금 없습니다. 꽂혀 있는지 확인하세요. “touchphoto-lab devices”가 있는 장치를 알려 줍니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

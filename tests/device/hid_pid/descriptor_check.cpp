@@ -3,8 +3,8 @@
 
 #include "device/hid_pid/pid_layout.hpp"
 #include "device/hid_pid/pid_reports.hpp"
-#include "device/hid_pid/report_bits.hpp"
-#include "device/hid_pid/report_descriptor.hpp"
+#include "device/hid/report_bits.hpp"
+#include "device/hid/report_descriptor.hpp"
 
 #include <algorithm>
 #include <array>

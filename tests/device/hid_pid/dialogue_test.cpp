@@ -3,7 +3,7 @@
 #include "device/guard/simulated_guard.hpp"
 #include "device/hid_pid/model_stick.hpp"
 #include "device/hid_pid/pid_stick.hpp"
-#include "device/hid_pid/report_descriptor.hpp"
+#include "device/hid/report_descriptor.hpp"
 #include "recorded_descriptors.hpp"
 #include "safe_force.hpp"
 

@@ -2,7 +2,7 @@
 #include "byte_mutants.hpp"
 #include "descriptor_check.hpp"
 #include "device/hid_pid/model_stick.hpp"
-#include "device/hid_pid/report_descriptor.hpp"
+#include "device/hid/report_descriptor.hpp"
 #include "places.hpp"
 #include "recorded_descriptors.hpp"
 

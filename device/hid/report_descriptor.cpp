@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/hid_pid/report_descriptor.hpp"
+#include "device/hid/report_descriptor.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -145,9 +145,4 @@ bool CrossingFinder::inside(Vec2 place, std::span<const char> marked) const noex
     return within;
 }
 
-std::size_t CrossingFinder::bytes() const {
-    return sizeof(*this) + pieces_.capacity() * sizeof(Piece) + closed_.capacity() +
-           in_order_.capacity() * sizeof(std::uint32_t) + tree_.bytes();
-}
-
 } // namespace tp

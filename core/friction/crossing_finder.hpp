@@ -63,7 +63,6 @@ public:
     bool closed(int contour) const { return closed_[static_cast<std::size_t>(contour)] != 0; }
 
     std::size_t segment_count() const { return pieces_.size(); }
-    std::size_t bytes() const;
 
 private:
     static constexpr std::uint32_t nobody = ~std::uint32_t(0);

@@ -145,7 +145,7 @@ private slots:
         const auto corners = walk.of(LineEventKind::corner);
         QCOMPARE(corners.size(), std::size_t(2));
         for (const LineEvent& corner : corners)
-            QVERIFY(std::abs(std::abs(corner.place.x) - 14.0) < 0.2);
+            QVERIFY(std::abs(std::abs(corner.place.x) - 14.0) < 0.2 && !corner.to_left);
     }
 
     void a_corner_is_told_again_once_the_finger_was_away() {

@@ -124,6 +124,8 @@ private slots:
             QVERIFY(problem([&](auto& c) { c.rest_mm_s = bad; }).ends_with('.'));
         QVERIFY(problem([&](auto& c) { c.moving_mm_s = inf; }).ends_with('.'));
         QVERIFY(problem([&](auto& c) { c.strength = 0.0; }).empty());
+        QVERIFY(problem([&](auto& c) { c.width_mm = c.texture_mm = 0.1; }).empty());
+        QVERIFY(problem([&](auto& c) { c.rest_mm_s = 0.0; }).empty());
         QVERIFY(ridge_named("flat") == RidgeShape::flat && ridge_named("tent") == RidgeShape::tent);
         QVERIFY(ridge_named("rounded") == RidgeShape::rounded && !ridge_named("steep"));
     }

@@ -49,6 +49,9 @@ if(TOUCHPHOTO_WHOLE_BUILD)
   if(TOUCHPHOTO_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     set(_test_effort -O0 -fno-sanitize=fuzzer-no-link) # the fuzzers look into the rooms, not into the tests
   endif()
+  if(CMAKE_SYSTEM_PROCESSOR STREQUAL "aarch64")
+    list(APPEND _test_effort -fPIC) # as what is precompiled; elsewhere Qt asks for it
+  endif()
   file(CONFIGURE OUTPUT precompiled.cpp CONTENT "")
   add_library(tp_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
   target_link_libraries(tp_precompiled PRIVATE Qt6::Core opencv_imgproc tp_compile_options) # -Wpedantic changes macros

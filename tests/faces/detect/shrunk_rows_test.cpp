@@ -22,6 +22,12 @@ cv::Mat whole(const cv::Mat& picture, int longer) {
 
 double largest_difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF); }
 
+#ifdef __aarch64__
+constexpr double rounding = 1.0; ///< grey levels: OpenCV itself is built there so that products and sums round once
+#else
+constexpr double rounding = 0.0;
+#endif
+
 } // namespace
 
 class ShrunkRowsTest : public QObject {
@@ -50,10 +56,10 @@ private slots:
         const ShrunkRows shrunk(picture, longer);
         QCOMPARE(shrunk.size().width, wanted.cols);
         QCOMPARE(shrunk.size().height, wanted.rows);
-        QCOMPARE(largest_difference(shrunk.rows({0, wanted.rows}), wanted), 0.0);
+        QVERIFY(largest_difference(shrunk.rows({0, wanted.rows}), wanted) <= rounding);
         for (int from = 0; from < wanted.rows; from += 37) {
             const cv::Range rows(from, std::min(from + 50, wanted.rows));
-            QCOMPARE(largest_difference(shrunk.rows(rows), wanted.rowRange(rows)), 0.0);
+            QVERIFY(largest_difference(shrunk.rows(rows), wanted.rowRange(rows)) <= rounding);
         }
     }
 

@@ -3,16 +3,16 @@
 
 #include "core/files/open_file.hpp"
 #include "device/guard/guard_process.hpp"
+#include "device/hid/hidraw_descriptor.hpp"
+#include "device/hid/report_descriptor.hpp"
 #include "device/hid_handles.hpp"
 #include "device/hid_pid/pid_layout.hpp"
-#include "device/hid/report_descriptor.hpp"
 #include "device/open_problem.hpp"
 
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <hidapi.h>
 #include <string_view>
 #include <thread>
@@ -21,20 +21,6 @@
 namespace tp {
 
 namespace {
-
-/// Linux's copy, which everyone may read: also before anybody has the permission to open the device. Empty on other systems.
-std::vector<std::uint8_t> descriptor_of(const std::string& path) {
-    std::vector<std::uint8_t> bytes;
-    const std::string node = path.substr(path.rfind('/') + 1);
-    std::FILE* const file =
-        std::fopen(("/sys/class/hidraw/" + node + "/device/report_descriptor").c_str(), "rb");
-    if (file == nullptr)
-        return bytes;
-    bytes.resize(hid::most_descriptor_bytes + 1); // one more shows that it is too long
-    bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
-    std::fclose(file);
-    return bytes;
-}
 
 /// The device's node opened once more, for what must be done without hidapi.
 class Node {
@@ -74,7 +60,7 @@ public:
     HidPidTransport(HidHandles handles, const std::string& path, Node node, const std::string& guard_program)
         : handles_(std::move(handles)), path_(path), node_(std::move(node)), guard_program_(guard_program) {}
 
-    std::vector<std::uint8_t> descriptor() override { return descriptor_of(path_); }
+    std::vector<std::uint8_t> descriptor() override { return hid::hidraw_descriptor(path_); }
 
     Got read(hid::Report& report, int wait_ms) noexcept override {
         const int count =
@@ -143,7 +129,7 @@ std::vector<FoundStick> find_sticks() {
         if (!found.empty() && found.back().path == one->path)
             continue;
         hid::ReportDescriptor descriptor;
-        if (hid::parse_report_descriptor(descriptor_of(one->path), descriptor) ==
+        if (hid::parse_report_descriptor(hid::hidraw_descriptor(one->path), descriptor) ==
                 hid::DescriptorFault::none &&
             hid::has_constant_force(descriptor))
             found.push_back(

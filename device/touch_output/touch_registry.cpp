@@ -3,6 +3,7 @@
 
 #include "device/bus_mutex.hpp"
 #include "device/touch_output/plugged_touch_output.hpp"
+#include "device/touch_output/steam_pad/plugged_steam_pads.hpp"
 
 #include <iterator>
 #include <mutex>
@@ -14,7 +15,9 @@ namespace {
 using Look = std::vector<PluggedTouchOutput> (*)();
 
 /// How each back end sees what is there now.
-const std::vector<Look> looks{};
+const std::vector<Look> looks{
+    plugged_steam_pads, //
+};
 
 std::vector<PluggedTouchOutput> plugged_touch_outputs() {
     std::vector<PluggedTouchOutput> all;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "device/touch_output/steam_pad/simulated_steam_link.hpp"
+#include "device/touch_output/steam_pad/steam_pad.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tp::testing {
+
+/// Lets a transport that a test keeps be opened.
+class BorrowedSteamLink final : public SteamTransport {
+public:
+    explicit BorrowedSteamLink(SteamTransport& lent) : lent_(lent) {}
+    steam::Kind kind() const override { return lent_.kind(); }
+    Got read(Input& report, int wait_ms) noexcept override { return lent_.read(report, wait_ms); }
+    bool send(const steam::Feature& report) noexcept override { return lent_.send(report); }
+
+private:
+    SteamTransport& lent_;
+};
+
+inline SteamPad::Opener lend(SteamTransport& transport) {
+    return [&transport]() -> Result<std::unique_ptr<SteamTransport>> {
+        return std::unique_ptr<SteamTransport>(std::make_unique<BorrowedSteamLink>(transport));
+    };
+}
+
+/// Model pads on a simulated cable and their back end, in simulated time.
+struct SteamBench {
+    ModelSteamPad model;
+    SimulatedSteamLink link;
+    SteamPad pad;
+    double now = 0.0; ///< s
+    bool writer_stalled = false;
+    std::optional<PadTouch> touch; ///< the newest reading
+    TouchCapabilities can;
+    std::string error;
+
+    explicit SteamBench(steam::Kind kind = steam::Kind::deck, unsigned delay_ms = 0, std::uint32_t seed = 1)
+        : model(kind), link(model, delay_ms, seed),
+          pad({lend(link)}, "SD-0001", LatestWriter::Thread::caller) {
+        Result<TouchCapabilities> opened = pad.open();
+        if (opened.ok())
+            can = opened.value();
+        error = opened.error();
+    }
+    /// A millisecond.
+    void tick() {
+        now += 0.001;
+        link.advance();
+        if (const std::optional<PadTouch> read = pad.read(now))
+            touch = read;
+        if (!writer_stalled)
+            pad.deliver();
+    }
+    void run(double seconds) {
+        for (double end = now + seconds; now < end;)
+            tick();
+    }
+    double felt() const { return std::max(model.felt(steam::Side::left), model.felt(steam::Side::right)); }
+};
+
+} // namespace tp::testing

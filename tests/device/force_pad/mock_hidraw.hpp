@@ -28,14 +28,17 @@ struct HidrawDevice {
     std::string name = "force pad";
     std::string serial_number = "TPC-0001";
     std::span<const std::uint8_t> descriptor = pad::report_descriptor;
+    std::string vendor = "1209"; ///< of four hexadecimal digits
+    std::string product = "0001";
 };
 
 inline std::string hidraw_description(const HidrawDevice& device = {}) {
     return "P: /devices/pci0000:00/usb1/1-1/1-1:1.0\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\n"
            "A: bInterfaceNumber=00\\n\n\n"
            "P: /devices/pci0000:00/usb1/1-1/1-1:1.0/0003:1209:0001.0001\nE: SUBSYSTEM=hid\n"
-           "E: HID_ID=0003:00001209:00000001\nE: HID_NAME=" +
-           device.name + "\nE: HID_PHYS=usb-0/input0\nE: HID_UNIQ=" + device.serial_number +
+           "E: HID_ID=0003:0000" +
+           device.vendor + ":0000" + device.product + "\nE: HID_NAME=" + device.name +
+           "\nE: HID_PHYS=usb-0/input0\nE: HID_UNIQ=" + device.serial_number +
            "\nH: report_descriptor=" + hexadecimal(device.descriptor.data(), device.descriptor.size()) +
            "\n\nP: /devices/pci0000:00/usb1/1-1/1-1:1.0/0003:1209:0001.0001/hidraw/hidraw0\nN: hidraw0\n"
            "E: SUBSYSTEM=hidraw\nE: DEVNAME=/dev/hidraw0\nE: MAJOR=246\nE: MINOR=0\n"
@@ -44,9 +47,10 @@ inline std::string hidraw_description(const HidrawDevice& device = {}) {
 
 /// What /sys tells of the USB device 1-1 that it is on.
 inline std::string usb_description(const HidrawDevice& device = {}) {
-    return "P: /devices/pci0000:00/usb1/1-1\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nA: idVendor=1209\\n\n"
-           "A: idProduct=0001\\n\nA: manufacturer=touchphoto\\n\nA: product=" +
-           device.name + "\\n\nA: serial=" + device.serial_number + "\\n\nA: bcdDevice=0100\\n\n\n";
+    return "P: /devices/pci0000:00/usb1/1-1\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nA: idVendor=" +
+           device.vendor + "\\n\nA: idProduct=" + device.product +
+           "\\n\nA: manufacturer=touchphoto\\n\nA: product=" + device.name +
+           "\\n\nA: serial=" + device.serial_number + "\\n\nA: bcdDevice=0100\\n\n\n";
 }
 
 /// Answers a question of the HID class with `bytes` of data at hand by `answer`, which gives what the system call returns,

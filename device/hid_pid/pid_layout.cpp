@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/hid_pid/pid_layout.hpp"
 
+#include "device/hid/field_slot.hpp"
+
 #include <algorithm>
 
 namespace tp::hid {
@@ -49,26 +51,6 @@ constexpr std::uint32_t device_paused = physical(0x9F);
 constexpr std::uint32_t actuators_enabled = physical(0xA0);
 constexpr std::uint32_t safety_switch = physical(0xA4);
 constexpr std::uint32_t actuator_power = physical(0xA6);
-
-Slot slot_of(const Field& field, std::uint32_t index) {
-    Slot slot;
-    if (field.bit_size == 0 || field.bit_size > 32 || index >= field.count)
-        return slot;
-    slot.bit = field.bit_offset + index * field.bit_size;
-    slot.size = static_cast<std::uint8_t>(field.bit_size);
-    // A range that its bits cannot hold, or that is none, is a mistake of the device: then the bits are the
-    // range.
-    const bool negative = field.logical_min < 0;
-    const std::int64_t most = (std::int64_t{1} << (slot.size - (negative ? 1 : 0))) - 1;
-    const std::int64_t least = negative ? -most - 1 : 0;
-    slot.least = std::max(field.logical_min, least);
-    slot.most = std::min(field.logical_max, most);
-    if (slot.most <= slot.least) {
-        slot.least = least;
-        slot.most = most;
-    }
-    return slot;
-}
 
 /// Finds the values of one report: the first field of it decides which report it is.
 class ReportFinder {

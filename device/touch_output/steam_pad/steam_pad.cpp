@@ -10,9 +10,7 @@ namespace tp {
 
 namespace {
 
-constexpr int most_reports = 64;     ///< that one read drains
-constexpr double renew_after = 1.0;  ///< s; SDL does it about as often
-constexpr double hangs_after = 0.25; ///< s
+constexpr double renew_after = 1.0; ///< s; SDL does it about as often
 constexpr std::uint64_t nothing_felt = 0;
 
 std::uint64_t packed(const SteamMail& mail) {
@@ -111,13 +109,10 @@ Result<TouchCapabilities> SteamPad::open() {
     trouble_.store(Trouble::none);
     halted_.store(false);
     refuses_.store(false);
-    hangs_.store(false);
+    watch_.restart();
     touch_ = PadTouch{};
     renewed_.reset();
     mail_ = SteamMail{};
-    awaited_ = false;
-    sent_ = 0;
-    waits_since_.reset();
     Result<bool> begun = Error{std::string()};
     for (const Opener& opener : openers_)
         if (begun = begin(opener); begun.ok())
@@ -165,7 +160,7 @@ void SteamPad::take(const steam::News& news, double now) noexcept {
 
 void SteamPad::post() noexcept {
     const SteamMail still{{}, mail_.side, 0, mail_.renewal};
-    awaited_ = true;
+    watch_.posted();
     writer_->post(packed(halted_.load() ? still : mail_));
     if (halted_.load()) // by another thread, meanwhile
         writer_->post(packed(still));
@@ -173,15 +168,7 @@ void SteamPad::post() noexcept {
 
 /// Renews what keeps the pads from imitating a mouse, and notes a writer that hangs.
 void SteamPad::keep_up(double now) noexcept {
-    const std::uint32_t sent = line_->sent.load(std::memory_order_acquire);
-    if (!awaited_ || sent != sent_) {
-        awaited_ = awaited_ && sent == sent_;
-        sent_ = sent;
-        waits_since_.reset();
-    } else if (!waits_since_) {
-        waits_since_ = now;
-    }
-    hangs_.store(waits_since_ && now - *waits_since_ > hangs_after, std::memory_order_relaxed);
+    watch_.look(line_->sent.load(std::memory_order_acquire), now);
     refuses_.store(line_->refuses.load(std::memory_order_relaxed), std::memory_order_relaxed);
     if (!renewed_)
         renewed_ = now;
@@ -195,6 +182,7 @@ void SteamPad::keep_up(double now) noexcept {
 std::optional<PadTouch> SteamPad::read(double now) noexcept {
     if (!open_)
         return std::nullopt;
+    constexpr int most_reports = 64; ///< that one read drains
     fresh_ = false;
     SteamTransport::Input report;
     for (int i = 0; i < most_reports && !lost(); ++i) {
@@ -215,7 +203,7 @@ std::optional<PadTouch> SteamPad::read(double now) noexcept {
 }
 
 bool SteamPad::tick(const Tick& tick) noexcept {
-    if (!open_ || lost() || hangs_.load(std::memory_order_relaxed))
+    if (!open_ || lost() || watch_.hangs())
         return false; // what is felt much later would tell of another place
     if (tick.empty())
         return true;
@@ -255,7 +243,7 @@ std::string SteamPad::complaint() const {
     if (trouble == Trouble::switched_off)
         return "The Steam Controller was switched off, or is too far from its receiver. Press its middle "
                "button.";
-    if (refuses_.load(std::memory_order_relaxed) || hangs_.load(std::memory_order_relaxed))
+    if (refuses_.load(std::memory_order_relaxed) || watch_.hangs())
         return std::string("The ") + name_of(kind_) +
                " does not take the ticks. Close other programs that use it, such as Steam.";
     return {};

@@ -4,6 +4,7 @@
 #include "core/touch/touch_output.hpp"
 #include "device/latest_writer.hpp"
 #include "device/touch_output/steam_pad/steam_transport.hpp"
+#include "device/touch_output/writer_watch.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -80,7 +81,7 @@ private:
     std::atomic<Trouble> trouble_{Trouble::none};
     std::atomic<bool> halted_{false};
     std::atomic<bool> refuses_{false};
-    std::atomic<bool> hangs_{false};
+    WriterWatch watch_;
 
     // Only the caller's thread.
     steam::Side side_ = steam::Side::right;
@@ -88,9 +89,6 @@ private:
     bool fresh_ = false; ///< a reading in this read
     std::optional<double> renewed_;
     SteamMail mail_;
-    bool awaited_ = false;              ///< something was posted since the writer was last seen to send
-    std::uint32_t sent_ = 0;            ///< when it was
-    std::optional<double> waits_since_; ///< s
 };
 
 } // namespace tp

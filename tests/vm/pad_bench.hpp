@@ -139,6 +139,15 @@ private:
     QProcess feeler_;
 };
 
+inline constexpr double longest_tick = 0.05; ///< s, Tick::longest_s
+
+inline void say(const PadBench::Felt& felt, const PadBench& bench) {
+    qInfo("%d lines, the latest tick after %.1f ms, the longest of %.1f ms; the longest call of the pad %.2f "
+          "ms",
+          felt.lines, 1e3 * felt.latest_s, 1e3 * felt.longest_s,
+          1e3 * bench.readings[bench.readings.size() - 1].longest_call_s);
+}
+
 /// The last moment from `from` to `to`, s, at which the finger felt a tick; `from` where there is none.
 inline double last_tick(const SharedLog<DeviceSample>& log, double from, double to) {
     double last = from;

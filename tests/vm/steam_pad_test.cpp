@@ -10,7 +10,6 @@ using namespace tp::vm;
 
 namespace {
 
-constexpr double longest_tick = 0.05;
 constexpr double at_a_line =
     0.012; ///< s: 4 ms between two reports, 1 ms each of both programs, and their ways
 
@@ -29,10 +28,7 @@ void feels_every_line(PadBench& bench, double seconds) {
     const double from = clock_now();
     PadBench::comes_true([] { return false; }, seconds);
     const PadBench::Felt felt = bench.felt(from, clock_now() - longest_tick);
-    qInfo("%d lines, the latest tick after %.1f ms, the longest of %.1f ms; the longest call of the pad %.2f "
-          "ms",
-          felt.lines, 1e3 * felt.latest_s, 1e3 * felt.longest_s,
-          1e3 * bench.readings[bench.readings.size() - 1].longest_call_s);
+    say(felt, bench);
     QVERIFY(felt.lines > 5);
     QVERIFY(felt.missed <= 1); // a tick that begins as the last one ends
     QVERIFY(felt.elsewhere <= 1);

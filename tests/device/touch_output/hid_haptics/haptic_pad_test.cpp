@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics_bench.hpp"
+
+#include <QTest>
+
+using namespace tp;
+using tp::testing::HapticsBench;
+
+namespace {
+
+const Tick click(0.8, 1.0, 0.01);
+
+} // namespace
+
+class HapticPadTest : public QObject {
+    Q_OBJECT
+private slots:
+    void it_says_what_it_can_do() {
+        HapticsBench bench;
+        QCOMPARE(bench.open(), std::string());
+        QCOMPARE(bench.can.name, std::string("model pad"));
+        QCOMPARE(bench.can.serial_number, std::string("HP-0001"));
+        QVERIFY(bench.can.means == TouchMeans::ticks && bench.can.pad);
+        QVERIFY(std::abs(bench.can.pad->width() - 100.0) < 1e-9 &&
+                std::abs(bench.can.pad->height() - 60.0) < 1e-9);
+    }
+
+    void a_finger_is_read_and_felt() {
+        HapticsBench bench;
+        QCOMPARE(bench.open(), std::string());
+        bench.model.touch(0, {10.0, 5.0}, true);
+        bench.run(0.02);
+        QVERIFY(bench.touch && bench.touch->touched && bench.touch->buttons == 1);
+        QVERIFY(distance(bench.touch->place, Vec2(10.0, 5.0)) < 0.04);
+        QVERIFY(bench.pad.tick(click));
+        bench.run(0.002);
+        QCOMPARE(bench.model.waveform(), 0x1003);
+        QVERIFY(std::abs(bench.model.felt() - 0.8) < 0.01);
+        bench.run(0.02);
+        QCOMPARE(bench.model.felt(), 0.0);
+        QVERIFY(bench.pad.tick(Tick(0.3, 0.0, 0.02)));
+        bench.run(0.002);
+        QCOMPARE(bench.model.waveform(), 0x1008);
+        QVERIFY(std::abs(bench.model.felt() - 0.3) < 0.01);
+        QCOMPARE(bench.model.ticks(), 2ul);
+    }
+
+    void a_second_finger_does_not_take_over_before_the_first_is_lifted() {
+        HapticsBench bench;
+        QCOMPARE(bench.open(), std::string());
+        bench.model.touch(1, {10.0, 5.0});
+        bench.run(0.02);
+        bench.model.touch(0, {-40.0, 0.0});
+        bench.run(0.02);
+        QVERIFY(distance(bench.touch->place, Vec2(10.0, 5.0)) < 0.04);
+        bench.model.lift(1);
+        bench.run(0.02);
+        QVERIFY(distance(bench.touch->place, Vec2(-40.0, 0.0)) < 0.04);
+        bench.model.lift(0);
+        bench.run(0.02);
+        QVERIFY(!bench.touch->touched);
+    }
+
+    void what_another_program_left_playing_is_stopped_at_the_start() {
+        HapticsBench bench;
+        const std::array<std::uint8_t, 6> goes_on{3, 6, 100, 0, 0, 0};
+        bench.model.receive(goes_on);
+        bench.link.advance();
+        QVERIFY(bench.model.felt() > 0.0);
+        QCOMPARE(bench.open(), std::string());
+        bench.run(0.003);
+        QCOMPARE(bench.model.felt(), 0.0);
+    }
+
+    void halted_and_stopped_nothing_is_felt() {
+        HapticsBench bench;
+        QCOMPARE(bench.open(), std::string());
+        QVERIFY(bench.pad.tick(Tick(1.0, 0.0, 0.05)));
+        bench.run(0.003);
+        QVERIFY(bench.model.felt() > 0.0);
+        bench.pad.halt();
+        bench.run(0.002);
+        QCOMPARE(bench.model.felt(), 0.0);
+        QVERIFY(bench.pad.tick(click));
+        bench.pad.halt();
+        bench.run(0.1);
+        QCOMPARE(bench.model.ticks(), 1ul);
+        QVERIFY(bench.pad.tick(click));
+        bench.run(0.003);
+        QVERIFY(bench.model.felt() > 0.0);
+        bench.pad.stop();
+        bench.link.advance();
+        QCOMPARE(bench.model.felt(), 0.0);
+        QVERIFY(!bench.pad.tick(click));
+        bench.pad.stop();
+    }
+
+    void one_that_ticks_by_itself_only_is_refused_with_a_sentence() {
+        HapticsBench bench;
+        bench.link.troubles.lie = ModelHapticPad::descriptor_without_trigger();
+        QCOMPARE(
+            bench.open(),
+            std::string("The touch pad with haptics cannot be used: it ticks by itself only and takes no "
+                        "ticks from a program."));
+    }
+
+    void a_descriptor_that_lies_ends_in_a_sentence() {
+        HapticsBench bench;
+        bench.link.troubles.lie = {0xC0};
+        QVERIFY(bench.open().find("cannot be read") != std::string::npos);
+        bench.link.troubles.lie.clear();
+        bench.model.waveforms = {0x1004, 0x1005, 0x100B, 0x100C};
+        QVERIFY(bench.open().find("no tick that ends by itself") != std::string::npos);
+        bench.model.waveforms[2] = 0x1003;
+        bench.link.troubles.mute = true; // it does not answer what it is asked
+        QVERIFY(bench.open().find("no tick that ends by itself") != std::string::npos);
+        bench.link.troubles.mute = false;
+        bench.link.troubles.refuse = 1.0;
+        QVERIFY(bench.open().find("could not be opened") != std::string::npos);
+        bench.link.troubles.refuse = 0.0;
+        QCOMPARE(bench.open(), std::string());
+    }
+
+    void nobody_calls_the_system_but_the_writer_and_one_that_hangs_is_told() {
+        HapticsBench bench;
+        QCOMPARE(bench.open(), std::string());
+        bench.run(0.01);
+        bench.writer_stalled = true;
+        const unsigned long before = bench.link.sends();
+        QVERIFY(bench.pad.tick(click));
+        bench.run(0.3);
+        QVERIFY(!bench.pad.tick(click));
+        bench.pad.halt();
+        QCOMPARE(bench.link.sends(), before);
+        QVERIFY(bench.pad.complaint().find("does not take the ticks") != std::string::npos);
+        bench.writer_stalled = false;
+        bench.run(0.01);
+        QCOMPARE(bench.model.ticks(), 0ul);
+        QCOMPARE(bench.pad.complaint(), std::string());
+        QVERIFY(bench.pad.tick(click));
+    }
+
+    void one_that_refuses_is_told() {
+        HapticsBench bench;
+        QCOMPARE(bench.open(), std::string());
+        bench.link.troubles.refuse = 1.0;
+        bench.pad.tick(click);
+        bench.run(0.01);
+        QVERIFY(!bench.pad.tick(click));
+        QVERIFY(!bench.pad.complaint().empty() && !bench.pad.lost());
+    }
+
+    void unplugged_in_mid_touch_a_reason_is_said_and_it_can_be_opened_again() {
+        HapticsBench bench;
+        QCOMPARE(bench.open(), std::string());
+        bench.link.troubles.unplugged = true;
+        bench.run(0.002);
+        QVERIFY(bench.pad.lost() && !bench.pad.tick(click) && !bench.pad.resist(1.0));
+        QCOMPARE(bench.pad.complaint(),
+                 std::string("The touch pad with haptics was unplugged. Plug it in again."));
+        bench.link.troubles.unplugged = false;
+        QCOMPARE(bench.open(), std::string());
+        QVERIFY(!bench.pad.lost() && bench.pad.complaint().empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(HapticPadTest)
+#include "haptic_pad_test.moc"

@@ -4385,6 +4385,74 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>There is no touch output &quot;%1&quot; now. Check that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
         <translation>Die Fühlausgabe „%1“ gibt es jetzt nicht. Prüfen Sie, ob sie angeschlossen ist; „touchphoto-lab devices“ zählt auf, was da ist.</translation>
     </message>
+    <message>
+        <source>No Steam Controller is switched on near its receiver. Press its middle button and try again.</source>
+        <translation>In der Nähe des Empfängers ist kein Steam Controller eingeschaltet. Drücken Sie seine mittlere Taste und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Steam Controller</source>
+        <translation>Steam Controller</translation>
+    </message>
+    <message>
+        <source>Steam Controller by radio: its touch pads</source>
+        <translation>Steam Controller über Funk: seine Touchpads</translation>
+    </message>
+    <message>
+        <source>Steam Controller: its touch pads</source>
+        <translation>Steam Controller: seine Touchpads</translation>
+    </message>
+    <message>
+        <source>Steam Deck</source>
+        <translation>Steam Deck</translation>
+    </message>
+    <message>
+        <source>Steam Deck: its touch pads</source>
+        <translation>Steam Deck: seine Touchpads</translation>
+    </message>
+    <message>
+        <source>The %1 does not answer. Close other programs that use it, such as Steam, and try again.</source>
+        <translation>Dieses Gerät antwortet nicht: %1. Schließen Sie andere Programme, die es benutzen, etwa Steam, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The %1 does not take the ticks. Close other programs that use it, such as Steam.</source>
+        <translation>Dieses Gerät nimmt die Tastimpulse nicht an: %1. Schließen Sie andere Programme, die es benutzen, etwa Steam.</translation>
+    </message>
+    <message>
+        <source>The Steam Controller was switched off, or is too far from its receiver. Press its middle button.</source>
+        <translation>Der Steam Controller wurde ausgeschaltet oder ist zu weit von seinem Empfänger entfernt. Drücken Sie seine mittlere Taste.</translation>
+    </message>
+    <message>
+        <source>The touch pad with haptics cannot be used: %1.</source>
+        <translation>Das Touchpad mit Haptik kann nicht benutzt werden: %1.</translation>
+    </message>
+    <message>
+        <source>The touch pad with haptics does not take the ticks. Close other programs that use it.</source>
+        <translation>Das Touchpad mit Haptik nimmt die Tastimpulse nicht an. Schließen Sie andere Programme, die es benutzen.</translation>
+    </message>
+    <message>
+        <source>it does not say which ticks it has</source>
+        <translation>es sagt nicht, welche Tastimpulse es hat</translation>
+    </message>
+    <message>
+        <source>it has no tick that ends by itself</source>
+        <translation>es hat keinen Tastimpuls, der von selbst endet</translation>
+    </message>
+    <message>
+        <source>it ticks by itself only and takes no ticks from a program</source>
+        <translation>es gibt Tastimpulse nur von sich aus und nimmt von Programmen keine an</translation>
+    </message>
+    <message>
+        <source>touch pad with haptics</source>
+        <translation>Touchpad mit Haptik</translation>
+    </message>
+    <message>
+        <source>what it says of its ticks cannot be right</source>
+        <translation>was es über seine Tastimpulse sagt, kann nicht stimmen</translation>
+    </message>
+    <message>
+        <source>what it says of itself cannot be read</source>
+        <translation>was es über sich sagt, kann nicht gelesen werden</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -4362,6 +4362,74 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>There is no touch output &quot;%1&quot; now. Check that it is plugged in; &quot;touchphoto-lab devices&quot; lists what is there.</source>
         <translation>촉각 출력 “%1”: 지금 없습니다. 꽂혀 있는지 확인하세요. “touchphoto-lab devices”가 있는 장치를 알려 줍니다.</translation>
     </message>
+    <message>
+        <source>No Steam Controller is switched on near its receiver. Press its middle button and try again.</source>
+        <translation>수신기 가까이에 켜져 있는 Steam Controller가 없습니다. 가운데 단추를 누르고 다시 해 보세요.</translation>
+    </message>
+    <message>
+        <source>Steam Controller</source>
+        <translation>Steam Controller</translation>
+    </message>
+    <message>
+        <source>Steam Controller by radio: its touch pads</source>
+        <translation>무선 Steam Controller: 터치패드</translation>
+    </message>
+    <message>
+        <source>Steam Controller: its touch pads</source>
+        <translation>Steam Controller: 터치패드</translation>
+    </message>
+    <message>
+        <source>Steam Deck</source>
+        <translation>Steam Deck</translation>
+    </message>
+    <message>
+        <source>Steam Deck: its touch pads</source>
+        <translation>Steam Deck: 터치패드</translation>
+    </message>
+    <message>
+        <source>The %1 does not answer. Close other programs that use it, such as Steam, and try again.</source>
+        <translation>장치가 응답하지 않습니다: %1. 이 장치를 쓰는 Steam 같은 다른 프로그램을 닫고 다시 해 보세요.</translation>
+    </message>
+    <message>
+        <source>The %1 does not take the ticks. Close other programs that use it, such as Steam.</source>
+        <translation>장치가 촉각 신호를 받지 않습니다: %1. 이 장치를 쓰는 Steam 같은 다른 프로그램을 닫으세요.</translation>
+    </message>
+    <message>
+        <source>The Steam Controller was switched off, or is too far from its receiver. Press its middle button.</source>
+        <translation>Steam Controller가 꺼졌거나 수신기에서 너무 멀리 있습니다. 가운데 단추를 누르세요.</translation>
+    </message>
+    <message>
+        <source>The touch pad with haptics cannot be used: %1.</source>
+        <translation>햅틱 터치패드를 사용할 수 없습니다: %1.</translation>
+    </message>
+    <message>
+        <source>The touch pad with haptics does not take the ticks. Close other programs that use it.</source>
+        <translation>햅틱 터치패드가 촉각 신호를 받지 않습니다. 이 장치를 쓰는 다른 프로그램을 닫으세요.</translation>
+    </message>
+    <message>
+        <source>it does not say which ticks it has</source>
+        <translation>어떤 촉각 신호가 있는지 알려 주지 않습니다</translation>
+    </message>
+    <message>
+        <source>it has no tick that ends by itself</source>
+        <translation>저절로 끝나는 촉각 신호가 없습니다</translation>
+    </message>
+    <message>
+        <source>it ticks by itself only and takes no ticks from a program</source>
+        <translation>촉각 신호를 스스로만 내고 프로그램에서는 받지 않습니다</translation>
+    </message>
+    <message>
+        <source>touch pad with haptics</source>
+        <translation>햅틱 터치패드</translation>
+    </message>
+    <message>
+        <source>what it says of its ticks cannot be right</source>
+        <translation>촉각 신호에 대해 알려 준 내용이 맞을 수 없습니다</translation>
+    </message>
+    <message>
+        <source>what it says of itself cannot be read</source>
+        <translation>스스로에 대해 알려 준 내용을 읽을 수 없습니다</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -28,7 +28,7 @@ bool HapticPad::Line::send(std::uint64_t message) noexcept {
     bool taken = true;
     if (message == no_tick)
         taken = transport->send(haptics::stop(layout));
-    else if (number != tick)
+    else if (number != tick) // a writer may see one message twice
         taken = transport->send(haptics::trigger(layout, static_cast<std::uint8_t>(message & 0xFFu),
                                                  static_cast<double>(message >> 16u & 0xFFFFu) / 65535.0));
     tick = number;

@@ -77,7 +77,7 @@ private:
     std::shared_ptr<Line> line_;
     std::unique_ptr<LatestWriter> writer_; ///< stays until the next open, for halt() from anywhere
     bool open_ = false;
-    steam::Kind kind_ = steam::Kind::deck;
+    std::atomic<steam::Kind> kind_{steam::Kind::deck};
     std::atomic<Trouble> trouble_{Trouble::none};
     std::atomic<bool> halted_{false};
     std::atomic<bool> refuses_{false};

@@ -57,6 +57,7 @@ private slots:
         QVERIFY(deck.can.means == TouchMeans::ticks && deck.can.pad);
         QCOMPARE(deck.can.pad->width(), 32.5);
         QCOMPARE(SteamBench(steam::Kind::controller).can.pad->width(), 40.0);
+        QVERIFY(SteamBench(steam::Kind::receiver).can.delay > deck.can.delay);
     }
 
     void the_pad_that_is_touched_tells_and_ticks_data() { every_controller(); }

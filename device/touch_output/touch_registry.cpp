@@ -2,6 +2,7 @@
 #include "device/touch_output/touch_registry.hpp"
 
 #include "device/bus_mutex.hpp"
+#include "device/touch_output/force_feedback/plugged_feedback.hpp"
 #include "device/touch_output/hid_haptics/plugged_haptic_pads.hpp"
 #include "device/touch_output/plugged_touch_output.hpp"
 #include "device/touch_output/steam_pad/plugged_steam_pads.hpp"
@@ -17,8 +18,9 @@ using Look = std::vector<PluggedTouchOutput> (*)();
 
 /// How each back end sees what is there now.
 const std::vector<Look> looks{
-    plugged_steam_pads, //
+    plugged_steam_pads,
     plugged_haptic_pads,
+    plugged_feedback,
 };
 
 std::vector<PluggedTouchOutput> plugged_touch_outputs() {

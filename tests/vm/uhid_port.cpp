@@ -39,7 +39,7 @@ bool UhidPort::plug_in() {
     uhid_create2_req& create = event.u.create2;
     put(identity.name, create.name);
     put(identity.serial_number, create.uniq);
-    create.bus = BUS_USB;
+    create.bus = identity.bus;
     create.vendor = identity.vendor;
     create.product = identity.product;
     create.rd_size = static_cast<__u16>(identity.report_descriptor.size());

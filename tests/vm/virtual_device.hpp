@@ -40,6 +40,7 @@ public:
         std::string name;
         std::string serial_number;
         std::span<const std::uint8_t> report_descriptor;
+        std::uint16_t bus = 3; ///< BUS_USB of linux/input.h
     };
     using Bytes = std::vector<std::uint8_t>;
 

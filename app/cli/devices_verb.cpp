@@ -2,6 +2,7 @@
 #include "app/cli/device_measures.hpp"
 #include "app/cli/guidance_options.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/touch_trial.hpp"
 #include "app/cli/verbs.hpp"
 #include "core/files/whole_file.hpp"
 #include "core/servo/servo_loop.hpp"
@@ -9,6 +10,7 @@
 #include "device/recording/recording_device.hpp"
 #include "device/recording/replay_device.hpp"
 #include "device/registry.hpp"
+#include "device/touch_output/touch_registry.hpp"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -26,23 +28,37 @@ namespace {
 
 constexpr std::size_t largest_recording = std::size_t{1} << 30;
 
+void print(const QJsonObject& object) {
+    std::printf("%s\n", QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
+}
+
 int list(const QStringList& words) {
     VerbLine line("devices",
-                  "Lists the force devices that can be used now. See also devices test, home,\n"
-                  "calibrate, measure, record and replay.");
-    line.option("json", "One JSON object per line: name, about, serial_number, interface.");
+                  "Lists the force devices that can be used now, then what a bare finger can feel. See also\n"
+                  "devices test, home, calibrate, measure, record, replay and tick.");
+    line.option("json", "One JSON object per line: name, about, serial_number, interface, means, pad.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
     for (const ListedDevice& device : list_devices())
-        if (line.has("json")) {
-            const QJsonObject object{{"name", QString::fromStdString(device.name)},
-                                     {"about", QString::fromStdString(device.about)},
-                                     {"serial_number", QString::fromStdString(device.serial_number)},
-                                     {"interface", QString::fromStdString(device.interface)}};
-            std::printf("%s\n", QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
-        } else {
+        if (line.has("json"))
+            print({{"name", QString::fromStdString(device.name)},
+                   {"about", QString::fromStdString(device.about)},
+                   {"serial_number", QString::fromStdString(device.serial_number)},
+                   {"interface", QString::fromStdString(device.interface)},
+                   {"means", "force"},
+                   {"pad", false}});
+        else
             std::printf("%-20s %s\n", device.name.c_str(), device.about.c_str());
-        }
+    for (const ListedTouchOutput& output : list_touch_outputs())
+        if (line.has("json"))
+            print({{"name", QString::fromStdString(output.name)},
+                   {"about", QString::fromStdString(output.about)},
+                   {"serial_number", QString::fromStdString(output.serial_number)},
+                   {"interface", ""},
+                   {"means", word_of(output.means)},
+                   {"pad", output.is_pad}});
+        else
+            std::printf("%-20s %s (%s)\n", output.name.c_str(), output.about.c_str(), word_of(output.means));
     return exit_done;
 }
 
@@ -247,6 +263,8 @@ int devices_verb(const QStringList& words) {
         return record(words.mid(1));
     if (first == "replay")
         return replay_verb(words.mid(1));
+    if (first == "tick")
+        return tick_touch_output(words.mid(1));
     return list(words);
 }
 

@@ -24,6 +24,8 @@ private slots:
         const QJsonObject first = QJsonDocument::fromJson(run.out.split('\n').first()).object();
         QCOMPARE(first["name"].toString(), QString("simulated"));
         QVERIFY(first["interface"].isString());
+        QCOMPARE(first["means"].toString(), QString("force"));
+        QVERIFY(first["pad"].isBool());
         QVERIFY(lab({"devices"}).out.startsWith("simulated "));
     }
 
@@ -47,7 +49,7 @@ private slots:
     }
 
     void what_is_not_there_is_said_so() {
-        for (const char* const verb : {"test", "home", "measure"}) {
+        for (const char* const verb : {"test", "home", "measure", "tick"}) {
             const Run run = lab({"devices", verb, "pad:none"});
             QCOMPARE(run.code, 1);
             QVERIFY(is_one_sentence(run.err) || run.err.contains("lists what is there"));
@@ -59,6 +61,8 @@ private slots:
             QCOMPARE(lab({"devices", "calibrate", "simulated", "--screen", screen}).code, 2);
         QCOMPARE(lab({"devices", "calibrate", "simulated", "--screen", "250x150", "--inset", "-1"}).code, 2);
         QCOMPARE(lab({"devices", "test"}).code, 2);
+        for (const char* const wrong : {"--count=0", "--count=x", "--strength=0", "--strength=x"})
+            QCOMPARE(lab({"devices", "tick", "motor:none", wrong}).code, 2);
         QCOMPARE(lab({"devices", "record", folder_.filePath("no"), "--device", "pad:none"}).code, 1);
     }
 

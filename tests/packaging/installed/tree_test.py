@@ -105,6 +105,12 @@ class Tree(unittest.TestCase):
         metainfo = (self.program / f"share/metainfo/{NAME}.metainfo.xml").read_text(encoding="utf-8")
         self.assertEqual({alias.upper() for alias in re.findall("<modalias>(.*)</modalias>", metainfo)}, devices)
 
+    def test_udev_opens_no_input_device_but_those_that_shake_or_tick(self):
+        rules = (self.program / "lib/udev/rules.d/70-touchphoto.rules").read_text(encoding="utf-8")
+        of_input = [rule for rule in rules.splitlines() if "event*" in rule or 'SUBSYSTEM=="input"' in rule]
+        self.assertEqual(len(of_input), 1)
+        self.assertIn('ATTRS{capabilities/ff}!="0"', of_input[0])
+
 
 if __name__ == "__main__":
     sys.exit(unittest.main())

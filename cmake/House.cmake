@@ -102,6 +102,7 @@ tp_may(tp_work         USES Qt6::Core)
 tp_may(tp_preferences  tp_base tp_files tp_sentences  USES Qt6::Core)
 tp_may(tp_folders      ${below_app} tp_controls tp_narration  USES Qt6::Quick)
 tp_may(tp_devices      tp_base tp_files tp_geometry tp_servo tp_device tp_sentences  USES Qt6::Core)
+tp_may(tp_feedbackd    tp_base tp_touch tp_device  USES Qt6::Core Qt6::DBus)
 tp_may(tp_finger      tp_base tp_geometry tp_guidance tp_servo tp_device tp_sentences tp_devices  USES Qt6::Core)
 tp_may(tp_open_album   tp_base tp_files tp_sentences tp_recordings tp_metadata tp_index tp_keeper tp_preferences  USES Qt6::Core)
 tp_may(tp_grouping     tp_base tp_geometry tp_metadata tp_index tp_identity tp_people tp_open_album  USES Qt6::Core)
@@ -130,5 +131,5 @@ tp_may(tp_print        ${for_pages}  USES Qt6::Quick Qt6::Svg)
 
 # the two programs
 tp_may(tp_shell        ${for_pages} ${pages} tp_care tp_capture tp_study_page tp_camera tp_seeing tp_mend tp_print tp_identity tp_looking tp_grouping  USES Qt6::Quick)
-tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_check tp_people tp_seen tp_sight tp_words tp_scene tp_picture tp_tactile tp_devices
+tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_check tp_people tp_seen tp_sight tp_words tp_scene tp_picture tp_tactile tp_devices tp_feedbackd
                        tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_study_folder tp_statistics tp_study_report tp_simulated tp_trials tp_version tp_program_version  USES Qt6::Core Qt6::Gui Qt6::Network)

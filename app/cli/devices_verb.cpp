@@ -10,7 +10,6 @@
 #include "device/recording/recording_device.hpp"
 #include "device/recording/replay_device.hpp"
 #include "device/registry.hpp"
-#include "device/touch_output/touch_registry.hpp"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -49,7 +48,7 @@ int list(const QStringList& words) {
                    {"pad", false}});
         else
             std::printf("%-20s %s\n", device.name.c_str(), device.about.c_str());
-    for (const ListedTouchOutput& output : list_touch_outputs())
+    for (const ListedTouchOutput& output : touch_outputs_here())
         if (line.has("json"))
             print({{"name", QString::fromStdString(output.name)},
                    {"about", QString::fromStdString(output.about)},

@@ -67,9 +67,9 @@ private slots:
         QVERIFY(kernel_bits("7fdb000000000000 0 0 0 0", 64)[0x130]);
     }
     void what_no_kernel_writes_is_no_bit() {
-        std::string many;
+        std::string many = "1";
         for (int i = 0; i < 1000; ++i)
-            many += "1 ";
+            many += " 1";
         for (const std::string& text :
              {std::string(), std::string("x"), std::string("1 -1"), std::string("1  1"),
               std::string("11111111111111111"), std::string("1\0", 2), many})

@@ -25,13 +25,13 @@ bool session_has_bus() {
 }
 
 bool has_motor(const QDBusConnection& bus) {
-    const QDBusMessage call =
-        QDBusMessage::createMethodCall(feedbackd::service, feedbackd::path,
-                                       QStringLiteral("org.freedesktop.DBus.Introspectable"),
-                                       QStringLiteral("Introspect"));
+    const QDBusMessage call = QDBusMessage::createMethodCall(
+        feedbackd::service, feedbackd::path, QStringLiteral("org.freedesktop.DBus.Introspectable"),
+        QStringLiteral("Introspect"));
     const QDBusMessage answer = bus.call(call, QDBus::Block, feedbackd::answers_within_ms);
     return answer.type() == QDBusMessage::ReplyMessage &&
-           answer.arguments().value(0).toString().contains(QLatin1Char('"') + feedbackd::haptic + QLatin1Char('"'));
+           answer.arguments().value(0).toString().contains(QLatin1Char('"') + feedbackd::haptic +
+                                                           QLatin1Char('"'));
 }
 
 } // namespace

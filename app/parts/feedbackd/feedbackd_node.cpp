@@ -3,6 +3,7 @@
 
 #include <QDBusMessage>
 #include <QDBusMetaType>
+#include <QVariant>
 
 #include <cerrno>
 

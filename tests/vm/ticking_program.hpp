@@ -16,7 +16,11 @@ public:
         program_.start(QCoreApplication::applicationDirPath() + "/vm_tell_ticks", {name});
         program_.waitForStarted(-1);
     }
-    ~TickingProgram() { end(); }
+    ~TickingProgram() {
+        if (program_.state() == QProcess::Running)
+            go_on(); // one that is held would never end
+        end();
+    }
     TickingProgram(const TickingProgram&) = delete;
     TickingProgram& operator=(const TickingProgram&) = delete;
 

@@ -60,7 +60,7 @@ class EventNodesTest : public QObject {
 private slots:
     void bits_are_read_as_the_kernel_writes_them() {
         const auto bits = kernel_bits("107030000 0", 64);
-        for (const std::size_t bit : {0x50, 0x51, 0x58, 0x59, 0x5a, 0x60})
+        for (const std::size_t bit : {0x50U, 0x51U, 0x58U, 0x59U, 0x5aU, 0x60U})
             QVERIFY(bits[bit]);
         QCOMPARE(bits.count(), std::size_t(6));
         QVERIFY(kernel_bits("1 7030000 0 0", 32) == bits);

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/servo/servo_loop.hpp"
+#include "../closed_loop/loop_bench.hpp"
 #include "device/falcon/falcon.hpp"
 #include "device/falcon/simulated_falcon_link.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace tp::testing {
@@ -48,54 +45,32 @@ inline falcon::Place falcon_place(Vec2 mm, double before = 0.0) {
     return {1e-3 * mm.x, 1e-3 * mm.y, falcon::plane_z + 1e-3 * before};
 }
 
-/// A model Falcon on a simulated cable, its back end and a servo loop, all in simulated time.
-struct FalconBench {
+/// A model Falcon on a simulated cable.
+struct FalconBench : LoopBench {
     ModelFalcon model;
     SimulatedFalconLink link;
     Falcon device{lend(link), [] { return falcon_image(); }, "F-1", LatestWriter::Thread::caller};
-    VirtualClock clock;
-    Capabilities can;
-    std::string error;
-    std::unique_ptr<ServoLoop> loop;
-    bool writer_stalled = false;
-    std::function<void()> after_tick = [] {};
+    bool has_watchdog = false;
+    double before_mm = 0.0; ///< where the grip is placed and the hand moves, in front of the pane
 
     explicit FalconBench(const FalconPlant& plant = {}, unsigned delay_ms = 0, std::uint32_t seed = 1)
         : model(falcon_image(), plant), link(model, delay_ms, seed) {
         model.run_firmware(true);
-        const Result<Capabilities> opened = device.open();
-        if (!opened.ok()) {
-            error = opened.error();
-            return;
-        }
-        can = *opened;
-        loop = std::make_unique<ServoLoop>(device, can, clock, ServoSettings{});
+        has_watchdog = plant.watchdog_ms > 0;
+        begin(device, device.open());
     }
-    /// The loop stops the device as it ends: before the link goes.
-    ~FalconBench() { loop.reset(); }
-    FalconBench(const FalconBench&) = delete;
-    FalconBench& operator=(const FalconBench&) = delete;
+    ~FalconBench() override { loop.reset(); }
 
-    void render(std::vector<Contour> lines) {
-        auto made = make_haptic_scene(Scene{300.0, 300.0, std::move(lines)});
-        loop->render(std::move(made).value());
-        loop->engage();
-    }
-    void tick(double dt = 0.001) {
-        clock.sleep_until(clock.now() + dt);
-        loop->tick();
-        if (!writer_stalled)
-            device.deliver();
-        for (double t = 0.0005; t < dt; t += 0.001)
-            link.advance();
-        after_tick();
-    }
-    void run(double seconds) {
-        for (double t = 0.0005; t < seconds; t += 0.001)
-            tick();
-    }
-    Vec2 felt() const { return {model.force().x, model.force().y}; }
-    Vec2 grip_mm() const { return {1000.0 * model.grip().x, 1000.0 * model.grip().y}; }
+    Vec2 felt() const override { return {model.force().x, model.force().y}; }
+    bool lets_go() const override { return model.force() == glm::dvec3(0.0); }
+    Vec2 handle() const override { return {1000.0 * model.grip().x, 1000.0 * model.grip().y}; }
+    void place(Vec2 there) override { model.place_grip(falcon_place(there, before_mm)); }
+    void move_hand(Vec2 there) override { model.move_hand(falcon_place(there, before_mm)); }
+    bool& unplugged() override { return link.troubles.unplugged; }
+
+protected:
+    void deliver() override { device.deliver(); }
+    void advance() override { link.advance(); }
 };
 
 } // namespace tp::testing

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/servo/servo_loop.hpp"
+#include "../closed_loop/loop_bench.hpp"
 #include "device/force_pad/force_pad.hpp"
 #include "device/force_pad/simulated_link.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <utility>
-#include <vector>
 
 namespace tp::testing {
 
@@ -30,50 +27,32 @@ inline ForcePad::Opener lend(ReportTransport& transport) {
     };
 }
 
-/// A model pad on a simulated cable, its back end and a servo loop with one or more lines, all in simulated
-/// time.
-struct PadBench {
+/// A model pad on a simulated cable.
+struct PadBench : LoopBench {
     ModelPad model;
     SimulatedLink link;
     ForcePad device{lend(link), LatestWriter::Thread::caller};
-    VirtualClock clock;
-    Capabilities can;
-    std::unique_ptr<ServoLoop> loop;
-    bool writer_stalled = false;
-    std::function<void()> after_tick = [] {};
 
     explicit PadBench(const pad::PadConfig& config = pad::cable_pad(), const PadPlant& plant = {},
                       unsigned delay_ms = 0, std::uint32_t seed = 1, ServoSettings settings = {})
         : model(config, plant), link(model, delay_ms, seed) {
-        Result<Capabilities> opened = device.open();
-        if (!opened.ok())
-            return;
-        can = opened.value();
-        loop = std::make_unique<ServoLoop>(device, can, clock, settings);
+        begin(device, device.open(), settings);
     }
-    /// The loop stops the device as it ends: before the link goes.
-    ~PadBench() { loop.reset(); }
-    PadBench(const PadBench&) = delete;
-    PadBench& operator=(const PadBench&) = delete;
+    ~PadBench() override { loop.reset(); }
 
-    void render(std::vector<Contour> lines) {
-        auto made = make_haptic_scene(Scene{300.0, 300.0, std::move(lines)});
-        loop->render(std::move(made).value());
-        loop->engage();
-    }
-    void tick(double dt = 0.001) {
-        clock.sleep_until(clock.now() + dt);
-        loop->tick();
-        if (!writer_stalled)
-            device.deliver();
-        for (double t = 0.0005; t < dt; t += 0.001)
-            link.advance();
-        after_tick();
-    }
-    void run(double seconds) {
-        for (double t = 0.0005; t < seconds; t += 0.001)
-            tick();
-    }
+    Vec2 felt() const override { return model.force(); }
+    Vec2 middle() const override { return middle_; }
+    Vec2 handle() const override { return model.knob(); }
+    void place(Vec2 there) override { model.place_knob(there); }
+    void move_hand(Vec2 there) override { model.move_hand(there); }
+    bool& unplugged() override { return link.troubles.unplugged; }
+
+protected:
+    void deliver() override { device.deliver(); }
+    void advance() override { link.advance(); }
+
+private:
+    Vec2 middle_ = model.knob();
 };
 
 } // namespace tp::testing

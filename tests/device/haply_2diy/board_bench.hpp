@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/servo/servo_loop.hpp"
+#include "../closed_loop/loop_bench.hpp"
 #include "device/guard/simulated_guard.hpp"
 #include "device/haply_2diy/haply_2diy.hpp"
 #include "device/haply_2diy/simulated_line.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <utility>
-#include <vector>
+#include <span>
 
 namespace tp::testing {
 
@@ -27,59 +25,44 @@ private:
     SerialLine& lent_;
 };
 
-/// A model board on a simulated line, its back end and a servo loop with one or more lines, all in simulated
-/// time. The device is homed.
-struct BoardBench {
+/// A model board on a simulated line. The device is homed.
+struct BoardBench : LoopBench {
     ModelBoard model;
     SimulatedLine line;
     GuardDiary guard;
     HomedNote note;
     Haply2diy device;
-    VirtualClock clock;
-    Capabilities can;
-    std::unique_ptr<ServoLoop> loop;
-    bool writer_stalled = false;
-    std::function<void()> after_tick = [] {};
 
     explicit BoardBench(HaplyGeneration generation = HaplyGeneration::third, const HaplyPlant& plant = {},
                         unsigned later_ms = 0, std::uint32_t seed = 1)
         : model(generation, plant), line(model, later_ms, seed),
-          device(generation, opener(), LatestWriter::Thread::caller) {
-        Result<Capabilities> opened = device.open();
-        if (!opened.ok() || !device.home().ok())
-            return;
-        can = opened.value();
-        loop = std::make_unique<ServoLoop>(device, can, clock, ServoSettings{});
+          device(generation, opener(), LatestWriter::Thread::caller),
+          middle_(Pantograph(generation).middle()) {
+        const Result<Capabilities> opened = device.open();
+        const Result<bool> homed = device.home();
+        begin(device, homed.ok() ? opened : Error{homed.error()});
     }
-    /// The loop stops the device as it ends: before the line goes.
-    ~BoardBench() { loop.reset(); }
-    BoardBench(const BoardBench&) = delete;
-    BoardBench& operator=(const BoardBench&) = delete;
-
+    ~BoardBench() override { loop.reset(); }
     Haply2diy::Opener opener() {
         return [this]() -> Result<Haply2diy::Board> {
             return Haply2diy::Board{std::make_unique<BorrowedLine>(line),
                                     std::make_unique<SimulatedGuard>(guard), note, "7523031393535120A0D1"};
         };
     }
-    void render(std::vector<Contour> lines) {
-        auto made = make_haptic_scene(Scene{300.0, 300.0, std::move(lines)});
-        loop->render(std::move(made).value());
-        loop->engage();
-    }
-    void tick(double dt = 0.001) {
-        clock.sleep_until(clock.now() + dt);
-        loop->tick();
-        if (!writer_stalled)
-            device.deliver();
-        for (double t = 0.0005; t < dt; t += 0.001)
-            line.advance();
-        after_tick();
-    }
-    void run(double seconds) {
-        for (double t = 0.0005; t < seconds; t += 0.001)
-            tick();
-    }
+
+    Vec2 felt() const override { return model.force(); }
+    Vec2 middle() const override { return middle_; }
+    Vec2 handle() const override { return model.handle(); }
+    void place(Vec2 there) override { model.place_handle(there); }
+    void move_hand(Vec2 there) override { model.move_hand(there); }
+    bool& unplugged() override { return line.troubles.unplugged; }
+
+protected:
+    void deliver() override { device.deliver(); }
+    void advance() override { line.advance(); }
+
+private:
+    Vec2 middle_;
 };
 
 } // namespace tp::testing

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/servo/servo_loop.hpp"
+#include "../closed_loop/loop_bench.hpp"
 #include "device/hid_pid/pid_stick.hpp"
 #include "device/hid_pid/simulated_stick_link.hpp"
 #include "recorded_descriptors.hpp"
 
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace tp::testing {
@@ -58,18 +55,11 @@ private:
     PidTransport& lent_;
 };
 
-/// A model stick on a simulated cable, its back end and a servo loop, all in simulated time. The scale is the
-/// stick's true one, so that what is felt is what was sent.
-struct StickBench {
+/// A model stick on a simulated cable. The scale is the stick's true one, so that what is felt is what was sent.
+struct StickBench : LoopBench {
     ModelStick model;
     SimulatedStickLink link;
     PidStick device;
-    VirtualClock clock;
-    Capabilities can;
-    std::unique_ptr<ServoLoop> loop;
-    std::string error;
-    bool writer_stalled = false;
-    std::function<void()> after_tick = [] {};
 
     static StickScale true_scale(const ModelStick& model) {
         return {model.newtons_at_full, model.sign, true};
@@ -83,20 +73,17 @@ struct StickBench {
                   return std::unique_ptr<PidTransport>(std::make_unique<BorrowedStickLink>(link));
               },
               {"a stick", "0001"}, true_scale(model), LatestWriter::Thread::caller) {
-        Result<Capabilities> opened = device.open();
-        if (!opened.ok()) {
-            error = opened.error();
-            return;
-        }
+        begin(device, device.open());
         for (int i = 0; i < 10; ++i) // what the opening has sent arrives
             link.advance();
-        can = opened.value();
-        loop = std::make_unique<ServoLoop>(device, can, clock, ServoSettings{});
     }
-    /// The loop stops the device as it ends: before the link goes.
-    ~StickBench() { loop.reset(); }
-    StickBench(const StickBench&) = delete;
-    StickBench& operator=(const StickBench&) = delete;
+    ~StickBench() override { loop.reset(); }
+
+    Vec2 felt() const override { return model.force(); }
+    Vec2 handle() const override { return model.grip(); }
+    void place(Vec2 there) override { model.place_grip(there); }
+    void move_hand(Vec2 there) override { model.move_hand(there); }
+    bool& unplugged() override { return link.troubles.unplugged; }
 
     /// The stick limits nothing itself: it may feel what the chain may send, and what it did not hear of for
     /// a while comes at once. Motors that come on again before anybody could know that they were off pull as
@@ -106,28 +93,20 @@ struct StickBench {
                length(now - before) <= 40.0 * (dt + 1e-3 * silent_ms_) + slack;
     }
 
-    void render(std::vector<Contour> lines) {
-        auto made = make_haptic_scene(Scene{300.0, 300.0, std::move(lines)});
-        loop->render(std::move(made).value());
-        loop->engage();
-    }
-    void tick(double dt = 0.001) {
+    void tick(double dt = 0.001) override {
         silent_ms_ = link.silent_ms();
         const unsigned off_ms = off_ms_;
         clock.sleep_until(clock.now() + dt);
         loop->tick();
-        if (!writer_stalled)
-            device.deliver();
-        for (double t = 0.0005; t < dt; t += 0.001)
-            link.advance();
+        pass(dt);
         came_on_unheard_ = off_ms > 0 && model.motors_on() && (off_ms < 6 || unheard_);
         note_motors();
         after_tick();
     }
-    void run(double seconds) {
-        for (double t = 0.0005; t < seconds; t += 0.001)
-            tick();
-    }
+
+protected:
+    void deliver() override { device.deliver(); }
+    void advance() override { link.advance(); }
 
 private:
     void note_motors() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Falcon through the real libusb, with a device made by umockdev.
+#include "../usb/wire_bench.hpp"
 #include "device/falcon/falcon_usb.hpp"
 #include "device/registry.hpp"
 #include "mock_falcon.hpp"
@@ -10,7 +11,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -45,54 +45,23 @@ Result<std::unique_ptr<FalconLink>> open_unhurried(const FoundFalcon& falcon) {
     return std::unique_ptr<FalconLink>(std::make_unique<UnhurriedLink>(std::move(opened).value()));
 }
 
-/// A servo on the only Falcon that is found, in simulated time: one tick for each command that was answered.
-struct Bench {
-    UsbFalconBed& bed;
-    VirtualClock clock;
-    std::unique_ptr<Falcon> device;
-    std::unique_ptr<ServoLoop> loop;
-    std::string error;
-
-    explicit Bench(UsbFalconBed& one, bool homed = true) : bed(one) {
+/// The only Falcon that is found, behind the real libusb.
+struct Bench : testing::WireBench<Falcon> {
+    explicit Bench(UsbFalconBed& bed, bool homed = true)
+        : WireBench([&bed] {
+              const UsbFalconBed::Seen seen = bed.seen();
+              return seen.answered + seen.given_up;
+          }) {
         if (homed)
             bed.with_model([](ModelFalcon& model) {
                 model.run_firmware(true);
                 model.place_grip(testing::falcon_place({10.0, 2.0}));
             });
-        device = std::make_unique<Falcon>(
+        begin(std::make_unique<Falcon>(
             [] {
                 return open_unhurried({"", "FTFALCON"});
             },
-            [] { return testing::falcon_image(); }, "FTFALCON");
-        const Result<Capabilities> can = device->open();
-        if (!can.ok()) {
-            error = can.error();
-            return;
-        }
-        loop = std::make_unique<ServoLoop>(*device, *can, clock, ServoSettings{});
-        auto scene = make_haptic_scene(
-            Scene{200.0, 150.0, {contour_through("line", {{-40.0, 0.0}, {40.0, 0.0}}, false)}});
-        loop->render(std::move(scene).value());
-        loop->engage();
-    }
-    void tick(bool wait_for_answer) {
-        const auto there_and_back = [this] {
-            const UsbFalconBed::Seen seen = bed.seen();
-            return seen.answered + seen.given_up;
-        };
-        const long before = there_and_back();
-        clock.sleep_until(clock.now() + 0.001);
-        loop->tick();
-        while (wait_for_answer && there_and_back() == before) // CTest ends a test that waits for ever
-            std::this_thread::yield();
-    }
-    /// Lets go on without waiting for answers until something holds.
-    template <typename Condition>
-    void until(Condition holds) {
-        while (!holds()) {
-            tick(false);
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
+            [] { return testing::falcon_image(); }, "FTFALCON"));
     }
 };
 

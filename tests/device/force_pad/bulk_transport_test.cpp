@@ -11,7 +11,6 @@
 
 #include <QTest>
 
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <libusb.h>
@@ -31,15 +30,6 @@ struct Bench : FoundPadBench {
               const UsbPadBed::Seen seen = bed.seen();
               return seen.answered + seen.given_up;
           }) {}
-
-    /// Lets go on without waiting for answers until something holds. CTest ends a test that waits for ever.
-    template <typename Condition>
-    void until(Condition holds) {
-        while (!holds()) {
-            tick(false);
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-    }
 };
 
 const std::vector<std::string> nodes = {UsbPadBed::node, mock::hidraw_node};

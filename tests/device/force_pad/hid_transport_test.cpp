@@ -5,6 +5,7 @@
 #include "device/force_pad/model_pad.hpp"
 #include "found_pad_bench.hpp"
 #include "mock_hidraw.hpp"
+#include "stranger.hpp"
 
 #include <QTest>
 
@@ -17,7 +18,6 @@
 #include <memory>
 #include <poll.h>
 #include <string>
-#include <sys/stat.h>
 #include <termios.h>
 #include <thread>
 #include <umockdev-1.0/umockdev.h>
@@ -176,10 +176,7 @@ private slots:
             bench.tick(true);
         QCOMPARE(bench.loop->snapshot().fault, Fault::none);
         bed.unplug();
-        while (bench.loop->snapshot().fault != Fault::device_lost) {
-            bench.tick(false);
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
+        bench.until([&] { return bench.loop->snapshot().fault == Fault::device_lost; });
         QVERIFY(bench.loop->snapshot().force() == Vec2(0.0));
         bench.loop->stop();
         QVERIFY(!bench.device->write(SafeForce{}));
@@ -196,10 +193,7 @@ private slots:
         bed.behave(Bed::Behaviour::silent);
         QVERIFY(bench.ticks_until_let_go() <= 60);
         bed.behave(Bed::Behaviour::pad);
-        while (bench.loop->snapshot().fault != Fault::none) {
-            bench.tick(false);
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
+        bench.until([&] { return bench.loop->snapshot().fault == Fault::none; });
     }
 
     void another_device_with_the_same_ids_is_told_apart_data() {
@@ -222,17 +216,9 @@ private slots:
         QVERIFY(bed.plug_in(Bed::Behaviour::pad));
         const std::vector<FoundPad> found = find_hid();
         QCOMPARE(found.size(), std::size_t(1));
-        QCOMPARE(::chmod((bed.root() + mock::hidraw_node).c_str(), 0), 0);
-        const bool root = ::geteuid() == 0; // whom no permission keeps out
-        if (root) {
-            // umockdev's own way to the test bed stays open to all.
-            QCOMPARE(::chmod(bed.root().c_str(), 0755), 0);
-            QCOMPARE(::chmod((bed.root() + "/ioctl" + mock::hidraw_node).c_str(), 0777), 0);
-            QCOMPARE(::seteuid(65534), 0);
-        }
+        const mock::Stranger stranger(bed.root(), {mock::hidraw_node}, {mock::hidraw_node});
+        QVERIFY(stranger.good());
         const Result<std::unique_ptr<ReportTransport>> opened = open_hid(found.front());
-        if (root)
-            QCOMPARE(::seteuid(0), 0);
         QVERIFY(!opened.ok());
         QVERIFY2(opened.error().find("udev/rules.d") != std::string::npos, opened.error().c_str());
     }

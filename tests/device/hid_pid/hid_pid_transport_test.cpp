@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A force stick through the real hidapi, with a device made by umockdev.
+#include "../usb/wire_bench.hpp"
 #include "device/hid_pid/hid_pid_transport.hpp"
 #include "device/registry.hpp"
 #include "mock_stick.hpp"
@@ -7,7 +8,6 @@
 
 #include <QTest>
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -43,42 +43,17 @@ Result<std::unique_ptr<PidTransport>> open_unhurried(const FoundStick& stick) {
     return std::unique_ptr<PidTransport>(std::make_unique<UnhurriedTransport>(std::move(opened).value()));
 }
 
-/// A servo on the only stick that is found, in simulated time.
-struct FoundStickBench {
-    StickBed& bed;
-    VirtualClock clock;
-    std::unique_ptr<PidStick> device;
-    std::unique_ptr<ServoLoop> loop;
-    std::string error;
-
-    explicit FoundStickBench(StickBed& test_bed) : bed(test_bed) {
+/// The only stick that is found, behind the real hidapi. An answer is that it took a force.
+struct FoundStickBench : testing::WireBench<PidStick> {
+    explicit FoundStickBench(StickBed& bed) : WireBench([&bed] { return bed.taken(); }) {
         const std::vector<FoundStick> found = find_sticks();
-        if (found.size() != 1) {
+        if (found.size() == 1)
+            begin(std::make_unique<PidStick>(
+                [one = found.front()] { return open_unhurried(one); },
+                PidStick::Identity{found.front().product, found.front().serial_number},
+                StickScale{8.0, {-1.0, -1.0}, true}));
+        else
             error = "found " + std::to_string(found.size());
-            return;
-        }
-        device =
-            std::make_unique<PidStick>([one = found.front()] { return open_unhurried(one); },
-                                       PidStick::Identity{found.front().product, found.front().serial_number},
-                                       StickScale{8.0, {-1.0, -1.0}, true});
-        Result<Capabilities> can = device->open();
-        if (!can.ok()) {
-            error = can.error();
-            return;
-        }
-        loop = std::make_unique<ServoLoop>(*device, can.value(), clock, ServoSettings{});
-        auto scene = make_haptic_scene(
-            Scene{200.0, 150.0, {contour_through("line", {{-50.0, 0.0}, {50.0, 0.0}}, false)}});
-        loop->render(std::move(scene).value());
-        loop->engage();
-    }
-    /// Waits until the stick took a force: CTest ends a test that waits for ever.
-    void tick(bool wait = true) {
-        const long before = bed.taken();
-        clock.sleep_until(clock.now() + 0.001);
-        loop->tick();
-        while (wait && bed.taken() == before)
-            std::this_thread::yield();
     }
 };
 
@@ -145,10 +120,7 @@ private slots:
             bench.tick();
         QCOMPARE(bench.loop->snapshot().fault, Fault::none);
         bed.unplug();
-        while (bench.loop->snapshot().fault != Fault::device_lost) {
-            bench.tick(false);
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
+        bench.until([&] { return bench.loop->snapshot().fault == Fault::device_lost; });
         QVERIFY(bench.loop->snapshot().force() == Vec2(0.0));
         bench.loop->stop();
         QVERIFY(!bench.device->write(SafeForce{}));

@@ -2,11 +2,8 @@
 #include "audio/sound/earcons.hpp"
 
 #include "audio/sound/earcon_synth.hpp"
-#include "audio/sound/sound_format.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 
 namespace tp {
 
@@ -48,11 +45,6 @@ const std::array<Definition, every_earcon.size()>& definitions() {
 
 const Definition& definition(Earcon earcon) { return definitions()[static_cast<std::size_t>(earcon)]; }
 
-void append(std::string& bytes, std::uint32_t value, int count) {
-    for (int i = 0; i < count; ++i)
-        bytes += static_cast<char>((value >> (8 * i)) & 0xFFU);
-}
-
 } // namespace
 
 std::string_view name_of(Earcon earcon) { return definition(earcon).name; }
@@ -65,27 +57,6 @@ std::span<const float> samples_of(Earcon earcon) {
         return sounds;
     }();
     return rendered[static_cast<std::size_t>(earcon)];
-}
-
-std::string wav_of(Earcon earcon) {
-    const std::span<const float> samples = samples_of(earcon);
-    const auto size = static_cast<std::uint32_t>(samples.size() * 2);
-    std::string bytes = "RIFF";
-    append(bytes, 36 + size, 4);
-    bytes += "WAVEfmt ";
-    append(bytes, 16, 4);
-    append(bytes, 1, 2); // PCM
-    append(bytes, 1, 2); // channels
-    append(bytes, sound_rate, 4);
-    append(bytes, sound_rate * 2, 4);
-    append(bytes, 2, 2);  // bytes a frame
-    append(bytes, 16, 2); // bits a sample
-    bytes += "data";
-    append(bytes, size, 4);
-    for (const float sample : samples)
-        append(bytes, static_cast<std::uint16_t>(static_cast<std::int16_t>(std::lround(sample * 32767.0F))),
-               2);
-    return bytes;
 }
 
 } // namespace tp

@@ -51,7 +51,4 @@ std::string_view name_of(Earcon earcon);
 /// its tones between 300 and 3000 Hz, where older ears hear. Rendered at the first call; any thread.
 std::span<const float> samples_of(Earcon earcon);
 
-/// The sound as a WAV file (16 bit), to be listened to or measured by other programs.
-std::string wav_of(Earcon earcon);
-
 } // namespace tp

@@ -45,9 +45,6 @@ struct AimInstruction {
     AimEdge cut = AimEdge::none; ///< the edge that cuts a face of the subject
     /// Whose faces they are, of those that are known, each once, in the order in which they came into view.
     std::vector<std::string> names{};
-
-    /// Whether it is the same thing to do, however much of it.
-    bool same_thing(const AimInstruction& other) const { return advice == other.advice; }
 };
 
 inline bool is_look(Advice advice) { return advice <= Advice::look_down; }

@@ -182,11 +182,6 @@ std::vector<int> StudyWriter::participants() const {
     return all;
 }
 
-int StudyWriter::new_participant() const {
-    const std::vector<int> all = participants();
-    return all.empty() ? 1 : all.back() + 1;
-}
-
 std::vector<TrialRecord> StudyWriter::records_of(int participant) const {
     const std::lock_guard held(mutex_);
     const auto table = tables_.find(participant);

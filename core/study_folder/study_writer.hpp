@@ -46,8 +46,6 @@ public:
 
     /// Those with a table, in order.
     std::vector<int> participants() const;
-    /// A number that nobody has: one more than the largest.
-    int new_participant() const;
     std::vector<TrialRecord> records_of(int participant) const;
     /// What this person, who may be a new one, does next; nothing: all is done.
     std::optional<NextTrial> next(int participant) const;

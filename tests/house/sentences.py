@@ -44,7 +44,6 @@ NOT_SAID = {  # file: what of its texts is no sentence, or none that is heard on
     "app/photo/tactile/tactile_sheet.cpp": {"orientation mark", "face %1 %2"},
     "app/photo/tactile/tactile_svg.cpp": {"Tactile sheet", "font-family:'DejaVu Sans',sans-serif;font-size:%1px;fill:%2"},
     "audio/recordings/wav_layout.cpp": {"WAVEfmt ", "fmt "},
-    "audio/sound/earcons.cpp": {"WAVEfmt "},
     "core/svg/path_pieces.cpp": {"reaches beyond what can be computed with", "has more pieces than a sheet may hold",
                                  "has path data that is broken"},
     "core/svg/shape_pieces.cpp": {"has a length \"%1\" that cannot be read", "has a list of points that is broken"},

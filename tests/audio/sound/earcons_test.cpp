@@ -113,13 +113,6 @@ private slots:
                 }
     }
 
-    void a_wav_file_holds_the_samples() {
-        const std::string wav = wav_of(Earcon::saved);
-        QCOMPARE(wav.size(), 44 + 2 * samples_of(Earcon::saved).size());
-        QCOMPARE(wav.substr(0, 4), std::string("RIFF"));
-        QCOMPARE(wav.substr(8, 8), std::string("WAVEfmt "));
-    }
-
     void nothing_is_rendered_from_nothing() { QVERIFY(render_tones({}).empty()); }
 };
 

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """A real accessibility client goes over every page, in every language, with ordinary and with twice as large text, in a wide and
-in a tall window: whatever can be used has a name, a role, an action and the required size, and where Tab comes to is in sight;
-Tab goes round every page, in reading order, and never stays.
+in a tall window: whatever can be used has a name, a role, an action and the required size. In the language with the longest words,
+Tab goes round every page, in reading order, and never stays, and where it comes to is in sight.
 
 every_page.py PROGRAM LAB PHOTOS...    ends in 77 where something that it needs is missing
 """
@@ -16,6 +16,7 @@ import desk
 from album import Album, preferences
 
 LANGUAGES = ("en", "de", "ko")
+LONGEST_WORDS = "de"  # where pages are longest; Tab's way is the same in every language
 WIDE, TALL = (1280, 800), (800, 1280)
 SMALLEST = 48  # px, a caregiver's target; DESIGN.md, section 10
 BY_NUMBER = {"browse": "1", "explore": "2", "care": "3", "settings": "4", "lab": "5", "capture": "6", "study": "7"}  # of the start page
@@ -228,7 +229,7 @@ def warnings(file):
 
 
 def walk(program, album, folder, focus, language, text_scale):
-    """Every page of one language and size of text; at how many places Tab stopped."""
+    """Every page of one language and size of text; at how many places Tab stopped, where it went round."""
     count = 0
     complaints = os.path.join(folder, "stderr.txt")
     for first, names in (("mend", ("mend", "start", *BY_NUMBER)), ("print", ("print",))):
@@ -246,9 +247,10 @@ def walk(program, album, folder, focus, language, text_scale):
                     where = f"{name}, {language}, text {text_scale:g}, {size[0]}x{size[1]}"
                     walker.awaited(where, lambda: next(walker.usable(), None))
                     walker.faultless(where)
-                stops = walker.goes_round(walker.points(name))
-                walker.in_reading_order(stops)
-                count += len(stops)
+                if language == LONGEST_WORDS:
+                    stops = walker.goes_round(walker.points(name))
+                    walker.in_reading_order(stops)
+                    count += len(stops)
             assert running.poll() is None, "the program has ended"
         finally:
             running.terminate()
@@ -265,7 +267,7 @@ def inner(program, lab, photos):
         for language in LANGUAGES:
             for text_scale in (1.0, 2.0):
                 count = walk(program, album, folder, focus, language, text_scale)
-                print(f"{language}, text {text_scale:g}: Tab stopped {count} times, always in sight and without fault")
+                print(f"{language}, text {text_scale:g}: without fault" + (f"; Tab stopped {count} times, always in sight" if count else ""))
 
 
 if __name__ == "__main__":

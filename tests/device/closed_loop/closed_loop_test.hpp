@@ -42,7 +42,7 @@ private slots:
     void every_way_out_leaves_no_force();
     void what_takes_the_force_away_is_told_and_it_comes_back_by_the_ramp_or_not_at_all_data();
     void what_takes_the_force_away_is_told_and_it_comes_back_by_the_ramp_or_not_at_all();
-    void random_troubles_never_hurt_data() { each_variant(); }
+    void random_troubles_never_hurt_data();
     void random_troubles_never_hurt();
 
 private:
@@ -50,6 +50,7 @@ private:
     /// The person has, and what pulls is what motors that are on leave at the most.
     bool let_go(const LoopBench& bench) const;
     QString settles(std::size_t variant, const Handle& handle, unsigned delay_ms, double start) const;
+    /// `variant` of those that are not tried in turn.
     QString schedule(std::size_t variant, int number) const;
 
     DeviceUnderTest device_;

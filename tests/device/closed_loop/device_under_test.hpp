@@ -88,10 +88,17 @@ struct DeviceUnderTest {
     std::vector<double> watchdogs; ///< s of silence after which each variant lets go; 0: it never does
     Settling settling;
     std::vector<Interruption> interruptions;
-    int ticks = 1000; ///< of a random schedule
+    int ticks = 1000;          ///< of a random schedule
+    bool in_turn = false;      ///< one schedule tries one variant, the next another
+    Held grip = Held::loosely; ///< in two of three; in the third nobody holds it
     std::vector<TroubleKind> troubles;
     std::vector<TroubleKind>
         guards; ///< one of them beside the others in every fourth schedule, the last in every 16th
+    /// Where the handle is when a random schedule begins; `share` is another number of 0 to 1 at each call.
+    std::function<void(LoopBench&, const std::function<double()>& share)> start = [](LoopBench& bench,
+                                                                                     const auto& share) {
+        bench.place(bench.middle() + Vec2(0.0, 16.0 * share() - 8.0));
+    };
     /// A breach of what holds for this device alone, judged after each tick of a random schedule; null: none.
     std::function<const char*(LoopBench&, double slack)> breach = [](LoopBench&, double) { return nullptr; };
     /// Takes the troubles of the link and the model away, except an unplugged cable.

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <functional>
 
 using namespace tp;
 using namespace tp::testing;
@@ -96,9 +97,7 @@ DeviceUnderTest the_falcon() {
     device.make = [](std::size_t variant, const Handle& handle, unsigned delay_ms, std::uint32_t seed) {
         FalconPlant plant = plant_of(handle);
         plant.watchdog_ms = variant == 1 ? 30 : 0;
-        auto bench = std::make_unique<FalconBench>(plant, delay_ms, seed);
-        bench->before_mm = -1e-3 * ((seed - 1) % 2001u); // up to 2 mm into the pane
-        return bench;
+        return std::make_unique<FalconBench>(plant, delay_ms, seed);
     };
     device.slack = [](LoopBench& bench, bool troubled) {
         return !troubled                                        ? slack
@@ -117,6 +116,12 @@ DeviceUnderTest the_falcon() {
                        .to_and_fro = 0.05};
     device.interruptions = falcon_interruptions();
     device.ticks = 600;
+    device.in_turn = true;
+    device.grip = Held::firmly;
+    device.start = [](LoopBench& bench, const std::function<double()>& share) {
+        const double into = 2.0 * share() - 2.0; // mm into the pane
+        dynamic_cast<FalconBench&>(bench).model.place_grip(falcon_place({0.0, 16.0 * share() - 8.0}, into));
+    };
     device.troubles = falcon_troubles();
     device.guards = {{.set = of<FalconBench>([](FalconBench& bench, double, bool on) {
                           on ? guard_steps_in(bench) : guard_is_here(bench);

@@ -51,7 +51,6 @@ struct FalconBench : LoopBench {
     SimulatedFalconLink link;
     Falcon device{lend(link), [] { return falcon_image(); }, "F-1", LatestWriter::Thread::caller};
     bool has_watchdog = false;
-    double before_mm = 0.0; ///< where the grip is placed and the hand moves, in front of the pane
 
     explicit FalconBench(const FalconPlant& plant = {}, unsigned delay_ms = 0, std::uint32_t seed = 1)
         : model(falcon_image(), plant), link(model, delay_ms, seed) {
@@ -64,8 +63,8 @@ struct FalconBench : LoopBench {
     Vec2 felt() const override { return {model.force().x, model.force().y}; }
     bool lets_go() const override { return model.force() == glm::dvec3(0.0); }
     Vec2 handle() const override { return {1000.0 * model.grip().x, 1000.0 * model.grip().y}; }
-    void place(Vec2 there) override { model.place_grip(falcon_place(there, before_mm)); }
-    void move_hand(Vec2 there) override { model.move_hand(falcon_place(there, before_mm)); }
+    void place(Vec2 there) override { model.place_grip(falcon_place(there)); }
+    void move_hand(Vec2 there) override { model.move_hand(falcon_place(there)); }
     bool& unplugged() override { return link.troubles.unplugged; }
 
 protected:

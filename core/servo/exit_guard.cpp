@@ -13,20 +13,20 @@ namespace tp {
 namespace {
 
 // Constant-initialised and never destroyed: a signal may come before main and after the statics are gone.
-std::array<std::atomic<ForceDevice*>, 16> guarded{};
-static_assert(std::atomic<ForceDevice*>::is_always_lock_free);
+std::array<std::atomic<Haltable*>, 16> guarded{};
+static_assert(std::atomic<Haltable*>::is_always_lock_free);
 std::atomic<bool> is_leaving{false};
 
 void halt_all() noexcept {
     is_leaving.store(true, std::memory_order_release);
-    for (const std::atomic<ForceDevice*>& slot : guarded)
-        if (ForceDevice* const device = slot.load(std::memory_order_acquire))
+    for (const std::atomic<Haltable*>& slot : guarded)
+        if (Haltable* const device = slot.load(std::memory_order_acquire))
             device->halt();
 }
 
 } // namespace
 
-ExitGuard::ExitGuard(ForceDevice& device) noexcept {
+ExitGuard::ExitGuard(Haltable& device) noexcept {
     static std::once_flag once;
     std::call_once(once, [] {
         on_ending_signals(halt_all);
@@ -36,7 +36,7 @@ ExitGuard::ExitGuard(ForceDevice& device) noexcept {
 #endif
     });
     for (std::size_t i = 0; i < guarded.size(); ++i) {
-        ForceDevice* free = nullptr;
+        Haltable* free = nullptr;
         if (guarded[i].compare_exchange_strong(free, &device)) {
             slot_ = static_cast<int>(i);
             return;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/servo/force_device.hpp"
+#include "core/servo/haltable.hpp"
 
 namespace tp {
 
-/// Halts a device on every way out of the process that still runs code: a signal that ends it (interrupt,
+/// Halts a device or an output under a bare finger on every way out of the process that still runs code: a signal that ends it (interrupt,
 /// termination, hang-up, crash, abort after an uncaught exception, processor-time limit), and exit(). What
 /// the signal would have done without this guard follows. A signal that was ignored stays so. From outside
 /// (SIGKILL, power) only the device's own watchdog helps, or a process that guards it.
 class ExitGuard {
 public:
     /// The device must outlive the guard; its halt() is called from a signal handler.
-    explicit ExitGuard(ForceDevice& device) noexcept;
+    explicit ExitGuard(Haltable& device) noexcept;
     ~ExitGuard();
     ExitGuard(const ExitGuard&) = delete;
     ExitGuard& operator=(const ExitGuard&) = delete;

@@ -3,6 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/geometry/vec.hpp"
+#include "core/servo/haltable.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -58,7 +59,7 @@ struct DeviceState {
 /// The port that every force device implements. Called by one thread at a time, `halt` excepted; read and
 /// write must not block for longer than a tick (a slow transport keeps a writer thread of its own behind this
 /// port).
-class ForceDevice {
+class ForceDevice : public Haltable {
 public:
     virtual ~ForceDevice() = default;
     /// Makes the device ready; its force is zero afterwards.
@@ -70,7 +71,7 @@ public:
     /// Takes the force away at once and leaves the device open. Any thread, at any moment, also while a write
     /// of another thread hangs, and from a signal handler: nothing but what is safe there
     /// (signal-safety(7): no lock, no allocation).
-    virtual void halt() noexcept = 0;
+    void halt() noexcept override = 0;
     /// Force off, device released. May be called twice.
     virtual void stop() noexcept = 0;
     virtual bool lost() const noexcept { return false; }

@@ -21,17 +21,7 @@ ServoLoop::ServoLoop(ForceDevice& device, const Capabilities& capabilities, Cloc
 ServoLoop::~ServoLoop() { stop(); }
 
 std::uint64_t ServoLoop::render(std::unique_ptr<const HapticScene> scene) {
-    auto held = std::make_unique<Held>();
-    held->number = ++last_number_;
-    held->scene = std::move(scene);
-    offered_.store(held.get(), std::memory_order_release);
-    held_.push_back(std::move(held));
-    drop_scenes_before(oldest_needed_.load(std::memory_order_acquire));
-    return last_number_;
-}
-
-void ServoLoop::drop_scenes_before(std::uint64_t number) {
-    std::erase_if(held_, [&](const auto& held) { return held->number < number; });
+    return scenes_.offer(std::move(scene));
 }
 
 void ServoLoop::start() {
@@ -101,25 +91,24 @@ void ServoLoop::watch() noexcept {
 }
 
 void ServoLoop::take_new_scene(Vec2 finger) noexcept {
-    const Held* offered = offered_.load(std::memory_order_acquire);
+    const auto* const offered = scenes_.take();
     if (offered == current_)
         return;
     current_ = offered;
-    oldest_needed_.store(current_->number, std::memory_order_release);
     fade_from_ = rendered_;
     fade_left_ = settings_.scene_fade;
     tour_.reset();
-    if (current_->scene && current_->scene->tour && !current_->scene->tour->points.empty())
-        tour_.emplace(*current_->scene->tour, finger, current_->scene->tour_manner);
+    if (current_->value && current_->value->tour && !current_->value->tour->points.empty())
+        tour_.emplace(*current_->value->tour, finger, current_->value->tour_manner);
     hold_.reset();
-    if (current_->scene && current_->scene->hold_mm > 0.0)
-        hold_.emplace(current_->scene->flat, current_->scene->profile, current_->scene->hold_mm);
+    if (current_->value && current_->value->hold_mm > 0.0)
+        hold_.emplace(current_->value->flat, current_->value->profile, current_->value->hold_mm);
 }
 
 Guidance ServoLoop::wanted(Vec2 finger, double dt) noexcept {
-    if (current_ == nullptr || current_->scene == nullptr)
+    if (current_ == nullptr || current_->value == nullptr)
         return {};
-    Guidance guidance = current_->scene->law->at(finger);
+    Guidance guidance = current_->value->law->at(finger);
     if (hold_)
         guidance = hold_->hold(finger, guidance);
     if (tour_)
@@ -130,7 +119,7 @@ Guidance ServoLoop::wanted(Vec2 finger, double dt) noexcept {
 Vec2 ServoLoop::damping(const Guidance& guidance, Vec2 finger, Vec2 velocity) const noexcept {
     if (guidance.contour < 0 || !(guidance.distance > 0.0) || !(settings_.line_damping_ratio > 0.0))
         return Vec2(0.0);
-    const TentProfile& profile = current_->scene->profile;
+    const TentProfile& profile = current_->value->profile;
     const double share = 1.0 - guidance.distance / profile.range;
     if (!(share > 0.0))
         return Vec2(0.0);

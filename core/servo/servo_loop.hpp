@@ -9,6 +9,7 @@
 #include "core/servo/energy_observer.hpp"
 #include "core/servo/exit_guard.hpp"
 #include "core/servo/force_device.hpp"
+#include "core/servo/handover.hpp"
 #include "core/servo/safety_chain.hpp"
 #include "core/servo/snapshot.hpp"
 #include "core/servo/timing_statistics.hpp"
@@ -19,7 +20,6 @@
 #include <memory>
 #include <optional>
 #include <thread>
-#include <vector>
 
 namespace tp {
 
@@ -82,10 +82,6 @@ public:
     bool memory_locked() const noexcept { return memory_locked_.load(std::memory_order_relaxed); }
 
 private:
-    struct Held {
-        std::uint64_t number = 0;
-        std::unique_ptr<const HapticScene> scene;
-    };
     void run() noexcept;
     void watch() noexcept;
     void forget_force() noexcept;
@@ -93,7 +89,6 @@ private:
     Guidance wanted(Vec2 finger, double dt) noexcept;
     Vec2 damping(const Guidance& guidance, Vec2 finger, Vec2 velocity) const noexcept;
     Vec2 paid_back(const Guidance& guidance, Vec2 finger, Vec2 velocity, double dt) noexcept;
-    void drop_scenes_before(std::uint64_t number);
 
     ForceDevice& device_;
     ExitGuard guard_;
@@ -102,8 +97,7 @@ private:
     double period_;
 
     // Shared between the threads.
-    std::atomic<const Held*> offered_{nullptr};
-    std::atomic<std::uint64_t> oldest_needed_{0}; ///< scenes with a smaller number are no longer looked at
+    Handover<HapticScene> scenes_;
     std::atomic<bool> wanted_engaged_{false};
     std::atomic<bool> quit_{false};
     std::atomic<double> max_force_;
@@ -116,8 +110,6 @@ private:
     std::atomic<bool> memory_locked_{false};
 
     // Only the thread that hands over scenes.
-    std::vector<std::unique_ptr<const Held>> held_;
-    std::uint64_t last_number_ = 0;
     std::thread thread_;
     std::thread watch_thread_;
 
@@ -126,7 +118,7 @@ private:
     VelocityFilter velocity_;
     EnergyObserver observer_;
     std::optional<DeviceState> state_;
-    const Held* current_ = nullptr;
+    const Handover<HapticScene>::Held* current_ = nullptr;
     std::optional<GuidedTour> tour_;
     std::optional<BranchHold> hold_;
     Vec2 fade_from_{0.0}; ///< N, the force that was rendered when the scene changed

@@ -3,6 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/geometry/vec.hpp"
+#include "core/servo/haltable.hpp"
 #include "core/touch/tick.hpp"
 
 #include <cstdint>
@@ -45,7 +46,7 @@ struct PadTouch {
 ///
 /// Whatever is felt ends by itself when nothing more comes: a tick after its duration, friction within `friction_lasts_s`. So it
 /// is over, too, where the program has died.
-class TouchOutput {
+class TouchOutput : public Haltable {
 public:
     static constexpr double friction_lasts_s = 0.1;
 
@@ -60,7 +61,7 @@ public:
     /// One tick, in place of one that is under way. Nothing where it has only friction. False where it could not be delivered.
     virtual bool tick(const Tick& tick) noexcept = 0;
     /// Nothing is felt, at once; it stays open. Any thread, at any moment, and from a signal handler (signal-safety(7)).
-    virtual void halt() noexcept = 0;
+    void halt() noexcept override = 0;
     /// Nothing is felt; released. May be called twice.
     virtual void stop() noexcept = 0;
     virtual bool lost() const noexcept { return false; }

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/touch/touch_loop.hpp"
+#include "touch_output_double.hpp"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace tp;
+using tp::testing::TouchOutputDouble;
+
+namespace {
+
+FlatScene upright_line(double x) {
+    FlatScene flat;
+    flat.names = {"line"};
+    flat.lines = {Polyline{{{x, -80.0}, {x, 80.0}}, false}};
+    return flat;
+}
+
+std::unique_ptr<const TouchScene> line_at(double x, bool tour = false) {
+    auto scene = make_touch_scene(upright_line(x)).value();
+    if (tour)
+        scene->tour = scene->flat.lines.front();
+    return scene;
+}
+
+struct Bench {
+    TouchOutputDouble output;
+    VirtualClock clock;
+    std::unique_ptr<TouchLoop> loop;
+
+    explicit Bench(const TouchSettings& settings = {}, TouchMeans means = TouchMeans::ticks) {
+        output.means = means;
+        loop = std::make_unique<TouchLoop>(output, output.capabilities(), clock, settings);
+        loop->engage();
+        loop->render(line_at(0.0));
+    }
+    void pass() {
+        clock.sleep_until(clock.now() + loop->period());
+        loop->tick();
+    }
+    void rest(double seconds) {
+        for (const double end = clock.now() + seconds; clock.now() < end;)
+            pass();
+    }
+    /// The finger goes to the right along y = 0 at `speed` mm/s; where it is when the first tick comes, or where it ends.
+    double go(double from, double to, double speed) {
+        const std::size_t before = output.tick_count;
+        double first = to;
+        for (double x = from; x < to; x += speed * loop->period()) {
+            loop->tell({x, 0.0});
+            pass();
+            if (output.tick_count > before && first == to)
+                first = x;
+        }
+        return first;
+    }
+};
+
+} // namespace
+
+class TouchLoopTest : public QObject {
+    Q_OBJECT
+private slots:
+    void a_line_that_is_crossed_ticks_once_and_there() {
+        Bench bench;
+        const double first = bench.go(-20.0, 20.0, 100.0);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(1));
+        QVERIFY(first >= 0.0 && first < 0.25);
+        QVERIFY(bench.output.ticks[0] == Tick(0.7, 0.7, 0.008));
+        const TouchSnapshot view = bench.loop->snapshot();
+        QCOMPARE(view.ticks, std::uint64_t(1));
+        QCOMPARE(view.event, LineEventKind::crossed);
+        QCOMPARE(view.event_contour, 0);
+        QCOMPARE(view.tick_amplitude, 0.7);
+        QVERIFY(view.touched && view.engaged && !view.lost);
+        QCOMPARE(bench.output.levels, std::size_t(0)); // it has only ticks
+    }
+
+    void friction_is_felt_on_the_line_and_not_beside_it_or_at_rest() {
+        Bench bench({}, TouchMeans::friction);
+        bench.go(-20.0, -5.0, 100.0);
+        QCOMPARE(bench.output.level, 0.0);
+        bench.go(-5.0, 0.0, 100.0);
+        QVERIFY(bench.output.level > 0.6 && bench.output.level <= 0.7);
+        QCOMPARE(bench.loop->snapshot().level, bench.output.level);
+        bench.rest(0.05);
+        QVERIFY(bench.output.level > 0.6); // it may only be late
+        bench.rest(0.10);
+        QCOMPARE(bench.output.level, 0.0);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
+    }
+
+    void a_tick_comes_as_much_earlier_as_the_output_is_late() {
+        TouchSettings settings;
+        settings.latency_s = 0.040;
+        Bench bench(settings);
+        const double first = bench.go(-40.0, 20.0, 100.0);
+        QVERIFY(std::abs(first + 4.0) < 0.25); // 40 ms at 100 mm/s before the line
+        bench.loop->set_latency(0.0);
+        bench.loop->tell_lifted();
+        bench.pass();
+        QVERIFY(std::abs(bench.go(-40.0, 20.0, 100.0)) < 0.25);
+    }
+
+    void what_lies_ahead_is_bounded() {
+        TouchSettings settings;
+        settings.latency_s = 5.0;
+        Bench bench(settings);
+        const double first = bench.go(-60.0, 20.0, 300.0);
+        QVERIFY(first > -TouchSettings::farthest_ahead_mm - 0.5 && first < -9.0);
+        for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+            bench.loop->set_latency(wrong);
+            bench.loop->tell_lifted();
+            bench.pass();
+            QVERIFY(std::abs(bench.go(-40.0, 20.0, 100.0)) < 0.25);
+        }
+    }
+
+    void a_finger_set_down_elsewhere_has_crossed_nothing() {
+        Bench bench;
+        bench.go(-20.0, -5.0, 100.0);
+        bench.loop->tell_lifted();
+        bench.pass();
+        QVERIFY(!bench.loop->snapshot().touched);
+        QVERIFY(bench.output.halts > 0);
+        bench.go(5.0, 20.0, 100.0);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
+    }
+
+    void nobody_engaged_feels_nothing() {
+        Bench bench({}, TouchMeans::friction);
+        bench.go(-20.0, 0.0, 100.0);
+        QVERIFY(bench.output.level > 0.5);
+        bench.loop->disengage();
+        bench.pass();
+        QCOMPARE(bench.output.level, 0.0);
+        QCOMPARE(bench.output.halts.load(), 1);
+        bench.go(0.0, 1.0, 100.0);
+        QCOMPARE(bench.output.level, 0.0);
+        QVERIFY(!bench.loop->snapshot().engaged);
+    }
+
+    void a_lost_output_is_told_and_left_alone() {
+        Bench bench;
+        bench.go(-20.0, -5.0, 100.0);
+        bench.output.unplugged = true;
+        bench.go(-5.0, 20.0, 100.0);
+        QVERIFY(bench.loop->snapshot().lost);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
+        bench.loop->feel({1.0, 1.0, 0.01});
+        bench.pass();
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
+    }
+
+    void what_the_output_refuses_is_counted() {
+        Bench bench;
+        bench.output.refuses = true;
+        bench.go(-20.0, 20.0, 100.0);
+        QCOMPARE(bench.loop->snapshot().undelivered, std::uint64_t(1));
+        QCOMPARE(bench.loop->snapshot().ticks, std::uint64_t(0));
+    }
+
+    void choices_hold_at_once() {
+        Bench bench;
+        bench.loop->choose({0.3, 0.2});
+        bench.go(-20.0, 20.0, 100.0);
+        QVERIFY(bench.output.ticks[0] == Tick(0.3, 0.2, 0.008));
+    }
+
+    void a_tick_to_try_comes_once_also_where_nobody_is_engaged() {
+        Bench bench;
+        bench.loop->disengage();
+        bench.loop->feel({0.9, 0.1, 0.02});
+        bench.rest(0.05);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(1));
+        QVERIFY(bench.output.ticks[0] == Tick(0.9, 0.1, 0.02));
+        QVERIFY(std::abs(bench.loop->snapshot().tick_time - bench.loop->period()) < 1e-9);
+    }
+
+    void a_pad_tells_its_place_and_its_lift() {
+        TouchOutputDouble output;
+        double x = -4.0;
+        bool touched = true;
+        output.pad = [&](double now) {
+            PadTouch touch;
+            touch.time = now;
+            touch.touched = touched;
+            touch.place = {x, 0.0};
+            touch.buttons = 1;
+            return std::optional(touch);
+        };
+        VirtualClock clock;
+        TouchSettings settings;
+        settings.pad_to_surface.linear *= 5.0;
+        TouchLoop loop(output, output.capabilities(), clock, settings);
+        loop.render(line_at(10.0));
+        loop.engage();
+        for (; x < 4.0; x += 0.02) {
+            clock.sleep_until(clock.now() + loop.period());
+            loop.tick();
+            QCOMPARE(loop.snapshot().ticks, std::uint64_t(x > 2.0 ? 1 : 0));
+        }
+        QVERIFY(std::abs(loop.snapshot().x - 20.0) < 0.2);
+        QCOMPARE(loop.snapshot().buttons, std::uint32_t(1));
+        touched = false;
+        clock.sleep_until(clock.now() + loop.period());
+        loop.tick();
+        QVERIFY(!loop.snapshot().touched);
+    }
+
+    void no_scene_is_nothing_and_another_one_is_felt_at_once() {
+        Bench bench;
+        bench.loop->render(nullptr);
+        bench.go(-20.0, 20.0, 100.0);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
+        QCOMPARE(bench.loop->render(line_at(30.0)), std::uint64_t(3));
+        bench.go(20.0, 40.0, 100.0);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(1));
+        QCOMPARE(bench.loop->snapshot().scene, std::uint64_t(3));
+    }
+
+    void a_tour_ticks_more_strongly_toward_the_leading_place_and_ends() {
+        Bench bench;
+        bench.loop->tell({0.0, -80.0});
+        bench.pass();
+        bench.loop->render(line_at(0.0, true));
+        const auto last = [&bench] { return bench.loop->snapshot().tick_amplitude; };
+        bench.rest(2.0); // the finger stays behind
+        QVERIFY(bench.loop->snapshot().touring);
+        const std::size_t evenly = bench.output.tick_count;
+        QVERIFY(evenly >= 9 && evenly <= 11);
+        const double behind = last();
+        QVERIFY(behind > 0.0);
+        for (int i = 0; i < 10'000 && !bench.loop->snapshot().tour_finished; ++i) {
+            const TouchSnapshot view = bench.loop->snapshot();
+            bench.loop->tell(view.finger() + 0.2 * (view.leader() - view.finger()));
+            bench.pass();
+        }
+        QVERIFY(bench.loop->snapshot().tour_finished && !bench.loop->snapshot().touring);
+        QCOMPARE(bench.loop->snapshot().tour_progress, 1.0);
+        QVERIFY(last() > 2.0 * behind);
+        const std::size_t given = bench.output.tick_count;
+        bench.rest(1.0);
+        QCOMPARE(bench.output.tick_count.load(), given);
+    }
+
+    void nobody_is_led_while_the_finger_is_up() {
+        Bench bench;
+        bench.loop->tell({0.0, -80.0});
+        bench.pass();
+        bench.loop->render(line_at(0.0, true));
+        bench.loop->tell_lifted();
+        bench.rest(1.0);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
+        QCOMPARE(bench.loop->snapshot().tour_progress, 0.0);
+    }
+
+    void stopping_switches_off_and_releases() {
+        Bench bench({}, TouchMeans::friction);
+        bench.go(-20.0, 0.0, 100.0);
+        bench.loop->stop();
+        QCOMPARE(bench.output.level, 0.0);
+        QCOMPARE(bench.output.stops, 1);
+        QCOMPARE(bench.loop->snapshot().level, 0.0);
+    }
+
+    void a_place_never_waits_longer_than_two_milliseconds() {
+        for (const double rate : {0.0, -1.0, 60.0, std::numeric_limits<double>::quiet_NaN()})
+            QCOMPARE(touch_rate(rate), 500.0);
+        QCOMPARE(touch_rate(800.0), 800.0);
+        QCOMPARE(touch_rate(1e9), 1000.0);
+    }
+
+    void a_scene_without_a_contour_is_refused() {
+        QVERIFY(!make_touch_scene({}));
+        FrictionChoices choices;
+        choices.width_mm = -1.0;
+        QVERIFY(!make_touch_scene(upright_line(0.0), choices));
+    }
+
+    void its_own_thread_ticks_until_it_is_stopped() {
+        TouchOutputDouble output;
+        SteadyClock clock;
+        TouchLoop loop(output, output.capabilities(), clock, {});
+        loop.feel({1.0, 1.0, 0.01});
+        loop.start();
+        QTRY_COMPARE(output.tick_count.load(), std::size_t(1));
+        loop.stop();
+        QVERIFY(!loop.running());
+    }
+};
+
+QTEST_APPLESS_MAIN(TouchLoopTest)
+#include "touch_loop_test.moc"

@@ -143,7 +143,7 @@ void TouchLoop::resist(double level) noexcept {
 }
 
 void TouchLoop::give(const Tick& tick, double now) noexcept {
-    if (tick.empty() || has_friction_)
+    if (tick.empty())
         return;
     if (!output_.tick(tick)) {
         ++view_.undelivered;

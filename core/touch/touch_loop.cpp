@@ -31,12 +31,17 @@ TouchLoop::TouchLoop(TouchOutput& output, const TouchCapabilities& can, Clock& c
 TouchLoop::~TouchLoop() { stop(); }
 
 void TouchLoop::tell(Vec2 place) noexcept {
-    last_told_ = {last_told_.number + 1, clock_.now(), true, place};
+    last_told_ = {last_told_.number + 1, clock_.now(), true, place, last_told_.downs};
     told_.publish(last_told_);
 }
 
+void TouchLoop::tell_set_down(Vec2 place) noexcept {
+    ++last_told_.downs;
+    tell(place);
+}
+
 void TouchLoop::tell_lifted() noexcept {
-    last_told_ = {last_told_.number + 1, clock_.now(), false, last_told_.place};
+    last_told_ = {last_told_.number + 1, clock_.now(), false, last_told_.place, last_told_.downs};
     told_.publish(last_told_);
 }
 
@@ -83,13 +88,16 @@ bool TouchLoop::take_place(double now) noexcept {
     if (!is_pad_) {
         newest = told_.latest();
     } else if (const std::optional<PadTouch> touch = output_.read(now)) {
-        newest = {place_.number + 1, touch->time, touch->touched, pad_to_surface_(touch->place)};
+        newest = {place_.number + 1, touch->time, touch->touched, pad_to_surface_(touch->place), 0};
         view_.buttons = touch->buttons;
     }
     if (!is_finite(newest.place) || newest.number == place_.number)
         return false;
-    if (newest.touched && !place_.touched)
-        velocity_ = VelocityFilter{}; // it was set down elsewhere
+    if (newest.touched && (!place_.touched || newest.downs != place_.downs)) { // it was set down elsewhere
+        velocity_ = VelocityFilter{};
+        if (finger_)
+            finger_->lift();
+    }
     place_ = newest;
     if (place_.touched)
         velocity_.feed(place_.time, place_.place);

@@ -57,6 +57,8 @@ public:
     std::uint64_t render(std::unique_ptr<const TouchScene> scene) { return scenes_.offer(std::move(scene)); }
     /// Where the finger is, mm, surface frame; for an output that is no pad.
     void tell(Vec2 place) noexcept;
+    /// It was set down there: what lies between is not crossed.
+    void tell_set_down(Vec2 place) noexcept;
     /// It is on the surface no more.
     void tell_lifted() noexcept;
     void engage() noexcept { wanted_engaged_.store(true); }
@@ -87,6 +89,7 @@ private:
         double time = 0.0;        ///< s
         bool touched = false;
         Vec2 place{0.0};
+        std::uint64_t downs = 0; ///< counts tell_set_down
     };
     struct Asked {
         std::uint64_t number = 0;

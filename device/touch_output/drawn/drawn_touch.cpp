@@ -12,6 +12,8 @@ DrawnTouch::DrawnTouch(double width_mm, double height_mm, std::shared_ptr<TickLi
     : half_(0.5 * width_mm, 0.5 * height_mm), listener_(std::move(listener)) {}
 
 Result<TouchCapabilities> DrawnTouch::open() {
+    if (listener_)
+        listener_->begin();
     TouchCapabilities can;
     can.name = "drawn finger";
     can.means = TouchMeans::friction;
@@ -33,7 +35,8 @@ std::optional<PadTouch> DrawnTouch::read(double now) noexcept {
     const Vec2 place(hand.x, hand.y);
     if (now >= level_until_)
         level_.store(0.0, std::memory_order_relaxed);
-    if (hand.downs != downs_ || time_ < 0.0)
+    const bool elsewhere = hand.downs != downs_ || time_ < 0.0;
+    if (elsewhere)
         finger_.place = place;
     else
         finger_.step(place, level_.load(std::memory_order_relaxed), std::max(0.0, now - time_));
@@ -41,7 +44,7 @@ std::optional<PadTouch> DrawnTouch::read(double now) noexcept {
     time_ = now;
     PadTouch touch;
     touch.time = now;
-    touch.touched = hand.touched;
+    touch.touched = hand.touched && !elsewhere; // lifted between, so that nothing on the way was crossed
     touch.place = finger_.place;
     return touch;
 }
@@ -62,6 +65,12 @@ void DrawnTouch::halt() noexcept {
     level_.store(0.0, std::memory_order_relaxed);
     if (listener_)
         listener_->hush();
+}
+
+void DrawnTouch::stop() noexcept {
+    halt();
+    if (listener_)
+        listener_->end();
 }
 
 } // namespace tp

@@ -15,6 +15,9 @@ namespace tp {
 class TickListener {
 public:
     virtual ~TickListener() = default;
+    /// There may be ticks from now on; there are none any more. As TouchOutput::open and stop.
+    virtual void begin() = 0;
+    virtual void end() = 0;
     /// A tick at `time` s of the caller's clock. Neither waits nor allocates.
     virtual void ticked(const Tick& tick, double time) noexcept = 0;
     /// Those that are under way end now. As TouchOutput::halt.
@@ -40,7 +43,7 @@ public:
     bool resist(double level) noexcept override;
     bool tick(const Tick& tick) noexcept override;
     void halt() noexcept override;
-    void stop() noexcept override { halt(); }
+    void stop() noexcept override;
 
 private:
     struct Hand {

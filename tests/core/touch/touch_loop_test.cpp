@@ -126,6 +126,10 @@ private slots:
         QVERIFY(bench.output.halts > 0);
         bench.go(5.0, 20.0, 100.0);
         QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
+        bench.loop->tell_set_down({-5.0, 0.0}); // a lift that nobody told of
+        bench.pass();
+        bench.go(-5.0, -2.0, 100.0);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
     }
 
     void nobody_engaged_feels_nothing() {

@@ -15,6 +15,9 @@ namespace {
 struct Heard final : TickListener {
     std::vector<std::pair<Tick, double>> ticks;
     int hushes = 0;
+    bool listens = false;
+    void begin() override { listens = true; }
+    void end() override { listens = false; }
     void ticked(const Tick& tick, double time) noexcept override { ticks.emplace_back(tick, time); }
     void hush() noexcept override { ++hushes; }
 };
@@ -78,11 +81,14 @@ private slots:
     void set_down_elsewhere_it_is_there_at_once_and_lifted_it_is_up() {
         DrawnTouch touch(200.0, 150.0, nullptr);
         touch.set_down({10.0, 5.0});
-        QVERIFY(touch.read(0.0)->touched);
+        touch.read(0.0);
+        QVERIFY(touch.read(0.001)->touched);
         touch.set_down({-50.0, 5.0});
-        QVERIFY(touch.read(0.001)->place == Vec2(-50.0, 5.0));
+        const PadTouch between = *touch.read(0.002);
+        QVERIFY(between.place == Vec2(-50.0, 5.0) && !between.touched);
+        QVERIFY(touch.read(0.003)->touched);
         touch.lift();
-        QVERIFY(!touch.read(0.002)->touched);
+        QVERIFY(!touch.read(0.004)->touched);
     }
 
     void no_hand_is_outside_of_the_surface_or_nowhere() {
@@ -104,6 +110,11 @@ private slots:
         QCOMPARE(heard->ticks[0].second, 3.0);
         touch.halt();
         QCOMPARE(heard->hushes, 1);
+        QVERIFY(touch.open());
+        QVERIFY(heard->listens);
+        touch.stop();
+        QVERIFY(!heard->listens);
+        QCOMPARE(heard->hushes, 2);
     }
 
     void through_the_loop_a_line_brakes_and_ticks() {

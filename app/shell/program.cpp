@@ -5,9 +5,11 @@
 #include "app/capture/seeing/aim_eye.hpp"
 #include "app/capture/seeing/face_namer.hpp"
 #include "app/shell/few_heaps.hpp"
+#include "app/shell/heard_ticks.hpp"
 #include "audio/sound/player.hpp"
 #include "audio/sound/recorder.hpp"
 #include "audio/sound/threaded_filler.hpp"
+#include "core/servo/clock.hpp"
 
 #include <QFile>
 #include <QFileInfo>
@@ -325,9 +327,20 @@ void Program::remember_felt() {
     last_at_explore_ = preferences_.choices().last_photo;
 }
 
+TouchAccess Program::touch() {
+    if (!parts_.make_touch)
+        return {};
+    if (!clicks_) {
+        click_output_ = parts_.make_loudspeaker();
+        clicks_ = std::make_unique<ClickSound>(*click_output_, [] { return SteadyClock().now(); });
+    }
+    return parts_.make_touch(std::make_shared<HeardTicks>(*clicks_));
+}
+
 ExploreSession& Program::explore() {
     if (!explore_) {
         ExploreSettings settings = parts_.explore;
+        settings.touch = touch();
         settings.beside = [this](const QString& file, bool forward) { return beside(file, forward); };
         explore_ =
             std::make_unique<ExploreSession>(narrator_, earcons_, guide_, preferences_, std::move(settings));

@@ -17,11 +17,13 @@
 #include "app/pages/start/start_session.hpp"
 #include "app/pages/study/study_session.hpp"
 #include "app/parts/controls/notification_announcer.hpp"
+#include "app/parts/devices/touch_access.hpp"
 #include "app/parts/narration/narrator.hpp"
 #include "app/parts/preferences/preferences.hpp"
 #include "app/shell/languages.hpp"
 #include "app/shell/shell.hpp"
 #include "app/shell/voice_names.hpp"
+#include "audio/guide/click_sound.hpp"
 #include "audio/guide/sonified_guide.hpp"
 #include "audio/guide/vibration.hpp"
 #include "audio/sound/earcon_player.hpp"
@@ -52,6 +54,8 @@ struct ProgramParts {
     FirstQuestions::FindDevices find_devices;
     std::optional<Narrator::By> by = {};                       ///< who speaks, whatever was chosen
     std::function<std::unique_ptr<Camera>()> make_camera = {}; ///< empty: this machine's own
+    /// Outputs under a bare finger; who listens lets the drawn one's ticks be heard. Empty: there are none.
+    std::function<TouchAccess(std::shared_ptr<TickListener>)> make_touch = {};
 };
 
 /// All pages and what they share. A page's session is made when the page is opened first.
@@ -108,6 +112,7 @@ private:
     struct Caring;
     struct Capturing;
 
+    TouchAccess touch();
     AlbumFaces& album_faces();
     std::filesystem::path folder_for_photographs();
     void add_pages();
@@ -135,6 +140,8 @@ private:
     std::unique_ptr<SoundOutput> guide_output_;
     NoVibration vibration_;
     SonifiedGuide guide_;
+    std::unique_ptr<SoundOutput> click_output_; ///< made when a page wants outputs under a bare finger
+    std::unique_ptr<ClickSound> clicks_;
     Shell shell_;
     QString last_at_explore_;    ///< Choices::last_photo as Explore knew it last
     bool discard_index_ = false; ///< when nobody has it open any more

@@ -14,7 +14,8 @@ QStringList CaptureChoices::aims() const { return AimWords::aims(); }
 
 bool CaptureChoices::tone() const {
     const Choices::Guide guide = preferences_.choices().guide;
-    return guide == Choices::Guide::sonar || guide == Choices::Guide::both;
+    return guide == Choices::Guide::sonar || guide == Choices::Guide::both ||
+           guide == Choices::Guide::ticks_and_sonar;
 }
 
 void CaptureChoices::chooseAim(int index) {

@@ -73,6 +73,17 @@ Item {
             }
         }
     }
+    Rectangle { // where ticks lead it
+        x: marks.session.finger.leader.x * marks.pixelsPerMm - width / 2
+        y: marks.session.finger.leader.y * marks.pixelsPerMm - height / 2
+        width: 14
+        height: 14
+        radius: 7
+        visible: marks.session.finger.led
+        color: Theme.accent
+        border.width: 2
+        border.color: Theme.ground
+    }
     Rectangle { // the finger
         x: marks.fingerX - width / 2
         y: marks.fingerY - height / 2

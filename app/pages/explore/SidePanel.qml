@@ -67,6 +67,13 @@ TpScroll {
     }
     TpStatus {
         width: parent.width
+        visible: panel.session.touch.name !== ""
+        text: qsTr("Ticks: %1").arg(panel.session.touch.name)
+        font.pixelSize: Theme.smallSize
+        color: Theme.quiet
+    }
+    TpStatus {
+        width: parent.width
         visible: text !== ""
         text: panel.session.words.voiceProblem
         font.pixelSize: Theme.smallSize
@@ -94,7 +101,8 @@ TpScroll {
             onClicked: panel.session.finger.whereAmI()
         }
         Half {
-            text: panel.session.device.engaged ? qsTr("Stop") : qsTr("Force on")
+            text: panel.session.device.engaged ? qsTr("Stop")
+                                               : panel.session.touch.name !== "" ? qsTr("Ticks on") : qsTr("Force on")
             hint: panel.session.device.engaged ? qsTr("Stops tour, speech and force. Key: Escape") : qsTr("Key: Enter")
             onClicked: panel.session.stopOrStart()
         }

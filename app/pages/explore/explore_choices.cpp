@@ -25,7 +25,9 @@ void ExploreChoices::setMaxForce(double newtons) {
 }
 
 QStringList ExploreChoices::guideNames() const {
-    return {tr("None"), tr("Beeps"), tr("Clock directions"), tr("Both")};
+    return {
+        tr("None"),           tr("Beeps"), tr("Clock directions"), tr("Both"), tr("Ticks under the finger"),
+        tr("Ticks and beeps")};
 }
 
 void ExploreChoices::setGuide(int guide) {
@@ -40,7 +42,21 @@ void ExploreChoices::nextGuide() {
 
 bool ExploreChoices::beeps() const {
     const Choices::Guide kind = preferences_.choices().guide;
-    return kind == Choices::Guide::sonar || kind == Choices::Guide::both;
+    return kind == Choices::Guide::sonar || kind == Choices::Guide::both ||
+           kind == Choices::Guide::ticks_and_sonar || (ticks() && !servo_.by_touch());
+}
+
+bool ExploreChoices::ticks() const {
+    const Choices::Guide kind = preferences_.choices().guide;
+    return kind == Choices::Guide::ticks || kind == Choices::Guide::ticks_and_sonar;
+}
+
+TouchSettings ExploreChoices::touch_settings() const {
+    const Choices& choices = preferences_.choices();
+    TouchSettings settings;
+    settings.choices = {choices.touch_strength, choices.touch_sharpness};
+    settings.latency_s = choices.touch_latency_s;
+    return settings;
 }
 
 bool ExploreChoices::speaks() const {

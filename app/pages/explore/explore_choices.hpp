@@ -6,6 +6,7 @@
 #include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/preferences/preferences.hpp"
 #include "app/photo/scene/extra_features.hpp"
+#include "core/touch/touch_loop.hpp"
 
 #include <QObject>
 #include <QStringList>
@@ -38,9 +39,15 @@ public:
     /// The next kind of guide, and says which.
     Q_INVOKABLE void nextGuide();
 
-    /// The guide beeps; it says clock directions.
+    /// The guide beeps, also in place of ticks where nothing can tick; it says clock directions.
     bool beeps() const;
     bool speaks() const;
+    /// The guide ticks under the finger, where something there can.
+    bool ticks() const;
+    /// By key_of; the output that ticks.
+    QString touch() const { return preferences_.choices().touch; }
+    /// How it ticks.
+    TouchSettings touch_settings() const;
     /// Which features are felt beside eyes, mouth and outline.
     ExtraFeatures extras() const;
     /// By key_of; the device that moves the finger.

@@ -67,7 +67,8 @@ void ExploreDevice::engage() {
     if (state_ == State::Awaited)
         state_ = State::Expected;
     let_in();
-    words_.tell(tr("The force is on."), Priority::touch);
+    words_.tell(servo_.by_touch() ? tr("Ticks are on.") : tr("The force is on."), Priority::touch);
+    emit engage_asked();
     look();
 }
 
@@ -106,9 +107,10 @@ void ExploreDevice::want() {
 void ExploreDevice::give_back() {
     desk_.watch(false);
     desk_.cancel();
-    if (state_ == State::InUse)
-        desk_.release(servo_.use_simulated());
-    state_ = State::Awaited;
+    if (std::exchange(state_, State::Awaited) != State::InUse)
+        return;
+    desk_.release(servo_.use_simulated());
+    emit in_use_changed();
 }
 
 /// Opens the device that the person wants as soon as there is something to feel.
@@ -129,6 +131,8 @@ void ExploreDevice::use(OpenDevice& open) {
     const bool at_once = state_ == State::Expected && engaged();
     if (tour_.touring())
         tour_.end_told();
+    state_ = State::InUse;
+    emit in_use_changed(); // ticks end
     ServoSettings servo = servo_settings_;
     const std::optional<Affine> calibrated =
         open.calibration ? sheet_.from_device(*open.calibration) : std::nullopt;
@@ -138,7 +142,6 @@ void ExploreDevice::use(OpenDevice& open) {
     faults_ = {}; // what was told of another, or before it was plugged in again, is told anew
     desk_.watch(false);
     desk_.release(servo_.use(std::make_unique<DeviceDrive>(std::move(open.device), open.can, servo)));
-    state_ = State::InUse;
     finger_.take_handle();
     view_.reach(reach_of(open.can, servo.device_to_surface));
     ear_.lift();

@@ -59,6 +59,7 @@ public:
 
     State state() const { return state_; }
     bool here() const { return state_ != State::Away; }
+    bool in_use() const { return state_ == State::InUse; }
     bool engaged() const { return servo_.engaged(); }
     QString faultSentence() const;
     QString name() const { return state_ == State::InUse ? about_ : QString(); }
@@ -80,6 +81,10 @@ public:
 
 signals:
     void changed();
+    /// A device is about to move the finger, or does so no more.
+    void in_use_changed();
+    /// The person wants to feel.
+    void engage_asked();
     /// A fault has switched the force off: everything that leads or sounds is to end.
     void disabled();
 

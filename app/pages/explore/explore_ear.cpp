@@ -82,18 +82,21 @@ void ExploreEar::tell_feature(double now) {
 
 void ExploreEar::tell_way(Vec2 place, double now) {
     const std::optional<Earcon> earcon = way_.follow(view_.felt(), view_.face_places(), place, now);
-    if (!earcon)
+    if (!earcon || (*earcon == Earcon::contour_crossed && ticks()))
         return;
     earcons_.play(*earcon);
     if (*earcon == Earcon::contour_crossed)
         guide_.bump();
 }
 
+/// A line under the finger is felt as a tick: it is not told by sound as well.
+bool ExploreEar::ticks() const { return servo_.by_touch() && servo_.engaged(); }
+
 /// A hand is there that wants to hear where the lines are.
 bool ExploreEar::present(double now) const {
     const bool moves = now - finger_.moved_at() < still_moving_s;
     if (servo_.real())
-        return moves;
+        return moves && servo_.held();
     switch (finger_.hand().is()) {
     case HandState::Is::touching:
         return true;
@@ -110,6 +113,8 @@ bool ExploreEar::present(double now) const {
 /// How loud the guide is: beside a force that is felt it only leads to where the force begins, and softly;
 /// within the force's reach it is silent, because the hand knows better and a tone would cover the words.
 double ExploreEar::level(double distance) const {
+    if (ticks())
+        return distance <= on_line_mm ? 0.0 : 1.0;
     if (!servo_.real() || !servo_.engaged())
         return 1.0;
     return distance < TentProfile{}.band() ? 0.0 : quieter;
@@ -137,9 +142,12 @@ void ExploreEar::guide(Vec2 place, double now) {
         words_.murmur(tr("%1 o'clock, %n millimetre(s)", nullptr, word->millimetres).arg(word->hour));
 }
 
-/// A tour of a finger that is only drawn is heard.
+/// A tour of a finger that is only drawn is heard; so is where ticks lead to.
 void ExploreEar::lead_by_sound(Vec2 place) {
-    if (!choices_.beeps() || servo_.real() || tour_.state() != ExploreTour::State::Leading)
+    if (servo_.by_touch())
+        place = servo_.leader();
+    if (!choices_.beeps() || (servo_.real() && !servo_.by_touch()) ||
+        tour_.state() != ExploreTour::State::Leading)
         return silence();
     const SheetFrame& frame = view_.frame();
     guide_.sound(tour_cue(0.5 + place.x / frame.width_mm, 0.5 + place.y / frame.height_mm));

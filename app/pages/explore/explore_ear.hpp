@@ -61,6 +61,7 @@ private:
     void tell_way(Vec2 place, double now);
     void guide(Vec2 place, double now);
     void lead_by_sound(Vec2 place);
+    bool ticks() const;
     bool present(double now) const;
     double level(double distance) const;
 

@@ -48,7 +48,11 @@ void ExploreFinger::poll(const ServoSnapshot& seen, double now) {
     const QPointF place = frame.from_surface(servo_.finger());
     const QPointF force(seen.fx, -seen.fy);
     const QPointF pointer = servo_.leads() ? place : frame.from_surface(servo_.pointer());
-    if (place != place_ || force != force_ || pointer != pointer_) {
+    const bool led = servo_.by_touch() && servo_.leads();
+    const QPointF leader = led ? frame.from_surface(servo_.leader()) : place;
+    if (place != place_ || force != force_ || pointer != pointer_ || leader != leader_ || led != led_) {
+        led_ = led;
+        leader_ = leader;
         place_ = place;
         force_ = force;
         pointer_ = pointer;

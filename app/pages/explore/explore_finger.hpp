@@ -31,6 +31,9 @@ class ExploreFinger final : public QObject {
     /// The hand, to which the finger is bound by a spring where it is only drawn.
     Q_PROPERTY(QPointF pointer READ pointer NOTIFY moved)
     Q_PROPERTY(QPointF force READ force NOTIFY moved)
+    /// Ticks lead it on a tour, and where to.
+    Q_PROPERTY(bool led READ led NOTIFY moved)
+    Q_PROPERTY(QPointF leader READ leader NOTIFY moved)
     Q_PROPERTY(double newtons READ newtons NOTIFY moved)
     /// Index of the feature that it is on; -1: none.
     Q_PROPERTY(int feature READ feature NOTIFY featureChanged)
@@ -43,6 +46,8 @@ public:
     QPointF place() const { return place_; }
     QPointF pointer() const { return pointer_; }
     QPointF force() const { return force_; }
+    bool led() const { return led_; }
+    QPointF leader() const { return leader_; }
     double newtons() const { return std::hypot(force_.x(), force_.y()); }
     int feature() const { return tracker_.current(); }
     QString featureName() const { return view_.label_of(feature()); }
@@ -56,7 +61,7 @@ public:
     /// mouse's are where the force has drawn them.
     Vec2 felt_place() const;
     /// Nobody's hand is on the surface: what rests there is not told.
-    bool lifted() const { return !servo_.real() && hand_.off_surface(); }
+    bool lifted() const { return servo_.real() ? !servo_.held() : hand_.off_surface(); }
     /// The same, or nobody has come yet.
     bool up() const { return lifted() || (!servo_.real() && moved_at_ == long_ago && !hand_.touches()); }
     const HandState& hand() const { return hand_; }
@@ -114,7 +119,8 @@ private:
     FeatureTracker tracker_;
     Dwell dwell_;
     HandState hand_;
-    QPointF place_, pointer_, force_;
+    QPointF place_, pointer_, force_, leader_;
+    bool led_ = false;
     int last_feature_ = -1;
     std::optional<Vec2> hand_place_;
     double moved_at_ = long_ago;

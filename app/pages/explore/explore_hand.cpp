@@ -17,7 +17,7 @@ ExploreHand::ExploreHand(FingerServo& servo, ExploreView& view, ExploreFinger& f
 // --- mouse and keys ---
 
 void ExploreHand::touchDown(double x, double y) {
-    if (!view_.ready() || tour_.touring())
+    if (!view_.ready() || (tour_.touring() && !servo_.by_touch()))
         return;
     finger_.hand().mouse();
     set_down({x, y});
@@ -51,6 +51,7 @@ void ExploreHand::handGone() {
     if (servo_.real() || finger_.hand().touches())
         return;
     finger_.hand().mouse_gone();
+    servo_.lift();
     finger_.forget_moves();
     ear_.lift();
 }
@@ -58,7 +59,7 @@ void ExploreHand::handGone() {
 void ExploreHand::nudge(double dx, double dy) {
     if (!view_.ready())
         return;
-    if (tour_.touring())
+    if (tour_.touring() && !servo_.by_touch())
         tour_.end_told();
     if (servo_.real()) {
         words_.tell(tr("Move the finger with the device."), Priority::touch);
@@ -74,13 +75,14 @@ void ExploreHand::fingerDown(int id, double x, double y) {
     gestures_.press(id, view_.frame().to_surface({x, y}), now_());
     if (!gestures_.explores()) {
         finger_.hand().several_fingers();
+        servo_.lift();
         return ear_.silence();
     }
     finger_.hand().one_finger();
     ear_.listen();
     if (!view_.ready())
         return;
-    if (!tour_.touring())
+    if (!tour_.touring() || servo_.by_touch())
         set_down({x, y});
     ear_.hear();
 }
@@ -109,6 +111,7 @@ void ExploreHand::fingersCancelled() {
 
 void ExploreHand::lift() {
     finger_.hand().lifted();
+    servo_.lift();
     ear_.lift();
 }
 

@@ -18,7 +18,8 @@ ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
       zoom_(servo_, view_, finger_, tour_, words_, now_),
       ear_(servo_, view_, finger_, tour_, zoom_, choices_, words_, earcons, guide, now_),
       hand_(servo_, view_, finger_, tour_, ear_, words_, now_),
-      device_(servo_, view_, finger_, tour_, ear_, choices_, words_, settings) {
+      device_(servo_, view_, finger_, tour_, ear_, choices_, words_, settings),
+      touch_(servo_, view_, tour_, ear_, choices_, words_, device_, settings) {
     timer_.setInterval(poll_ms);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &ExploreSession::poll);
@@ -39,6 +40,7 @@ bool ExploreSession::eventFilter(QObject* watched, QEvent* event) {
         view_.retranslate();
         emit finger_.featureChanged();
         emit device_.changed();
+        emit touch_.changed();
         emit choices_.changed();
     }
     return QObject::eventFilter(watched, event);
@@ -52,6 +54,7 @@ void ExploreSession::enter() {
     words_.enter();
     ear_.enter();
     device_.enter();
+    touch_.enter();
     if (was_here && view_.state() == ExploreView::State::Looking)
         return; // just told
     words_.tell(
@@ -65,6 +68,7 @@ void ExploreSession::leave() {
     if (!device_.here())
         return;
     device_.leave();
+    touch_.leave();
     stop_everything();
     ear_.leave();
     words_.leave();
@@ -113,7 +117,9 @@ bool ExploreSession::stop() {
         return false;
     }
     stop_everything();
-    words_.tell(tr("Stopped. The force is off. Press Enter to switch it on."), Priority::touch);
+    words_.tell(servo_.by_touch() ? tr("Stopped. Ticks are off. Press Enter to switch them on.")
+                                  : tr("Stopped. The force is off. Press Enter to switch it on."),
+                Priority::touch);
     return true;
 }
 
@@ -169,6 +175,7 @@ void ExploreSession::poll() {
     const double now = now_();
     finger_.poll(seen, now);
     device_.watch(seen.fault, now);
+    touch_.watch();
     tour_.follow(seen.tour_progress, now);
     ear_.hear();
     rest_where_quiet(seen, now);

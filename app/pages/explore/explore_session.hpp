@@ -7,6 +7,7 @@
 #include "app/pages/explore/explore_finger.hpp"
 #include "app/pages/explore/explore_hand.hpp"
 #include "app/pages/explore/explore_settings.hpp"
+#include "app/pages/explore/explore_touch.hpp"
 #include "app/pages/explore/explore_tour.hpp"
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_walk.hpp"
@@ -44,6 +45,7 @@ class ExploreSession final : public QObject {
     Q_PROPERTY(tp::ExploreZoom* zoom READ zoom CONSTANT)
     Q_PROPERTY(tp::ExploreHand* hand READ hand CONSTANT)
     Q_PROPERTY(tp::ExploreDevice* device READ device CONSTANT)
+    Q_PROPERTY(tp::ExploreTouch* touch READ touch CONSTANT)
 public:
     /// All must outlive the session.
     ExploreSession(Narrator& narrator, EarconPlayer& earcons, SonifiedGuide& guide, Preferences& preferences,
@@ -60,6 +62,7 @@ public:
     ExploreZoom* zoom() { return &zoom_; }
     ExploreHand* hand() { return &hand_; }
     ExploreDevice* device() { return &device_; }
+    ExploreTouch* touch() { return &touch_; }
 
     /// The page comes into sight: says where one is and what can be done. The force is as it was.
     Q_INVOKABLE void enter();
@@ -111,6 +114,7 @@ private:
     ExploreEar ear_;
     ExploreHand hand_;
     ExploreDevice device_;
+    ExploreTouch touch_;
     RestWatch quiet_;
     QTimer timer_;      ///< while there is something to feel, the page is in sight and not at rest
     bool away_ = false; ///< the page is out of sight

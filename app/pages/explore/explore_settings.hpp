@@ -3,6 +3,7 @@
 
 #include "app/pages/explore/dwell.hpp"
 #include "app/parts/devices/device_access.hpp"
+#include "app/parts/devices/touch_access.hpp"
 #include "app/parts/finger/finger_servo.hpp"
 #include "app/photo/scene/extra_features.hpp"
 #include "app/photo/scene/scene_builder.hpp"
@@ -27,6 +28,7 @@ struct ExploreSettings {
     SimulatedPlant plant;
     DeviceAccess devices;            ///< that move a real finger; without one the force is only drawn
     ServoSettings device_servo;      ///< theirs
+    TouchAccess touch;               ///< outputs under a bare finger; without one nothing ticks
     double dwell_s = Dwell::usual_s; ///< how long a finger stays on a feature before it is told
     Beside beside;                   ///< empty: there is no album
     std::function<double()> now;     ///< seconds; empty: real time since the session was made

@@ -25,7 +25,9 @@ bool ExploreTour::may_begin() {
     if (!view_.ready())
         words_.tell(view_.where_one_is(), Priority::touch);
     else if (!servo_.engaged())
-        words_.tell(tr("The force is off. Press Enter to switch it on."), Priority::touch);
+        words_.tell(servo_.by_touch() ? tr("Ticks are off. Press Enter to switch them on.")
+                                      : tr("The force is off. Press Enter to switch it on."),
+                    Priority::touch);
     return view_.ready() && servo_.engaged();
 }
 
@@ -36,7 +38,10 @@ void ExploreTour::toggle() {
         return;
     const int feature = finger_.meant_feature();
     grab_from_ = finger_.hand_place();
-    words_.tell(tr("Tour round the %1.").arg(view_.label_of(feature)), Priority::touch);
+    words_.tell(servo_.by_touch() ? tr("Tour round the %1. Follow the ticks: they grow toward the line.")
+                                        .arg(view_.label_of(feature))
+                                  : tr("Tour round the %1.").arg(view_.label_of(feature)),
+                Priority::touch);
     lead(feature);
     emit changed();
 }
@@ -97,7 +102,7 @@ void ExploreTour::end(const QString& sentence) {
 }
 
 bool ExploreTour::yields_to(Vec2 hand) {
-    if (!touring())
+    if (!touring() || servo_.by_touch()) // ticks lead a hand that moves by itself
         return true;
     if (!grab_from_)
         grab_from_ = hand;

@@ -15,7 +15,9 @@ FeelingSettings::FeelingSettings(SettingSteps& steps, const DeviceSettings& devi
 }
 
 QStringList FeelingSettings::guides() const {
-    return {tr("None"), tr("Beeps"), tr("Clock directions"), tr("Both")};
+    return {
+        tr("None"),           tr("Beeps"), tr("Clock directions"), tr("Both"), tr("Ticks under the finger"),
+        tr("Ticks and beeps")};
 }
 
 void FeelingSettings::chooseGuide(int index) {

@@ -10,66 +10,24 @@
 
 namespace tp {
 
-namespace {
-
-constexpr int all_there_ms = 300; ///< after a device has come to the USB, its HID or serial node has too
-
-} // namespace
-
-DeviceDesk::DeviceDesk(DeviceAccess access) : access_(std::move(access)) {
+DeviceDesk::DeviceDesk(DeviceAccess access)
+    : access_(std::move(access)), plugs_(pool_, look(), access_.look_every_ms, access_.on_plug) {
     pool_.setMaxThreadCount(1);
-    timer_.setInterval(access_.look_every_ms);
-    connect(&timer_, &QTimer::timeout, this, &DeviceDesk::look);
-    once_more_.setSingleShot(true);
-    once_more_.setInterval(all_there_ms);
-    connect(&once_more_, &QTimer::timeout, this, &DeviceDesk::look);
 }
 
 DeviceDesk::~DeviceDesk() { pool_.waitForDone(); }
 
-void DeviceDesk::watch(bool on) {
-    if (!access_.list || on == timer_.isActive())
-        return;
-    ++watched_;
-    looking_ = look_again_ = knows_ = false;
-    plugs_.reset();
-    once_more_.stop();
-    if (!on)
-        return timer_.stop();
-    timer_.start();
-    if (access_.on_plug)
-        plugs_ = access_.on_plug(
-            [this] { QMetaObject::invokeMethod(this, &DeviceDesk::look_since_something_changed, Qt::QueuedConnection); });
-    look();
-}
-
-void DeviceDesk::look_since_something_changed() {
-    if (!timer_.isActive())
-        return;
-    once_more_.start();
-    look_again_ = looking_;
-    look();
-}
-
-void DeviceDesk::look() {
-    if (looking_)
-        return;
-    looking_ = true;
-    look_again_ = false;
-    pool_.start([this, watch = watched_, list = access_.list] {
+PlugLook::Look DeviceDesk::look() {
+    if (!access_.list)
+        return {};
+    return [this, list = access_.list]() -> std::function<void()> {
         std::vector<ListedDevice> found = list();
         std::erase_if(found, [](const ListedDevice& one) { return one.interface.empty(); }); // the simulated one
-        QMetaObject::invokeMethod(this, [this, watch, found = std::move(found)]() mutable {
-            if (watch != watched_)
-                return;
-            looking_ = false;
-            knows_ = true;
-            there_ = std::move(found);
+        return [this, found = std::move(found)] {
+            there_ = found;
             emit looked();
-            if (look_again_)
-                look();
-        });
-    });
+        };
+    };
 }
 
 void DeviceDesk::open(const ListedDevice& device) { begin(device, false); }

@@ -3,12 +3,12 @@
 
 #include "app/parts/devices/device_access.hpp"
 #include "app/parts/devices/device_drive.hpp"
+#include "app/parts/devices/plug_look.hpp"
 #include "core/geometry/calibration.hpp"
 
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
-#include <QTimer>
 
 #include <cstdint>
 #include <memory>
@@ -37,9 +37,9 @@ public:
     /// The real devices that were there at the last look.
     const std::vector<ListedDevice>& there() const { return there_; }
     /// Looks now and again from now on, or no longer.
-    void watch(bool on);
+    void watch(bool on) { plugs_.watch(on); }
     /// It watches, and has looked since it began to.
-    bool knows() const { return knows_; }
+    bool knows() const { return plugs_.knows(); }
     /// Opens it; `opened` or `refused` follows. One that is being opened already is not wanted any more.
     void open(const ListedDevice& device);
     /// Opens it, homes it (ForceDevice::home) and gives it back; `homed` or `refused` follows.
@@ -59,22 +59,15 @@ signals:
     void refused(const QString& sentence);
 
 private:
-    void look();
-    void look_since_something_changed();
+    PlugLook::Look look();
     void begin(const ListedDevice& device, bool homes);
 
     DeviceAccess access_;
     std::vector<ListedDevice> there_;
-    QTimer timer_;
-    QTimer once_more_; ///< what was plugged in is not all there at once
-    bool looking_ = false;
-    bool look_again_ = false; ///< something changed during a look
-    bool knows_ = false;
     bool opening_ = false;
-    std::uint64_t watched_ = 0; ///< number of the watch; what an older one saw is not told
     std::uint64_t wish_ = 0;    ///< number of the newest wish to open
     QThreadPool pool_;          ///< late: its work ends before what it uses
-    std::shared_ptr<void> plugs_; ///< while it watches; last: it calls from a thread of its own
+    PlugLook plugs_;            ///< last: it calls from a thread of its own
 };
 
 } // namespace tp

@@ -57,6 +57,26 @@ std::unique_ptr<DeviceDrive> FingerServo::use_simulated() {
     return before;
 }
 
+std::unique_ptr<TouchDrive> FingerServo::feel_by(std::unique_ptr<TouchDrive> touch) {
+    const Vec2 at = finger();
+    disengage();
+    tour_number_ = 0;
+    seen_from_ = 0;
+    std::unique_ptr<TouchDrive> before = std::exchange(touch_, std::move(touch));
+    if (touch_) {
+        stir();
+        drive_->loop().stop();
+        touch_->show(felt_);
+        if (time_ == nullptr)
+            touch_->loop().start();
+    } else {
+        exchange(simulated_drive());
+        start();
+    }
+    place(at);
+    return before;
+}
+
 std::string FingerServo::show(Scene scene) {
     return render([scene = std::move(scene)] { return make_haptic_scene(scene); });
 }
@@ -70,6 +90,8 @@ std::string FingerServo::render(Make make) {
     tour_number_ = 0;
     relax(false);
     drive_->loop().render(std::move(*made));
+    if (touch_)
+        touch_->show(felt_);
     start();
     return {};
 }
@@ -81,13 +103,13 @@ void FingerServo::start() {
 }
 
 void FingerServo::start_threads() {
-    if (time_ == nullptr)
+    if (time_ == nullptr && !touch_)
         drive_->loop().start();
 }
 
 bool FingerServo::park() {
-    if (real() || state_ != State::awake)
-        return !real();
+    if (real() || touch_ || state_ != State::awake)
+        return !real() && !touch_;
     drive_->loop().stop();
     state_ = State::parked;
     return true;
@@ -121,6 +143,8 @@ void FingerServo::clear() {
     tour_number_ = 0;
     relax(false);
     drive_->loop().render(nullptr);
+    if (touch_)
+        touch_->show({});
     park();
 }
 
@@ -132,10 +156,12 @@ void FingerServo::relax(bool relaxed) {
 }
 
 void FingerServo::place(Vec2 pointer) {
-    if (simulated_ == nullptr)
+    if (real())
         return;
     pointer_ = inside(pointer);
     simulated_->place_finger(pointer_);
+    if (touch_)
+        touch_->set_down(pointer_);
     stir();
     seen_from_ = snapshot().ticks + 2; // a tick under way may have looked before
 }
@@ -145,11 +171,36 @@ Vec2 FingerServo::finger() const {
     return now.ticks < seen_from_ ? pointer_ : now.finger();
 }
 
+ServoSnapshot FingerServo::snapshot() const {
+    ServoSnapshot seen = drive_->loop().snapshot();
+    if (!touch_)
+        return seen;
+    const TouchSnapshot touch = touch_->loop().snapshot();
+    seen.x = touch.x;
+    seen.y = touch.y;
+    seen.fx = seen.fy = 0.0;
+    seen.tour_progress = touch.tour_progress;
+    seen.ticks = touch.periods;
+    seen.scene = touch.scene;
+    seen.fault = Fault::none;
+    seen.engaged = touch.engaged;
+    seen.touring = touch.touring;
+    seen.tour_finished = touch.tour_finished;
+    return seen;
+}
+
+void FingerServo::lift() {
+    if (touch_)
+        touch_->lift();
+}
+
 void FingerServo::move(Vec2 pointer) {
-    if (simulated_ == nullptr)
+    if (real())
         return;
     pointer_ = inside(pointer);
     simulated_->move_pointer(pointer_);
+    if (touch_)
+        touch_->move(pointer_);
     stir();
 }
 
@@ -163,6 +214,10 @@ void FingerServo::lead_to(Vec2 place) { lead({{place}, false}); }
 void FingerServo::lead(Polyline way) {
     if (!make_)
         return;
+    if (touch_) {
+        tour_number_ = touch_->show(felt_, std::move(way));
+        return;
+    }
     Result<std::unique_ptr<HapticScene>> made = make_();
     if (!made)
         return;
@@ -176,6 +231,10 @@ void FingerServo::let_go() {
     if (!leads())
         return;
     tour_number_ = 0;
+    if (touch_) {
+        touch_->show(felt_);
+        return;
+    }
     move(snapshot().finger());
     relax(false);
     if (Result<std::unique_ptr<HapticScene>> made = make_())
@@ -190,13 +249,18 @@ bool FingerServo::has_led() const {
 void FingerServo::engage() {
     stir();
     engaged_ = true;
-    drive_->loop().engage();
+    if (touch_)
+        touch_->loop().engage();
+    else
+        drive_->loop().engage();
 }
 
 void FingerServo::disengage() {
     stir();
     engaged_ = false;
     drive_->loop().disengage();
+    if (touch_)
+        touch_->loop().disengage();
 }
 
 void FingerServo::pass(double seconds) {

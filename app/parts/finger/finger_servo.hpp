@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/parts/devices/device_drive.hpp"
+#include "app/parts/devices/touch_drive.hpp"
 #include "core/base/result.hpp"
 #include "core/guidance/haptic_scene.hpp"
 #include "core/servo/clock.hpp"
@@ -43,8 +44,16 @@ public:
     std::unique_ptr<DeviceDrive> use(std::unique_ptr<DeviceDrive> real);
     /// The simulated one again, its finger where the other has left it; without force until `engage`.
     std::unique_ptr<DeviceDrive> use_simulated();
-    /// A device moves a real finger; place and move do nothing then.
-    bool real() const { return simulated_ == nullptr; }
+    /// An output under a bare finger is felt from now on in place of a drawn force, without anything until `engage`; null: the
+    /// drawn force again. Only where no device moves the finger. Returns the one before, to be ended where that may wait.
+    std::unique_ptr<TouchDrive> feel_by(std::unique_ptr<TouchDrive> touch);
+    /// It; null where a force is felt.
+    TouchDrive* touch() { return touch_.get(); }
+    bool by_touch() const { return touch_ != nullptr; }
+    /// A device, or a pad, tells where a real finger is; place and move do nothing then.
+    bool real() const { return simulated_ == nullptr || (touch_ && touch_->is_pad()); }
+    /// A real finger is there: on its pad, or at a device's handle.
+    bool held() const { return !touch_ || touch_->loop().snapshot().touched; }
     /// Why the device's own motors are off, in its words; empty where they are not.
     std::string complaint() const { return drive_->device().complaint(); }
 
@@ -63,6 +72,8 @@ public:
     void place(Vec2 pointer);
     /// The hand moves there.
     void move(Vec2 pointer);
+    /// The hand is gone from the surface.
+    void lift();
     /// The hand; a real device's is where its finger is.
     Vec2 pointer() const { return real() ? finger() : pointer_; }
     /// Where the finger is, mm; where it was set down until the servo has seen that.
@@ -77,6 +88,8 @@ public:
     bool leads() const { return tour_number_ != 0; }
     /// The lead has come to its end; let_go() is due.
     bool has_led() const;
+    /// The place that leads, mm: where the finger is, or where it should be if only ticks lead it.
+    Vec2 leader() const { return touch_ ? touch_->loop().snapshot().leader() : finger(); }
 
     void engage();
     void disengage();
@@ -97,7 +110,8 @@ public:
     /// As before, without force until `engage`.
     void wake();
 
-    ServoSnapshot snapshot() const { return drive_->loop().snapshot(); }
+    /// With a touch output the place and the tour are its, and there is no force.
+    ServoSnapshot snapshot() const;
 
     /// So much of `time` passes, where it was given.
     void pass(double seconds);
@@ -120,6 +134,7 @@ private:
     VirtualClock* time_;                   ///< null: the machine's
     SimulatedDevice* simulated_ = nullptr; ///< drive_'s, where it is that
     std::unique_ptr<DeviceDrive> drive_;
+    std::unique_ptr<TouchDrive> touch_; ///< null: none; while it is there drive_ has no threads
     Make make_; ///< what is felt; empty: nothing
     FlatScene felt_;
     Vec2 pointer_{0.0};

@@ -18,7 +18,7 @@ constexpr std::array rate_names{"very_slow", "slow", "normal", "fast", "very_fas
 constexpr std::array user_names{"end_user", "caregiver"};
 constexpr std::array theme_names{"dark", "light", "yellow_on_black"};
 constexpr std::array description_names{"none", "short", "full"};
-constexpr std::array guide_names{"none", "sonar", "clock_voice", "both"};
+constexpr std::array guide_names{"none", "sonar", "clock_voice", "both", "ticks", "ticks_and_sonar"};
 
 /// Writes each choice under its name.
 class ToJson {
@@ -94,6 +94,10 @@ void each_choice(Of& choices, Visitor& visit) {
     visit("irises", choices.irises);
     visit("album_folders", choices.folders);
     visit("last_photo", choices.last_photo);
+    visit("touch", choices.touch);
+    visit("touch_strength", choices.touch_strength, 0.1, 1.0);
+    visit("touch_sharpness", choices.touch_sharpness, 0.0, 1.0);
+    visit("touch_latency_s", choices.touch_latency_s, 0.0, 0.15);
     visit("device", choices.device);
 }
 

@@ -13,8 +13,8 @@ struct Choices {
     enum class Rate { very_slow, slow, normal, fast, very_fast };
     enum class User { end_user, caregiver };
     enum class Theme { dark, light, yellow_on_black };
-    /// What guides a finger where no force does.
-    enum class Guide { none, sonar, clock_voice, both };
+    /// What guides a finger where no force does; `both`: sonar and clock voice.
+    enum class Guide { none, sonar, clock_voice, both, ticks, ticks_and_sonar };
 
     /// How much is said of what is seen on a photograph.
     enum class Descriptions { none, brief, full };
@@ -40,6 +40,10 @@ struct Choices {
     bool brows = false, nose = false, irises = false; ///< felt beside eyes, lips and outline
     QStringList folders;                              ///< of the album, absolute
     QString last_photo;                               ///< where one was, absolute; empty: nowhere
+    QString touch;                ///< serial number, or name, of the output that ticks; empty: the first
+    double touch_strength = 0.7;  ///< 0.1–1
+    double touch_sharpness = 0.7; ///< 0–1
+    double touch_latency_s = 0.0; ///< 0–0.15, from a tick that is sent to one that is felt
     QString device; ///< serial number, or name, of the force device; "simulated": none; empty: the first
 
     bool operator==(const Choices&) const = default;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/parts/devices/touch_access.hpp"
+#include "app/parts/devices/touch_drive.hpp"
+
+#include <QTest>
+
+#include <vector>
+
+using namespace tp;
+
+class TouchAccessTest : public QObject {
+    Q_OBJECT
+private slots:
+    void the_chosen_output_serves_and_else_what_is_under_the_finger() {
+        const std::vector<ListedTouchOutput> there{
+            {"motor:A", "game pad", "A", TouchMeans::rumble, false},
+            {"pad:/dev/hidraw3", "touchpad", "", TouchMeans::ticks, true},
+            {"drawn", "drawn finger", "", TouchMeans::friction, false}};
+        QCOMPARE(touch_for(there, {}), &there[1]);
+        QCOMPARE(touch_for(there, "broken long ago"), &there[1]);
+        for (const ListedTouchOutput& one : there)
+            QCOMPARE(touch_for(there, key_of(one)), &one);
+        QCOMPARE(touch_for({there[0]}, {}), nullptr); // nobody may hold it
+        QCOMPARE(touch_for({}, "A"), nullptr);
+    }
+
+    void the_drawn_one_is_always_there_and_comes_last() {
+        const TouchAccess access = TouchAccess::of_this_computer(200.0, 150.0, nullptr);
+        const std::vector<ListedTouchOutput> there = access.list();
+        QVERIFY(!there.empty());
+        QCOMPARE(there.back().name, std::string(drawn_touch_name));
+        const auto made = access.make(drawn_touch_name);
+        QVERIFY(made && (*made)->open());
+        QVERIFY(!access.make("no such output"));
+    }
+
+    void a_pad_lies_on_the_surface_true_in_shape_and_as_large_as_it_goes() {
+        const Affine map = pad_on_surface({{-20.0, -10.0}, {20.0, 30.0}}, {200.0, 150.0});
+        QVERIFY(length(map({-20.0, -10.0}) - Vec2(-75.0, -75.0)) < 1e-9);
+        QVERIFY(length(map({20.0, 30.0}) - Vec2(75.0, 75.0)) < 1e-9);
+        const Affine wide = pad_on_surface({{0.0, 0.0}, {100.0, 10.0}}, {200.0, 150.0});
+        QVERIFY(length(wide({100.0, 10.0}) - Vec2(100.0, 10.0)) < 1e-9);
+    }
+};
+
+QTEST_GUILESS_MAIN(TouchAccessTest)
+#include "touch_access_test.moc"

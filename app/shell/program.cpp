@@ -355,7 +355,8 @@ SettingsSession& Program::settings() {
         settings_ = std::make_unique<SettingsSession>(
             narrator_, preferences_,
             StorageSettings::Stored{parts_.preferences, parts_.cache, [this] { discard_index_ = true; }},
-            DeviceSettings::Setup{parts_.explore.devices, parts_.explore.device_servo, {}});
+            DeviceSettings::Setup{parts_.explore.devices, parts_.explore.device_servo, {}},
+            TickSettings::Setup{touch(), {}, TapTest::pause_before});
         connect(settings_.get(), &SettingsSession::pageAsked, &shell_, &Shell::open);
         connect(settings_.get(), &SettingsSession::questionsAsked, this, [this] {
             shell_.goHome();

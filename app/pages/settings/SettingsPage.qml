@@ -218,6 +218,61 @@ FocusScope {
             current: page.session.feeling.guide
             onPicked: (index) => page.session.feeling.chooseGuide(index)
         }
+        TpChoice {
+            objectName: "ticks"
+            width: parent.width
+            visible: page.session.ticks.names.length > 0
+            label: qsTr("What ticks under the finger")
+            options: page.session.ticks.names
+            current: page.session.ticks.current
+            onPicked: (index) => page.session.ticks.choose(index)
+        }
+        TpSlider {
+            objectName: "tickStrength"
+            width: parent.width
+            label: qsTr("Strength of ticks")
+            valueText: qsTr("%1 percent").arg(Math.round(100 * value))
+            from: 0.1
+            to: 1
+            stepSize: 0.1
+            setting: page.session.ticks.strength
+            onChosen: (value) => page.session.ticks.setStrength(value)
+        }
+        TpSlider {
+            objectName: "tickSharpness"
+            width: parent.width
+            label: qsTr("Sharpness of ticks")
+            valueText: qsTr("%1 percent").arg(Math.round(100 * value))
+            from: 0
+            to: 1
+            stepSize: 0.1
+            setting: page.session.ticks.sharpness
+            onChosen: (value) => page.session.ticks.setSharpness(value)
+        }
+        TpSlider {
+            objectName: "tickLatency"
+            width: parent.width
+            label: qsTr("How late ticks are felt")
+            valueText: qsTr("%1 milliseconds").arg(Math.round(1000 * value))
+            from: 0
+            to: 0.15
+            stepSize: 0.005
+            setting: page.session.ticks.latency
+            onChosen: (value) => page.session.ticks.setLatency(value)
+        }
+        TpButton {
+            objectName: "feelTick"
+            width: parent.width
+            text: qsTr("Feel a tick now")
+            onClicked: page.session.ticks.feelIt()
+        }
+        TpButton {
+            objectName: "measureTicks"
+            width: parent.width
+            text: page.session.ticks.measuring ? qsTr("I feel it") : qsTr("Measure how late ticks are felt")
+            hint: page.session.ticks.measuring ? qsTr("Key: Space") : qsTr("You press Space when you feel a tick")
+            onClicked: page.session.ticks.measuring ? page.session.ticks.tap() : page.session.ticks.measure()
+        }
         TpToggle {
             width: parent.width
             text: qsTr("Brows")

@@ -7,6 +7,7 @@
 #include "app/pages/settings/setting_steps.hpp"
 #include "app/pages/settings/speech_settings.hpp"
 #include "app/pages/settings/storage_settings.hpp"
+#include "app/pages/settings/tick_settings.hpp"
 #include "app/parts/narration/narrator.hpp"
 #include "app/parts/preferences/preferences.hpp"
 
@@ -26,17 +27,19 @@ class SettingsSession final : public QObject {
     Q_PROPERTY(tp::SpeechSettings* speech READ speech CONSTANT)
     Q_PROPERTY(tp::LookSettings* looks READ looks CONSTANT)
     Q_PROPERTY(tp::DeviceSettings* devices READ devices CONSTANT)
+    Q_PROPERTY(tp::TickSettings* ticks READ ticks CONSTANT)
     Q_PROPERTY(tp::FeelingSettings* feeling READ feeling CONSTANT)
     Q_PROPERTY(tp::StorageSettings* storage READ storage CONSTANT)
 public:
     /// Narrator and preferences must outlive the session.
     SettingsSession(Narrator& narrator, Preferences& preferences, StorageSettings::Stored stored,
-                    DeviceSettings::Setup devices = {});
+                    DeviceSettings::Setup devices = {}, TickSettings::Setup ticks = {});
 
     SettingSteps* steps() { return &steps_; }
     SpeechSettings* speech() { return &speech_; }
     LookSettings* looks() { return &looks_; }
     DeviceSettings* devices() { return &devices_; }
+    TickSettings* ticks() { return &ticks_; }
     FeelingSettings* feeling() { return &feeling_; }
     StorageSettings* storage() { return &storage_; }
 
@@ -56,6 +59,7 @@ private:
     SpeechSettings speech_;
     LookSettings looks_;
     DeviceSettings devices_;
+    TickSettings ticks_;
     FeelingSettings feeling_;
     StorageSettings storage_;
 };

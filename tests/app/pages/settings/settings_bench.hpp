@@ -5,6 +5,7 @@
 #include "app/parts/controls/recording_announcer.hpp"
 #include "audio/speech/recording_voice.hpp"
 #include "device_socket.hpp"
+#include "touch_socket.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,9 +21,13 @@ struct SettingsBench {
     int discarded = 0;
     QTemporaryDir folder;
     tp::testing::DeviceSocket socket; ///< for a force device
-    double time = 100.0;              ///< s, of what is done with it
-    tp::SettingsSession session{narrator, preferences,
-                                {"/home/x/preferences.json", "/nowhere", [this] { ++discarded; }}, devices()};
+    tp::testing::TouchSocket ticking; ///< for an output under a bare finger
+    double time = 100.0;              ///< s, of what is done with them
+    tp::SettingsSession session{narrator,
+                                preferences,
+                                {"/home/x/preferences.json", "/nowhere", [this] { ++discarded; }},
+                                devices(),
+                                {ticking.access(), [this] { return time; }, [](int) { return 0.03; }}};
 
     std::filesystem::path calibrations() const { return folder.filePath("calibrations.txt").toStdString(); }
     std::filesystem::path stick_scales() const { return folder.filePath("sticks.txt").toStdString(); }

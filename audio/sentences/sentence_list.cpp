@@ -407,6 +407,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "another program keeps writing to it."),
     QT_TRANSLATE_NOOP("Sentence", "blurred"),
     QT_TRANSLATE_NOOP("Sentence", "bottom edge"),
+    QT_TRANSLATE_NOOP("Sentence", "drawn finger"),
     QT_TRANSLATE_NOOP("Sentence", "files that an earlier program left behind are in the way."),
     QT_TRANSLATE_NOOP("Sentence", "force pad"),
     QT_TRANSLATE_NOOP("Sentence", "force pad with a pantograph"),

@@ -456,4 +456,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>tp::TickSettings</name>
+    <message numerus="yes">
+        <source>Ticks are felt %n millisecond(s) late.</source>
+        <translation>
+            <numerusform>Ticks are felt %n millisecond late.</numerusform>
+            <numerusform>Ticks are felt %n milliseconds late.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/explore_touch.hpp"
 
+#include "app/pages/explore/feature_labels.hpp"
 #include "audio/sentences/sentences.hpp"
 
 #include <utility>

@@ -27,23 +27,28 @@ private slots:
         ExploreParts bench;
         QCOMPARE(bench.choices.guide(), static_cast<int>(Choices::Guide::both));
         bench.choices.nextGuide();
+        QCOMPARE(bench.said(), QString("Guide: Ticks under the finger."));
+        bench.choices.nextGuide();
+        QCOMPARE(bench.said(), QString("Guide: Ticks and beeps."));
+        bench.choices.nextGuide();
         QCOMPARE(bench.said(), QString("Guide: None."));
         bench.choices.nextGuide();
         QCOMPARE(bench.said(), QString("Guide: Beeps."));
         QCOMPARE(bench.sounds.preferences.choices().guide, Choices::Guide::sonar);
     }
 
-    void a_guide_beeps_speaks_or_does_both() {
+    void a_guide_beeps_speaks_or_does_both_and_beeps_where_nothing_can_tick() {
         ExploreParts bench(0);
-        const bool beeps[]{false, true, false, true};
-        const bool speaks[]{false, false, true, true};
-        for (int i = 0; i < 4; ++i) {
+        const bool beeps[]{false, true, false, true, true, true};
+        const bool speaks[]{false, false, true, true, false, false};
+        for (int i = 0; i < 6; ++i) {
             bench.choices.setGuide(i);
             QCOMPARE(bench.choices.beeps(), beeps[i]);
             QCOMPARE(bench.choices.speaks(), speaks[i]);
+            QCOMPARE(bench.choices.ticks(), i >= 4);
         }
-        bench.choices.setGuide(4); // there is none
-        QCOMPARE(bench.choices.guide(), 3);
+        bench.choices.setGuide(6); // there is none
+        QCOMPARE(bench.choices.guide(), 5);
     }
 
     void what_the_program_adds_is_felt_beside_what_the_person_wants() {

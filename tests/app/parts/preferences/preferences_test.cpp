@@ -26,7 +26,7 @@ Choices unusual() {
     choices.text_scale = 2.0;
     choices.motion = false;
     choices.earcons = false;
-    choices.guide = Choices::Guide::clock_voice;
+    choices.guide = Choices::Guide::ticks_and_sonar;
     choices.max_force_n = 0.3;
     choices.shutter_by_itself = false;
     choices.keep_moment = choices.capture_told = true;
@@ -34,6 +34,10 @@ Choices unusual() {
     choices.brows = choices.nose = choices.irises = true;
     choices.folders = {"/photos/Familie Müller", "/사진"};
     choices.last_photo = "/사진/1.jpg";
+    choices.touch = "PAD-7";
+    choices.touch_strength = 0.2;
+    choices.touch_sharpness = 0.9;
+    choices.touch_latency_s = 0.04;
     choices.device = "TP-1";
     return choices;
 }

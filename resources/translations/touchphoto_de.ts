@@ -972,16 +972,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 <context>
     <name>KeyHelp</name>
     <message>
-        <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line.</source>
-        <translation>Im Bild: Ring, die Hand; Scheibe, der Finger; Pfeil, der Zug der Linie.</translation>
-    </message>
-    <message>
         <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. N, Shift+N: next and previous photograph with a face. Enter: force on. Escape: stop. V: voice. O: open.</source>
         <translation>Pfeiltasten, mit Umschalt schneller: die Hand bewegen. Tab: nächstes Merkmal. W: wo bin ich. Z, Umschalt+Z: vergrößern und verkleinern. Leertaste: Rundgang um das Merkmal. T: Rundgang durch das Gesicht. G: Führung. F: nächstes Gesicht. N, Umschalt+N: nächstes und vorheriges Foto mit einem Gesicht. Eingabetaste: Kraft ein. Escape: anhalten. V: Stimme. O: öffnen.</translation>
     </message>
     <message>
         <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I. Two-finger swipe to the right or left: next or previous photograph with a face.</source>
         <translation>Berühren: Ein Finger erkundet. Doppeltippen: wo bin ich. Doppeltippen und halten: vergrößern, was dort ist, oder verkleinern. Mit zwei Fingern tippen: anhalten. Mit zwei Fingern doppeltippen: Rundgang. Mit drei Fingern tippen: wo bin ich. Mit zwei Fingern nach rechts oder links wischen: nächstes oder vorheriges Foto mit einem Gesicht.</translation>
+    </message>
+    <message>
+        <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line; small disc, where ticks lead.</source>
+        <translation>Im Bild: Ring, die Hand; Scheibe, der Finger; Pfeil, der Zug der Linie; kleine Scheibe, wohin Ticks führen.</translation>
     </message>
 </context>
 <context>
@@ -4453,6 +4453,38 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>what it says of itself cannot be read</source>
         <translation>was es über sich sagt, kann nicht gelesen werden</translation>
     </message>
+    <message>
+        <source>Other programs use all that the %1 can play. Close them and try again.</source>
+        <translation>Andere Programme benutzen dieses Gerät ganz: %1. Schließen Sie sie und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The %1 answers too slowly to tell of lines. Unplug it and plug it in again; if that does not help, choose another output.</source>
+        <translation>Dieses Gerät antwortet zu langsam, um Linien fühlen zu lassen: %1. Ziehen Sie es ab und schließen Sie es wieder an; hilft das nicht, wählen Sie eine andere Fühlausgabe.</translation>
+    </message>
+    <message>
+        <source>The %1 cannot be used on this system: its vibration is used on Linux only.</source>
+        <translation>Dieses Gerät kann auf diesem System nicht benutzt werden: %1. Seine Vibration wird nur unter Linux benutzt.</translation>
+    </message>
+    <message>
+        <source>The %1 did not play what it was told. Close other programs that use it, unplug it and plug it in again.</source>
+        <translation>Dieses Gerät hat nicht gespielt, was es sollte: %1. Schließen Sie andere Programme, die es benutzen, ziehen Sie es ab und schließen Sie es wieder an.</translation>
+    </message>
+    <message>
+        <source>drawn finger</source>
+        <translation>gezeichneter Finger</translation>
+    </message>
+    <message>
+        <source>game pad</source>
+        <translation>Gamepad</translation>
+    </message>
+    <message>
+        <source>vibration motor of this machine</source>
+        <translation>Vibrationsmotor dieses Computers</translation>
+    </message>
+    <message>
+        <source>vibration of this phone</source>
+        <translation>Vibration dieses Telefons</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -4651,6 +4683,46 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Compare faces, to offer names</source>
         <translation>Gesichter vergleichen, um Namen vorzuschlagen</translation>
+    </message>
+    <message>
+        <source>What ticks under the finger</source>
+        <translation>Was unter dem Finger tickt</translation>
+    </message>
+    <message>
+        <source>Strength of ticks</source>
+        <translation>Stärke der Ticks</translation>
+    </message>
+    <message>
+        <source>Sharpness of ticks</source>
+        <translation>Schärfe der Ticks</translation>
+    </message>
+    <message>
+        <source>How late ticks are felt</source>
+        <translation>Wie spät Ticks gefühlt werden</translation>
+    </message>
+    <message>
+        <source>%1 milliseconds</source>
+        <translation>%1 Millisekunden</translation>
+    </message>
+    <message>
+        <source>Feel a tick now</source>
+        <translation>Einen Tick fühlen</translation>
+    </message>
+    <message>
+        <source>I feel it</source>
+        <translation>Ich fühle ihn</translation>
+    </message>
+    <message>
+        <source>Measure how late ticks are felt</source>
+        <translation>Messen, wie spät Ticks gefühlt werden</translation>
+    </message>
+    <message>
+        <source>Key: Space</source>
+        <translation>Taste: Leertaste</translation>
+    </message>
+    <message>
+        <source>You press Space when you feel a tick</source>
+        <translation>Bei jedem Tick, der zu fühlen ist, drücken Sie die Leertaste</translation>
     </message>
 </context>
 <context>
@@ -4900,6 +4972,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Key: Shift+N</source>
         <translation>Tasten: Umschalt+N</translation>
+    </message>
+    <message>
+        <source>Ticks: %1</source>
+        <translation>Ticks: %1</translation>
+    </message>
+    <message>
+        <source>Ticks on</source>
+        <translation>Ticks einschalten</translation>
     </message>
 </context>
 <context>
@@ -5907,6 +5987,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Guide: %1.</source>
         <translation>Führung: %1.</translation>
     </message>
+    <message>
+        <source>Ticks under the finger</source>
+        <translation>Ticks unter dem Finger</translation>
+    </message>
+    <message>
+        <source>Ticks and beeps</source>
+        <translation>Ticks und Pieptöne</translation>
+    </message>
 </context>
 <context>
     <name>tp::ExploreDevice</name>
@@ -5937,6 +6025,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>%1 Until then the force is only drawn.</source>
         <translation>%1 Bis dahin wird die Kraft nur gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Ticks are on.</source>
+        <translation>Die Ticks sind an.</translation>
     </message>
 </context>
 <context>
@@ -5988,6 +6080,33 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Stopped. The force is off. Press Enter to switch it on.</source>
         <translation>Angehalten. Die Kraft ist aus. Die Eingabetaste schaltet sie ein.</translation>
     </message>
+    <message>
+        <source>Stopped. Ticks are off. Press Enter to switch them on.</source>
+        <translation>Angehalten. Die Ticks sind aus. Die Eingabetaste schaltet sie ein.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreTouch</name>
+    <message>
+        <source>There is nothing here that ticks under a finger. Beeps and words guide.</source>
+        <translation>Hier ist nichts, was unter einem Finger ticken kann. Pieptöne und Worte führen.</translation>
+    </message>
+    <message>
+        <source>Ticks: %1.</source>
+        <translation>Ticks: %1.</translation>
+    </message>
+    <message>
+        <source>Ticks: %1. They are off. Press Enter to switch them on.</source>
+        <translation>Ticks: %1. Sie sind aus. Die Eingabetaste schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>%1 Until then beeps and words guide.</source>
+        <translation>%1 Bis dahin führen Pieptöne und Worte.</translation>
+    </message>
+    <message>
+        <source>%1 is gone. Beeps and words guide until it is there again.</source>
+        <translation>%1 ist nicht mehr da. Pieptöne und Worte führen, bis es wieder da ist.</translation>
+    </message>
 </context>
 <context>
     <name>tp::ExploreTour</name>
@@ -6017,6 +6136,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Tour ended.</source>
         <translation>Rundgang beendet.</translation>
+    </message>
+    <message>
+        <source>Ticks are off. Press Enter to switch them on.</source>
+        <translation>Die Ticks sind aus. Die Eingabetaste schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>Tour round the %1. Follow the ticks: they grow toward the line.</source>
+        <translation>Rundgang: %1. Folgen Sie den Ticks: Zur Linie hin werden sie stärker.</translation>
     </message>
 </context>
 <context>
@@ -6437,6 +6564,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Irises are not felt.</source>
         <translation>Die Iris ist nicht zu fühlen.</translation>
+    </message>
+    <message>
+        <source>Ticks under the finger</source>
+        <translation>Ticks unter dem Finger</translation>
+    </message>
+    <message>
+        <source>Ticks and beeps</source>
+        <translation>Ticks und Pieptöne</translation>
     </message>
 </context>
 <context>
@@ -8231,6 +8366,68 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The album is still being changed. Try again in a moment.</source>
         <translation>Das Album wird noch geändert. Versuchen Sie es gleich noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::TickSettings</name>
+    <message>
+        <source>what ticks</source>
+        <translation>was tickt</translation>
+    </message>
+    <message>
+        <source>Ticks: %1.</source>
+        <translation>Ticks: %1.</translation>
+    </message>
+    <message>
+        <source>the strength of ticks</source>
+        <translation>die Stärke der Ticks</translation>
+    </message>
+    <message>
+        <source>Strength of ticks: %1 percent.</source>
+        <translation>Stärke der Ticks: %1 Prozent.</translation>
+    </message>
+    <message>
+        <source>the sharpness of ticks</source>
+        <translation>die Schärfe der Ticks</translation>
+    </message>
+    <message>
+        <source>Sharpness of ticks: %1 percent.</source>
+        <translation>Schärfe der Ticks: %1 Prozent.</translation>
+    </message>
+    <message>
+        <source>how late ticks are felt</source>
+        <translation>wie spät Ticks gefühlt werden</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ticks are felt %n millisecond(s) late.</source>
+        <translation>
+            <numerusform>Ticks werden %n Millisekunde zu spät gefühlt.</numerusform>
+            <numerusform>Ticks werden %n Millisekunden zu spät gefühlt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is nothing here that ticks under a finger.</source>
+        <translation>Hier ist nichts, was unter einem Finger ticken kann.</translation>
+    </message>
+    <message>
+        <source>Now.</source>
+        <translation>Jetzt.</translation>
+    </message>
+    <message>
+        <source>Seven ticks come. Press Space as soon as you feel one. The time from a tick to the key, less what people usually take, is how late ticks are felt; it is only about right.</source>
+        <translation>Es kommen sieben Ticks. Drücken Sie die Leertaste, sobald Sie einen fühlen. Die Zeit vom Tick bis zur Taste, weniger die, die Menschen gewöhnlich brauchen, ist die Verspätung; sie stimmt nur ungefähr.</translation>
+    </message>
+    <message>
+        <source>What ticks is gone.</source>
+        <translation>Was tickt, ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>Too few ticks were answered. Nothing was changed.</source>
+        <translation>Zu wenige Ticks wurden beantwortet. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Ended.</source>
+        <translation>Beendet.</translation>
     </message>
 </context>
 <context>

@@ -959,16 +959,16 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 <context>
     <name>KeyHelp</name>
     <message>
-        <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line.</source>
-        <translation>화면에서: 고리는 손, 원판은 손가락, 화살표는 선이 당기는 힘입니다.</translation>
-    </message>
-    <message>
         <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. N, Shift+N: next and previous photograph with a face. Enter: force on. Escape: stop. V: voice. O: open.</source>
         <translation>화살표 키: 손 이동, Shift와 함께 누르면 더 빠르게. 탭 키: 다음 부위. W: 현재 위치. Z, Shift+Z: 확대와 축소. 스페이스바: 부위 안내. T: 얼굴 안내. G: 길잡이. F: 다음 얼굴. N, Shift+N: 얼굴이 있는 다음 사진과 이전 사진. 엔터 키: 힘 켜기. Escape 키: 멈춤. V: 음성. O: 열기.</translation>
     </message>
     <message>
         <source>Touch: one finger explores. Double tap: where am I. Double tap and hold: zoom to what is there, or out. Two-finger tap: stop. Two-finger double tap: tour. Three-finger tap: where am I. Two-finger swipe to the right or left: next or previous photograph with a face.</source>
         <translation>터치: 한 손가락으로 살펴보기. 두 번 탭하기: 현재 위치. 두 번 탭하고 누르고 있기: 그곳을 확대하거나 축소. 두 손가락으로 탭하기: 멈춤. 두 손가락으로 두 번 탭하기: 안내. 세 손가락으로 탭하기: 현재 위치. 두 손가락으로 오른쪽이나 왼쪽으로 쓸어 넘기기: 얼굴이 있는 다음 사진이나 이전 사진.</translation>
+    </message>
+    <message>
+        <source>In the picture: ring, the hand; disc, the finger; arrow, the pull of the line; small disc, where ticks lead.</source>
+        <translation>화면에서: 고리는 손, 원판은 손가락, 화살표는 선이 당기는 힘, 작은 원판은 톡톡이 이끄는 곳입니다.</translation>
     </message>
 </context>
 <context>
@@ -4430,6 +4430,38 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>what it says of itself cannot be read</source>
         <translation>스스로에 대해 알려 준 내용을 읽을 수 없습니다</translation>
     </message>
+    <message>
+        <source>Other programs use all that the %1 can play. Close them and try again.</source>
+        <translation>다른 프로그램이 장치를 다 쓰고 있습니다: %1. 그 프로그램을 닫고 다시 해 보세요.</translation>
+    </message>
+    <message>
+        <source>The %1 answers too slowly to tell of lines. Unplug it and plug it in again; if that does not help, choose another output.</source>
+        <translation>장치가 선을 알리기에는 너무 느리게 답합니다: %1. 뽑았다가 다시 꽂으세요. 그래도 안 되면 다른 촉각 출력을 선택하세요.</translation>
+    </message>
+    <message>
+        <source>The %1 cannot be used on this system: its vibration is used on Linux only.</source>
+        <translation>이 시스템에서는 이 장치를 쓸 수 없습니다: %1. 진동은 리눅스에서만 씁니다.</translation>
+    </message>
+    <message>
+        <source>The %1 did not play what it was told. Close other programs that use it, unplug it and plug it in again.</source>
+        <translation>장치가 시킨 대로 진동하지 않았습니다: %1. 이 장치를 쓰는 다른 프로그램을 닫고, 장치를 뽑았다가 다시 꽂으세요.</translation>
+    </message>
+    <message>
+        <source>drawn finger</source>
+        <translation>그려진 손가락</translation>
+    </message>
+    <message>
+        <source>game pad</source>
+        <translation>게임 패드</translation>
+    </message>
+    <message>
+        <source>vibration motor of this machine</source>
+        <translation>이 컴퓨터의 진동 모터</translation>
+    </message>
+    <message>
+        <source>vibration of this phone</source>
+        <translation>이 전화기의 진동</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -4628,6 +4660,46 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Compare faces, to offer names</source>
         <translation>얼굴을 비교해 이름 제안</translation>
+    </message>
+    <message>
+        <source>What ticks under the finger</source>
+        <translation>손가락 아래에서 톡톡 치는 장치</translation>
+    </message>
+    <message>
+        <source>Strength of ticks</source>
+        <translation>톡톡 치는 세기</translation>
+    </message>
+    <message>
+        <source>Sharpness of ticks</source>
+        <translation>톡톡 치는 날카로움</translation>
+    </message>
+    <message>
+        <source>How late ticks are felt</source>
+        <translation>톡톡 치는 느낌이 늦는 정도</translation>
+    </message>
+    <message>
+        <source>%1 milliseconds</source>
+        <translation>%1밀리초</translation>
+    </message>
+    <message>
+        <source>Feel a tick now</source>
+        <translation>지금 한 번 느껴 보기</translation>
+    </message>
+    <message>
+        <source>I feel it</source>
+        <translation>느꼈어요</translation>
+    </message>
+    <message>
+        <source>Measure how late ticks are felt</source>
+        <translation>톡톡 치는 느낌이 얼마나 늦는지 측정</translation>
+    </message>
+    <message>
+        <source>Key: Space</source>
+        <translation>스페이스바</translation>
+    </message>
+    <message>
+        <source>You press Space when you feel a tick</source>
+        <translation>톡 치는 것이 느껴지면 스페이스바를 누릅니다</translation>
     </message>
 </context>
 <context>
@@ -4877,6 +4949,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Key: Shift+N</source>
         <translation>Shift+N 키</translation>
+    </message>
+    <message>
+        <source>Ticks: %1</source>
+        <translation>톡톡: %1</translation>
+    </message>
+    <message>
+        <source>Ticks on</source>
+        <translation>톡톡 켜기</translation>
     </message>
 </context>
 <context>
@@ -5874,6 +5954,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Guide: %1.</source>
         <translation>길잡이: %1.</translation>
     </message>
+    <message>
+        <source>Ticks under the finger</source>
+        <translation>손가락 아래 톡톡</translation>
+    </message>
+    <message>
+        <source>Ticks and beeps</source>
+        <translation>톡톡과 삐 소리</translation>
+    </message>
 </context>
 <context>
     <name>tp::ExploreDevice</name>
@@ -5904,6 +5992,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>%1 Until then the force is only drawn.</source>
         <translation>%1 그때까지 힘은 그림으로만 나타납니다.</translation>
+    </message>
+    <message>
+        <source>Ticks are on.</source>
+        <translation>톡톡이 켜졌습니다.</translation>
     </message>
 </context>
 <context>
@@ -5953,6 +6045,33 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Stopped. The force is off. Press Enter to switch it on.</source>
         <translation>멈췄습니다. 힘이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
     </message>
+    <message>
+        <source>Stopped. Ticks are off. Press Enter to switch them on.</source>
+        <translation>멈췄습니다. 톡톡이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::ExploreTouch</name>
+    <message>
+        <source>There is nothing here that ticks under a finger. Beeps and words guide.</source>
+        <translation>손가락 아래에서 톡톡 칠 수 있는 장치가 없습니다. 삐 소리와 말로 안내합니다.</translation>
+    </message>
+    <message>
+        <source>Ticks: %1.</source>
+        <translation>톡톡: %1.</translation>
+    </message>
+    <message>
+        <source>Ticks: %1. They are off. Press Enter to switch them on.</source>
+        <translation>톡톡: %1. 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
+    </message>
+    <message>
+        <source>%1 Until then beeps and words guide.</source>
+        <translation>%1 그때까지 삐 소리와 말로 안내합니다.</translation>
+    </message>
+    <message>
+        <source>%1 is gone. Beeps and words guide until it is there again.</source>
+        <translation>%1 장치가 없어졌습니다. 다시 연결될 때까지 삐 소리와 말로 안내합니다.</translation>
+    </message>
 </context>
 <context>
     <name>tp::ExploreTour</name>
@@ -5981,6 +6100,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Tour ended.</source>
         <translation>안내가 끝났습니다.</translation>
+    </message>
+    <message>
+        <source>Ticks are off. Press Enter to switch them on.</source>
+        <translation>톡톡이 꺼져 있습니다. 엔터 키를 누르면 켜집니다.</translation>
+    </message>
+    <message>
+        <source>Tour round the %1. Follow the ticks: they grow toward the line.</source>
+        <translation>%1 둘레를 안내합니다. 톡톡을 따라가세요. 선에 가까울수록 세집니다.</translation>
     </message>
 </context>
 <context>
@@ -6395,6 +6522,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Irises are not felt.</source>
         <translation>홍채는 만져지지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Ticks under the finger</source>
+        <translation>손가락 아래 톡톡</translation>
+    </message>
+    <message>
+        <source>Ticks and beeps</source>
+        <translation>톡톡과 삐 소리</translation>
     </message>
 </context>
 <context>
@@ -8176,6 +8311,67 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The album is still being changed. Try again in a moment.</source>
         <translation>앨범을 아직 바꾸는 중입니다. 잠시 후에 다시 해 보세요.</translation>
+    </message>
+</context>
+<context>
+    <name>tp::TickSettings</name>
+    <message>
+        <source>what ticks</source>
+        <translation>톡톡 치는 장치</translation>
+    </message>
+    <message>
+        <source>Ticks: %1.</source>
+        <translation>톡톡: %1.</translation>
+    </message>
+    <message>
+        <source>the strength of ticks</source>
+        <translation>톡톡 치는 세기</translation>
+    </message>
+    <message>
+        <source>Strength of ticks: %1 percent.</source>
+        <translation>톡톡 치는 세기: %1퍼센트.</translation>
+    </message>
+    <message>
+        <source>the sharpness of ticks</source>
+        <translation>톡톡 치는 날카로움</translation>
+    </message>
+    <message>
+        <source>Sharpness of ticks: %1 percent.</source>
+        <translation>톡톡 치는 날카로움: %1퍼센트.</translation>
+    </message>
+    <message>
+        <source>how late ticks are felt</source>
+        <translation>톡톡 치는 느낌이 늦는 정도</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ticks are felt %n millisecond(s) late.</source>
+        <translation>
+            <numerusform>톡톡 치는 느낌이 %n밀리초 늦습니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is nothing here that ticks under a finger.</source>
+        <translation>손가락 아래에서 톡톡 칠 수 있는 장치가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Now.</source>
+        <translation>지금입니다.</translation>
+    </message>
+    <message>
+        <source>Seven ticks come. Press Space as soon as you feel one. The time from a tick to the key, less what people usually take, is how late ticks are felt; it is only about right.</source>
+        <translation>톡 치는 느낌이 일곱 번 옵니다. 느껴지는 즉시 스페이스바를 누르세요. 톡 친 때부터 키를 누를 때까지의 시간에서 사람이 보통 걸리는 시간을 뺀 것이 늦는 정도이며, 대략적인 값입니다.</translation>
+    </message>
+    <message>
+        <source>What ticks is gone.</source>
+        <translation>톡톡 치는 장치가 없어졌습니다.</translation>
+    </message>
+    <message>
+        <source>Too few ticks were answered. Nothing was changed.</source>
+        <translation>너무 적게 눌렀습니다. 아무것도 바뀌지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Ended.</source>
+        <translation>끝냈습니다.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include "app/cli/long_work.hpp"
 #include "app/cli/touch_trial.hpp"
 #include "app/cli/verbs.hpp"
+#include "app/parts/feedbackd/touch_outputs.hpp"
 #include "core/files/whole_file.hpp"
 #include "core/servo/servo_loop.hpp"
 #include "device/force_pad/force_pad.hpp"
@@ -107,8 +108,7 @@ int test(const QStringList& words) {
     std::string complaint;
     LongWork::step("reading " + can->name);
     const auto* const pad = dynamic_cast<const ForcePad*>(device.get());
-    const std::set<Fault> faults =
-        run_for(*seconds, loop, [&] { complaint = device->complaint(); });
+    const std::set<Fault> faults = run_for(*seconds, loop, [&] { complaint = device->complaint(); });
     const ServoSnapshot last = loop.snapshot();
     std::printf("ticks       %llu\nplace       %.2f %.2f mm\n", static_cast<unsigned long long>(last.ticks),
                 last.x, last.y);
@@ -164,7 +164,8 @@ int record(const QStringList& words) {
     auto made = device_named(line.text("device").toStdString());
     if (!made)
         return refused(made.error());
-    const auto recorder = std::make_unique<RecordingDevice>(*made.value(), line.arguments().first().toStdString());
+    const auto recorder =
+        std::make_unique<RecordingDevice>(*made.value(), line.arguments().first().toStdString());
     const auto can = recorder->open();
     if (!can)
         return refused(can.error());

@@ -3,7 +3,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
-#include "app/parts/feedbackd/feedbackd_bus.hpp"
+#include "app/parts/feedbackd/touch_outputs.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -43,21 +43,7 @@ bool feel(TouchOutput& output, TouchMeans means, const Tick& tick) {
     return delivered;
 }
 
-Result<std::unique_ptr<TouchOutput>> output_named(const std::string& name) {
-    for (const PluggedTouchOutput& output : plugged_feedbackd())
-        if (output.name == name)
-            return output.make();
-    return touch_output_named(name);
-}
-
 } // namespace
-
-std::vector<ListedTouchOutput> touch_outputs_here() {
-    std::vector<ListedTouchOutput> outputs = list_touch_outputs();
-    for (const PluggedTouchOutput& output : plugged_feedbackd())
-        outputs.push_back({output.name, output.about, output.serial_number, output.means, output.is_pad});
-    return outputs;
-}
 
 const char* word_of(TouchMeans means) {
     switch (means) {
@@ -85,7 +71,7 @@ int tick_touch_output(const QStringList& words) {
     const auto strength = line.positive("strength");
     if (!count || !strength)
         return wrong_usage("devices tick", count ? strength.error() : count.error());
-    auto made = output_named(line.arguments().first().toStdString());
+    auto made = touch_output_here(line.arguments().first().toStdString());
     if (!made)
         return refused(made.error());
     TouchOutput& output = *made.value();

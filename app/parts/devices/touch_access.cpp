@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/parts/devices/touch_access.hpp"
 
+#include "app/parts/feedbackd/touch_outputs.hpp"
 #include "device/usb/plug_watch.hpp"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ TouchAccess TouchAccess::of_this_computer(double width_mm, double height_mm,
                                           std::shared_ptr<TickListener> listener) {
     TouchAccess access;
     access.list = [] {
-        std::vector<ListedTouchOutput> all = list_touch_outputs();
+        std::vector<ListedTouchOutput> all = touch_outputs_here();
         all.push_back({drawn_touch_name, "drawn finger", {}, TouchMeans::friction, false});
         return all;
     };
@@ -20,7 +21,7 @@ TouchAccess TouchAccess::of_this_computer(double width_mm, double height_mm,
                    listener](const std::string& name) -> Result<std::unique_ptr<TouchOutput>> {
         if (name == drawn_touch_name)
             return std::unique_ptr<TouchOutput>(std::make_unique<DrawnTouch>(width_mm, height_mm, listener));
-        return touch_output_named(name);
+        return touch_output_here(name);
     };
     access.on_plug = [](std::function<void()> changed) {
         return std::make_shared<PlugWatch>(std::move(changed));

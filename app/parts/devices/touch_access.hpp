@@ -24,7 +24,7 @@ struct TouchAccess {
     /// Calls on any thread when something was plugged in or out, for as long as what it returns lives; empty: nothing tells.
     std::function<std::shared_ptr<void>(std::function<void()> changed)> on_plug = {};
 
-    /// Those of this computer, as device/touch_output/touch_registry.hpp has them, and last the drawn one, on a surface of that
+    /// Those of this computer, as app/parts/feedbackd/touch_outputs.hpp has them, and last the drawn one, on a surface of that
     /// size (mm), whose ticks `listener` is told of.
     static TouchAccess of_this_computer(double width_mm, double height_mm,
                                         std::shared_ptr<TickListener> listener);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/capture/camera/desk_camera.hpp"
 #include "app/capture/camera/media_backend.hpp"
+#include "app/capture/camera/stand_in_camera.hpp"
 #include "app/pages/explore/demonstration.hpp"
 #include "app/shell/end_signals.hpp"
 #include "app/shell/program_window.hpp"

@@ -5,7 +5,7 @@
 #include "device/falcon/plugged_falcons.hpp"
 #include "device/force_pad/plugged_pads.hpp"
 #include "device/haply_2diy/plugged_boards.hpp"
-#include "device/hid_pid/plugged_sticks.hpp"
+#include "device/hid_pid/plugged_joysticks.hpp"
 #include "device/plugged_device.hpp"
 #include "device/simulated/simulated_device.hpp"
 
@@ -21,7 +21,7 @@ constexpr const char* simulated = "simulated";
 /// What each back end sees on its bus now.
 std::vector<PluggedDevice> plugged_devices() {
     std::vector<PluggedDevice> all;
-    for (const auto look : {plugged_pads, plugged_sticks, plugged_boards, plugged_falcons}) {
+    for (const auto look : {plugged_pads, plugged_joysticks, plugged_boards, plugged_falcons}) {
         std::vector<PluggedDevice> seen = look();
         std::move(seen.begin(), seen.end(), std::back_inserter(all));
     }

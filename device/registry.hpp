@@ -18,7 +18,7 @@ struct ListedDevice {
     std::string interface; ///< "hid", "bulk"…: by which it is used now; empty for the simulated device
     /// It may be something else than a force device, or pull the wrong way: nobody gets it without asking for it.
     bool only_when_chosen = false;
-    /// What its strength is kept by once a person has measured it (device/hid_pid/stick_scale_file.hpp); empty where it
+    /// What its strength is kept by once a person has measured it (device/hid_pid/joystick_scale_file.hpp); empty where it
     /// knows its newtons itself.
     std::string scale_key = {};
 };

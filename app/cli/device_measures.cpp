@@ -6,10 +6,10 @@
 #include "app/cli/long_work.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/parts/devices/calibration_steps.hpp"
-#include "app/parts/devices/stick_measuring.hpp"
+#include "app/parts/devices/joystick_measuring.hpp"
 #include "core/servo/servo_loop.hpp"
 #include "device/calibration_file.hpp"
-#include "device/hid_pid/stick_scale_file.hpp"
+#include "device/hid_pid/joystick_scale_file.hpp"
 #include "device/registry.hpp"
 
 #include <QStandardPaths>
@@ -77,10 +77,10 @@ Result<Calibration> calibrated(ServoLoop& loop, const ForceDevice& device, Vec2 
 }
 
 /// Lets a stick be measured, the grams read from standard input.
-Result<StickScale> measured(ServoLoop& loop, ForceDevice& device) {
+Result<JoystickScale> measured(ServoLoop& loop, ForceDevice& device) {
     const PersonsTurn turn;
     const Error ended{"The measurement was cancelled. Nothing was changed."};
-    StickMeasuring measuring(device, loop);
+    JoystickMeasuring measuring(device, loop);
     SteadyClock clock;
     std::string line;
     say(measuring.words().toStdString() + " Press Enter to begin.");
@@ -98,17 +98,17 @@ Result<StickScale> measured(ServoLoop& loop, ForceDevice& device) {
             else if (disables(fault) || clock.now() - well_at > fault_lasts_s)
                 return what_is_wrong(fault, device);
             measuring.poll(clock.now());
-            if (step() == StickTrial::Step::failed)
+            if (step() == JoystickTrial::Step::failed)
                 return measuring.words().toStdString();
         }
         return {};
     };
-    while (step() == StickTrial::Step::right || step() == StickTrial::Step::away)
+    while (step() == JoystickTrial::Step::right || step() == JoystickTrial::Step::away)
         if (const std::string why = pass(0.1); !why.empty())
             return Error{why};
     say(measuring.words().toStdString());
     std::future<bool> typing;
-    while (step() == StickTrial::Step::weigh) {
+    while (step() == JoystickTrial::Step::weigh) {
         typing = std::async(std::launch::async, [&line] { return next_line(std::cin, line); });
         while (typing.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
             if (const std::string why = pass(0.1); !why.empty()) {
@@ -185,7 +185,7 @@ int calibrate_device(const QStringList& words) {
     return exit_done;
 }
 
-int measure_stick(const QStringList& words) {
+int measure_joystick(const QStringList& words) {
     VerbLine line("devices measure",
                   "Finds out which way a force stick pulls and how strong it is, with a kitchen scale or a\n"
                   "luggage scale. What is found is saved for the pages.");
@@ -215,8 +215,8 @@ int measure_stick(const QStringList& words) {
     if (!found)
         return refused(found.error());
     const std::filesystem::path file =
-        line.has("file") ? std::filesystem::path(line.text("file").toStdU16String()) : stick_scale_file();
-    if (const std::string why = keep_stick_scale(file, listed->scale_key, *found); !why.empty())
+        line.has("file") ? std::filesystem::path(line.text("file").toStdU16String()) : joystick_scale_file();
+    if (const std::string why = keep_joystick_scale(file, listed->scale_key, *found); !why.empty())
         return refused(why);
     std::printf("whole force %.2f N\nsigns       %+g %+g\nkept for    %s\n", found->newtons_at_full, found->sign.x,
                 found->sign.y, listed->scale_key.c_str());

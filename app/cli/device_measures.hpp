@@ -8,6 +8,6 @@ namespace tp {
 /// `devices calibrate`: where a device lies on the screen. Its words; the exit status.
 int calibrate_device(const QStringList& words);
 /// `devices measure`: how strong a force stick is, and which way it pulls.
-int measure_stick(const QStringList& words);
+int measure_joystick(const QStringList& words);
 
 } // namespace tp

@@ -258,7 +258,7 @@ int devices_verb(const QStringList& words) {
     if (first == "calibrate")
         return calibrate_device(words.mid(1));
     if (first == "measure")
-        return measure_stick(words.mid(1));
+        return measure_joystick(words.mid(1));
     if (first == "record")
         return record(words.mid(1));
     if (first == "replay")

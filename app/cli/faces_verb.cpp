@@ -98,8 +98,8 @@ private:
     Result<std::vector<FaceExtractor>> make_extractors() const {
         const auto wanted = static_cast<std::size_t>(jobs_ > 0 ? jobs_ : QThread::idealThreadCount());
         const ExtractorChoice choice{line_.text("detector").toStdString(), line_.text("model").toStdString(),
-                                     line_.has("no-edges") ? Refinement::close_looks
-                                                           : Refinement::onto_edges};
+                                     line_.has("no-edges") ? RefinementStage::close_looks
+                                                           : RefinementStage::onto_edges};
         std::vector<std::future<Result<FaceExtractor>>> making; // all at once: each takes its time
         do
             making.push_back(std::async([&choice] { return FaceExtractor::create(choice); }));

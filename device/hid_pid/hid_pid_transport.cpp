@@ -121,8 +121,8 @@ private:
 
 } // namespace
 
-std::vector<FoundStick> find_sticks() {
-    std::vector<FoundStick> found;
+std::vector<FoundJoystick> find_joysticks() {
+    std::vector<FoundJoystick> found;
     hid_device_info* const all = hid_enumerate(0, 0);
     for (const hid_device_info* one = all; one != nullptr; one = one->next) {
         // hidapi lists a node once for each of its collections.
@@ -139,7 +139,8 @@ std::vector<FoundStick> find_sticks() {
     return found;
 }
 
-Result<std::unique_ptr<PidTransport>> open_stick(const FoundStick& stick, const std::string& guard_program) {
+Result<std::unique_ptr<PidTransport>> open_joystick(const FoundJoystick& stick,
+                                                    const std::string& guard_program) {
     Result<HidHandles> handles = open_hid_handles(stick.path, "force stick");
     if (!handles.ok())
         return Error{handles.error()};

@@ -130,8 +130,8 @@ LoadedBlock loaded_block(const PidLayout& layout, std::span<const std::uint8_t> 
     return loaded;
 }
 
-StickNews stick_news(const PidLayout& layout, std::span<const std::uint8_t> report) {
-    StickNews news;
+JoystickNews joystick_news(const PidLayout& layout, std::span<const std::uint8_t> report) {
+    JoystickNews news;
     if (const auto bytes = behind_id_of(layout.stick.report, layout.numbered, report); !bytes.empty()) {
         Vec2 axes(share_of(value_in(bytes, layout.stick.axis[0]), layout.stick.axis[0]),
                   share_of(value_in(bytes, layout.stick.axis[1]), layout.stick.axis[1]));

@@ -50,7 +50,7 @@ struct LoadedBlock {
 LoadedBlock loaded_block(const PidLayout& layout, std::span<const std::uint8_t> report);
 
 /// What an input report tells.
-struct StickNews {
+struct JoystickNews {
     std::optional<Vec2> axes; ///< −1 … 1 each, x to the right, y towards the person
     std::uint32_t buttons = 0;
     std::optional<bool> motors_on; ///< by all that the device tells of itself
@@ -58,6 +58,6 @@ struct StickNews {
 };
 /// Of an input report as the system gives it: its id leads only where reports are numbered. Nothing, where it
 /// is another, or too short for what it should hold.
-StickNews stick_news(const PidLayout& layout, std::span<const std::uint8_t> report);
+JoystickNews joystick_news(const PidLayout& layout, std::span<const std::uint8_t> report);
 
 } // namespace tp::hid

@@ -152,7 +152,7 @@ void replace(Points& points, PointRange range, const Points& by) {
 
 } // namespace
 
-ContourNets::ContourNets(Refinement most)
+ContourNets::ContourNets(RefinementStage most)
     : most_(most), face_(embedded_net(EmbeddedModel::contours)), eye_(embedded_net(EmbeddedModel::eye)),
       mouth_(embedded_net(EmbeddedModel::mouth)), outline_(embedded_net(EmbeddedModel::outline)) {}
 
@@ -210,14 +210,14 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
     const auto coarse = look(face_, picture, face_frame(face), face_px);
     if (!coarse || coarse->size() != all.size())
         return std::nullopt;
-    if (most_ == Refinement::first_look)
+    if (most_ == RefinementStage::first_look)
         return unverified(*coarse);
     const CropFrame face_window = face_frame(*coarse, windowed, face_by_points);
     const auto seen = look_both_ways(face_, picture, face_window, face_px, 0);
     if (!seen)
         return std::nullopt;
     const Points& fine = seen->points;
-    if (most_ == Refinement::second_look)
+    if (most_ == RefinementStage::second_look)
         return unverified(fine);
     const double between_passes = disagreement(part(*coarse, windowed), part(fine, windowed));
     if (is_unsteady(between_passes))

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "faces/base/landmarks.hpp"
-#include "faces/base/refinement.hpp"
+#include "faces/base/refinement_stage.hpp"
 #include "faces/contours/crop.hpp"
 
 #include <opencv2/dnn/dnn.hpp>
@@ -16,7 +16,7 @@ namespace tp {
 class ContourNets : public LandmarkModel {
 public:
     /// Without the close looks there is nothing to verify a face by: whatever was detected is taken for one.
-    explicit ContourNets(Refinement most = Refinement::close_looks);
+    explicit ContourNets(RefinementStage most = RefinementStage::close_looks);
     std::optional<Landmarks> locate(const cv::Mat& picture, const Detection& face) override;
     /// The close looks alone, from where another model sees the features, brows and all, of that face.
     /// `between_nets_px` is then how far they lie from those; the confidence is the other model's.
@@ -39,7 +39,7 @@ private:
     std::optional<BothWays> look_both_ways(cv::dnn::Net& net, const cv::Mat& picture, const CropFrame& frame,
                                            int size, std::size_t first);
 
-    Refinement most_;
+    RefinementStage most_;
     cv::dnn::Net face_, eye_, mouth_, outline_;
 };
 

@@ -258,7 +258,7 @@ Result<FaceExtractor> FaceExtractor::create(const ExtractorChoice& choice) {
         if (!detector)
             return Error{detector.error()};
         auto parts = std::make_unique<Parts>();
-        parts->edges = choice.refinement == Refinement::onto_edges;
+        parts->edges = choice.refinement == RefinementStage::onto_edges;
         if (choice.model == "embedded") {
             auto nets = std::make_unique<ContourNets>(choice.refinement);
             if (parts->edges)

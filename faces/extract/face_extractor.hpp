@@ -3,7 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "faces/base/face.hpp"
-#include "faces/base/refinement.hpp"
+#include "faces/base/refinement_stage.hpp"
 
 #include <opencv2/core/mat.hpp>
 
@@ -21,7 +21,7 @@ struct PluggableModel;
 struct ExtractorChoice {
     std::string detector = "embedded";
     std::string model = "embedded";
-    Refinement refinement = Refinement::onto_edges;
+    RefinementStage refinement = RefinementStage::onto_edges;
 };
 
 /// From a photograph to the contours of its faces, all on this machine. Same bytes in, same contours out.

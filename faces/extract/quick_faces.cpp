@@ -2,7 +2,7 @@
 #include "faces/extract/quick_faces.hpp"
 
 #include "faces/base/landmarks.hpp"
-#include "faces/base/refinement.hpp"
+#include "faces/base/refinement_stage.hpp"
 #include "faces/contours/contour_nets.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/detect/detector.hpp"
@@ -37,7 +37,8 @@ std::vector<Detection> one_a_head(std::vector<Detection> found) {
 
 struct QuickFaces::Nets {
     EmbeddedDetector detector;
-    ContourNets points{Refinement::close_looks}; ///< without close looks shut eyes are placed as open ones
+    ContourNets points{
+        RefinementStage::close_looks}; ///< without close looks shut eyes are placed as open ones
 
     std::optional<Landmarks> sure_points(const cv::Mat& picture, const Detection& face) {
         auto found = points.locate(picture, face);

@@ -970,6 +970,41 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>JoystickMeasuring</name>
+    <message>
+        <source>The stick will move by itself, a little to the right and back, then a little away from you and back. Let it stand free, and keep your hands off it.</source>
+        <translation>Der Kraftstick bewegt sich gleich von selbst, ein wenig nach rechts und zurück, dann ein wenig von Ihnen weg und zurück. Lassen Sie ihn frei stehen und nehmen Sie die Hände von ihm.</translation>
+    </message>
+    <message>
+        <source>Now it is clear which way the stick pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.</source>
+        <translation>Wohin der Kraftstick zieht, ist jetzt bekannt. Halten Sie seinen Griff mit einer Küchenwaage oder einer Kofferwaage gerade auf Sie zu: Der Kraftstick zieht von Ihnen weg. Wenn der Griff still steht, geben Sie ein, wie viel Gramm die Waage zeigt.</translation>
+    </message>
+    <message>
+        <source>The stick is measured.</source>
+        <translation>Der Kraftstick ist gemessen.</translation>
+    </message>
+    <message>
+        <source>The stick did not stand still. Let go of it, check that nothing touches it, and measure again.</source>
+        <translation>Der Kraftstick stand nicht still. Lassen Sie ihn los, achten Sie darauf, dass nichts ihn berührt, und messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The stick did not move. Check that its power supply is plugged in, keep your hands off it, and measure again.</source>
+        <translation>Der Kraftstick hat sich nicht bewegt. Prüfen Sie, ob sein Netzteil angeschlossen ist, nehmen Sie die Hände von ihm, und messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The stick moved to one side of where it should have gone. It cannot be measured like that: check that nothing touches it and that it stands straight, and measure again.</source>
+        <translation>Der Kraftstick ist von der Richtung abgewichen, in die er sich bewegen sollte. So kann er nicht gemessen werden: Achten Sie darauf, dass nichts ihn berührt und dass er gerade steht, und messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The stick did not come back the way it went. Check that nothing touches it, and measure again.</source>
+        <translation>Der Kraftstick kam nicht so zurück, wie er gegangen war. Achten Sie darauf, dass nichts ihn berührt, und messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.</source>
+        <translation>Der Kraftstick wurde drei Minuten lang nicht gewogen; seine Kraft ist aus. Messen Sie ihn noch einmal, wenn eine Waage zur Hand ist.</translation>
+    </message>
+</context>
+<context>
     <name>KeyHelp</name>
     <message>
         <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. N, Shift+N: next and previous photograph with a face. Enter: force on. Escape: stop. V: voice. O: open.</source>
@@ -5030,41 +5065,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Key: 0</source>
         <translation>Taste: 0</translation>
-    </message>
-</context>
-<context>
-    <name>StickMeasuring</name>
-    <message>
-        <source>The stick will move by itself, a little to the right and back, then a little away from you and back. Let it stand free, and keep your hands off it.</source>
-        <translation>Der Kraftstick bewegt sich gleich von selbst, ein wenig nach rechts und zurück, dann ein wenig von Ihnen weg und zurück. Lassen Sie ihn frei stehen und nehmen Sie die Hände von ihm.</translation>
-    </message>
-    <message>
-        <source>Now it is clear which way the stick pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.</source>
-        <translation>Wohin der Kraftstick zieht, ist jetzt bekannt. Halten Sie seinen Griff mit einer Küchenwaage oder einer Kofferwaage gerade auf Sie zu: Der Kraftstick zieht von Ihnen weg. Wenn der Griff still steht, geben Sie ein, wie viel Gramm die Waage zeigt.</translation>
-    </message>
-    <message>
-        <source>The stick is measured.</source>
-        <translation>Der Kraftstick ist gemessen.</translation>
-    </message>
-    <message>
-        <source>The stick did not stand still. Let go of it, check that nothing touches it, and measure again.</source>
-        <translation>Der Kraftstick stand nicht still. Lassen Sie ihn los, achten Sie darauf, dass nichts ihn berührt, und messen Sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The stick did not move. Check that its power supply is plugged in, keep your hands off it, and measure again.</source>
-        <translation>Der Kraftstick hat sich nicht bewegt. Prüfen Sie, ob sein Netzteil angeschlossen ist, nehmen Sie die Hände von ihm, und messen Sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The stick moved to one side of where it should have gone. It cannot be measured like that: check that nothing touches it and that it stands straight, and measure again.</source>
-        <translation>Der Kraftstick ist von der Richtung abgewichen, in die er sich bewegen sollte. So kann er nicht gemessen werden: Achten Sie darauf, dass nichts ihn berührt und dass er gerade steht, und messen Sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The stick did not come back the way it went. Check that nothing touches it, and measure again.</source>
-        <translation>Der Kraftstick kam nicht so zurück, wie er gegangen war. Achten Sie darauf, dass nichts ihn berührt, und messen Sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.</source>
-        <translation>Der Kraftstick wurde drei Minuten lang nicht gewogen; seine Kraft ist aus. Messen Sie ihn noch einmal, wenn eine Waage zur Hand ist.</translation>
     </message>
 </context>
 <context>

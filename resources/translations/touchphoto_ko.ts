@@ -957,6 +957,41 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>JoystickMeasuring</name>
+    <message>
+        <source>The stick will move by itself, a little to the right and back, then a little away from you and back. Let it stand free, and keep your hands off it.</source>
+        <translation>스틱이 저절로 조금 오른쪽으로 갔다가 돌아오고, 이어서 조금 앞쪽으로 갔다가 돌아옵니다. 자유롭게 세워 두고 손을 떼세요.</translation>
+    </message>
+    <message>
+        <source>Now it is clear which way the stick pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.</source>
+        <translation>이제 스틱이 어느 쪽으로 당기는지 알았습니다. 주방 저울이나 여행 가방 저울로 손잡이를 곧게 자기 쪽으로 잡으세요. 스틱은 앞쪽으로 당깁니다. 손잡이가 멈추면 저울이 보여 주는 그램 수를 입력하세요.</translation>
+    </message>
+    <message>
+        <source>The stick is measured.</source>
+        <translation>스틱을 측정했습니다.</translation>
+    </message>
+    <message>
+        <source>The stick did not stand still. Let go of it, check that nothing touches it, and measure again.</source>
+        <translation>스틱이 가만히 있지 않았습니다. 손을 떼고 아무것도 닿지 않는지 확인하고 다시 측정하세요.</translation>
+    </message>
+    <message>
+        <source>The stick did not move. Check that its power supply is plugged in, keep your hands off it, and measure again.</source>
+        <translation>스틱이 움직이지 않았습니다. 전원 어댑터가 꽂혀 있는지 확인하고 손을 뗀 채 다시 측정하세요.</translation>
+    </message>
+    <message>
+        <source>The stick moved to one side of where it should have gone. It cannot be measured like that: check that nothing touches it and that it stands straight, and measure again.</source>
+        <translation>스틱이 가야 할 쪽에서 벗어나 움직였습니다. 그렇게는 측정할 수 없습니다. 아무것도 닿지 않고 곧게 서 있는지 확인하고 다시 측정하세요.</translation>
+    </message>
+    <message>
+        <source>The stick did not come back the way it went. Check that nothing touches it, and measure again.</source>
+        <translation>스틱이 간 대로 돌아오지 않았습니다. 아무것도 닿지 않는지 확인하고 다시 측정하세요.</translation>
+    </message>
+    <message>
+        <source>The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.</source>
+        <translation>3분 동안 무게를 재지 않아 스틱의 힘을 껐습니다. 저울이 준비되면 다시 측정하세요.</translation>
+    </message>
+</context>
+<context>
     <name>KeyHelp</name>
     <message>
         <source>Arrow keys, with Shift faster: move the hand. Tab: next feature. W: where am I. Z, Shift+Z: zoom in and out. Space: tour of the feature. T: tour of the face. G: guide. F: next face. N, Shift+N: next and previous photograph with a face. Enter: force on. Escape: stop. V: voice. O: open.</source>
@@ -5007,41 +5042,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Key: 0</source>
         <translation>0 키</translation>
-    </message>
-</context>
-<context>
-    <name>StickMeasuring</name>
-    <message>
-        <source>The stick will move by itself, a little to the right and back, then a little away from you and back. Let it stand free, and keep your hands off it.</source>
-        <translation>스틱이 저절로 조금 오른쪽으로 갔다가 돌아오고, 이어서 조금 앞쪽으로 갔다가 돌아옵니다. 자유롭게 세워 두고 손을 떼세요.</translation>
-    </message>
-    <message>
-        <source>Now it is clear which way the stick pulls. Hold its grip with a kitchen scale or a luggage scale, straight towards you: the stick pulls away from you. When the grip stands still, enter how many grams the scale shows.</source>
-        <translation>이제 스틱이 어느 쪽으로 당기는지 알았습니다. 주방 저울이나 여행 가방 저울로 손잡이를 곧게 자기 쪽으로 잡으세요. 스틱은 앞쪽으로 당깁니다. 손잡이가 멈추면 저울이 보여 주는 그램 수를 입력하세요.</translation>
-    </message>
-    <message>
-        <source>The stick is measured.</source>
-        <translation>스틱을 측정했습니다.</translation>
-    </message>
-    <message>
-        <source>The stick did not stand still. Let go of it, check that nothing touches it, and measure again.</source>
-        <translation>스틱이 가만히 있지 않았습니다. 손을 떼고 아무것도 닿지 않는지 확인하고 다시 측정하세요.</translation>
-    </message>
-    <message>
-        <source>The stick did not move. Check that its power supply is plugged in, keep your hands off it, and measure again.</source>
-        <translation>스틱이 움직이지 않았습니다. 전원 어댑터가 꽂혀 있는지 확인하고 손을 뗀 채 다시 측정하세요.</translation>
-    </message>
-    <message>
-        <source>The stick moved to one side of where it should have gone. It cannot be measured like that: check that nothing touches it and that it stands straight, and measure again.</source>
-        <translation>스틱이 가야 할 쪽에서 벗어나 움직였습니다. 그렇게는 측정할 수 없습니다. 아무것도 닿지 않고 곧게 서 있는지 확인하고 다시 측정하세요.</translation>
-    </message>
-    <message>
-        <source>The stick did not come back the way it went. Check that nothing touches it, and measure again.</source>
-        <translation>스틱이 간 대로 돌아오지 않았습니다. 아무것도 닿지 않는지 확인하고 다시 측정하세요.</translation>
-    </message>
-    <message>
-        <source>The stick was not weighed for three minutes, and its force is off. Measure it again when a scale is at hand.</source>
-        <translation>3분 동안 무게를 재지 않아 스틱의 힘을 껐습니다. 저울이 준비되면 다시 측정하세요.</translation>
     </message>
 </context>
 <context>

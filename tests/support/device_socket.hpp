@@ -45,7 +45,7 @@ public:
         state_->complaint = std::move(why);
     }
     /// It is a force stick now, so strong (N of its whole force) and with such signs, whose grip stands free.
-    void be_a_stick(double newtons_at_full, Vec2 sign) {
+    void be_a_joystick(double newtons_at_full, Vec2 sign) {
         const std::lock_guard lock(state_->mutex);
         state_->newtons_at_full = newtons_at_full;
         state_->sign = sign;

@@ -116,7 +116,7 @@ double FaceBenchRow::mean_error_percent() const {
 }
 
 std::vector<FaceContender> face_contenders(const std::function<void(const std::string&)>& left_out) {
-    using enum Refinement;
+    using enum RefinementStage;
     std::vector<FaceContender> all{{"embedded", {}},
                                    {"embedded_without_edges", {"embedded", "embedded", close_looks}},
                                    {"embedded_two_looks", {"embedded", "embedded", second_look}},

@@ -174,7 +174,7 @@ Result<std::vector<WildPhoto>> run_wild_bench(const std::vector<std::filesystem:
     auto ours = FaceExtractor::create();
     if (!ours)
         return Error{ours.error()};
-    auto mesh = FaceExtractor::create({"embedded", "mesh", Refinement::close_looks});
+    auto mesh = FaceExtractor::create({"embedded", "mesh", RefinementStage::close_looks});
     if (!mesh)
         return Error{mesh.error()};
     std::vector<WildPhoto> photos;

@@ -34,8 +34,8 @@ SimulatedKind pad_kind() {
     return kind;
 }
 
-/// Unmeasured, as the back end takes it (device/hid_pid/pid_stick.cpp): 2 N, two reports each way; 16 bits over ±60 mm.
-SimulatedKind stick_kind() {
+/// Unmeasured, as the back end takes it (device/hid_pid/pid_joystick.cpp): 2 N, two reports each way; 16 bits over ±60 mm.
+SimulatedKind joystick_kind() {
     SimulatedKind kind{"stick", 1000.0, 0.004, body_of(HandlePlant{})};
     kind.body.max_force_n = kind.body.continuous_force_n = 2.0;
     kind.body.quantum_mm = 120.0 / 65535.0;
@@ -69,7 +69,7 @@ SimulatedKind mouse_kind() {
 } // namespace
 
 const std::vector<SimulatedKind>& simulated_kinds() {
-    static const std::vector<SimulatedKind> kinds{pad_kind(), stick_kind(), falcon_kind(), haply_kind(),
+    static const std::vector<SimulatedKind> kinds{pad_kind(), joystick_kind(), falcon_kind(), haply_kind(),
                                                   mouse_kind()};
     return kinds;
 }

@@ -41,7 +41,7 @@ void Trimming::begin_anew() {
 }
 
 void Trimming::draw(const fs::path& sound) {
-    drawing_.ask([this, sound](const std::stop_token& stop) -> NewestWork::Answer {
+    drawing_.ask([this, sound](const std::stop_token& stop) -> LatestTask::Answer {
         const Result<SoundPeaks> result = sound_peaks(sound, drawn_parts, stop);
         if (!result)
             return {}; // a sound that cannot be read is told when it is played

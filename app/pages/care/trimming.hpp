@@ -6,7 +6,7 @@
 #include "app/pages/care/listening.hpp"
 #include "app/pages/care/recording_list.hpp"
 #include "app/pages/care/sound_peaks.hpp"
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 
 #include <QList>
 #include <QtQml/qqmlregistration.h>
@@ -76,7 +76,7 @@ private:
     CareTeller& teller_;
     QList<float> peaks_;
     double duration_s_ = 0.0, begin_s_ = 0.0, end_s_ = 0.0;
-    NewestWork drawing_; ///< last: it ends before what its work is for
+    LatestTask drawing_; ///< last: it ends before what its work is for
 };
 
 } // namespace tp

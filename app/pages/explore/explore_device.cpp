@@ -17,17 +17,17 @@ ExploreDevice::ExploreDevice(FingerServo& servo, ExploreView& view, ExploreFinge
                              ExploreEar& ear, ExploreChoices& choices, ExploreWords& words,
                              const ExploreSettings& settings)
     : servo_(servo), view_(view), finger_(finger), tour_(tour), ear_(ear), choices_(choices), words_(words),
-      servo_settings_(settings.device_servo), sheet_(view.frame()), desk_(settings.devices) {
+      servo_settings_(settings.device_servo), sheet_(view.frame()), connector_(settings.devices) {
     connect(&view_, &ExploreView::fresh, this, [this] {
         force_wanted_ = true;
         if (here())
             let_in();
         look();
     });
-    connect(&desk_, &DeviceDesk::looked, this, &ExploreDevice::look);
-    connect(&desk_, &DeviceDesk::opened, this,
+    connect(&connector_, &DeviceConnector::looked, this, &ExploreDevice::look);
+    connect(&connector_, &DeviceConnector::opened, this,
             [this](const std::shared_ptr<OpenDevice>& open) { use(*open); });
-    connect(&desk_, &DeviceDesk::refused, this, &ExploreDevice::refuse);
+    connect(&connector_, &DeviceConnector::refused, this, &ExploreDevice::refuse);
     sheet_settles_.setSingleShot(true);
     sheet_settles_.setInterval(sheet_settles_ms);
     connect(&sheet_settles_, &QTimer::timeout, this, &ExploreDevice::follow_sheet);
@@ -101,29 +101,29 @@ void ExploreDevice::want() {
     refused_.clear();
     if (state_ != State::InUse)
         state_ = State::Expected;
-    desk_.watch(state_ != State::InUse);
+    connector_.watch(state_ != State::InUse);
 }
 
 void ExploreDevice::give_back() {
-    desk_.watch(false);
-    desk_.cancel();
+    connector_.watch(false);
+    connector_.cancel();
     if (std::exchange(state_, State::Awaited) != State::InUse)
         return;
-    desk_.release(servo_.use_simulated());
+    connector_.release(servo_.use_simulated());
     emit in_use_changed();
 }
 
 /// Opens the device that the person wants as soon as there is something to feel.
 void ExploreDevice::look() {
-    if (!here() || !view_.ready() || state_ == State::InUse || desk_.opening() || !desk_.knows())
+    if (!here() || !view_.ready() || state_ == State::InUse || connector_.opening() || !connector_.knows())
         return;
-    const ListedDevice* device = device_for(desk_.there(), choices_.device());
+    const ListedDevice* device = device_for(connector_.there(), choices_.device());
     if (device == nullptr) {
         state_ = State::Awaited;
         refused_.clear();
         view_.reach({});
     } else if (device->name != refused_) {
-        desk_.open(*device);
+        connector_.open(*device);
     }
 }
 
@@ -140,8 +140,8 @@ void ExploreDevice::use(OpenDevice& open) {
     device_sheet_ = open.calibration ? std::optional(sheet_) : std::nullopt;
     about_ = in_persons_language(open.listed.about);
     faults_ = {}; // what was told of another, or before it was plugged in again, is told anew
-    desk_.watch(false);
-    desk_.release(servo_.use(std::make_unique<DeviceDrive>(std::move(open.device), open.can, servo)));
+    connector_.watch(false);
+    connector_.release(servo_.use(std::make_unique<DeviceDrive>(std::move(open.device), open.can, servo)));
     finger_.take_handle();
     view_.reach(reach_of(open.can, servo.device_to_surface));
     ear_.lift();
@@ -160,7 +160,7 @@ void ExploreDevice::use(OpenDevice& open) {
 
 void ExploreDevice::refuse(const QString& sentence) {
     state_ = State::Awaited;
-    if (const ListedDevice* device = device_for(desk_.there(), choices_.device()))
+    if (const ListedDevice* device = device_for(connector_.there(), choices_.device()))
         refused_ = device->name;
     words_.tell(Earcon::fault, tr("%1 Until then the force is only drawn.").arg(sentence), Priority::fault);
 }
@@ -172,7 +172,7 @@ void ExploreDevice::lose() {
     give_back();
     ear_.lift();
     emit changed();
-    desk_.watch(true);
+    connector_.watch(true);
 }
 
 // --- where the sheet lies ---

@@ -9,7 +9,7 @@
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_words.hpp"
 #include "app/pages/explore/sheet_place.hpp"
-#include "app/parts/devices/device_desk.hpp"
+#include "app/parts/devices/device_connector.hpp"
 #include "app/parts/finger/fault_watch.hpp"
 #include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/finger/page_clock.hpp"
@@ -114,7 +114,7 @@ private:
     SheetPlace sheet_;
     std::optional<SheetPlace> device_sheet_; ///< as a calibrated device in use follows it
     QTimer sheet_settles_;                   ///< since it was last told to lie elsewhere
-    DeviceDesk desk_;                        ///< last: its work ends first
+    DeviceConnector connector_;              ///< last: its work ends first
 };
 
 } // namespace tp

@@ -8,7 +8,7 @@
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_words.hpp"
 #include "app/pages/explore/explore_zoom.hpp"
-#include "app/pages/explore/way_watch.hpp"
+#include "app/pages/explore/passage_earcons.hpp"
 #include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/finger/page_clock.hpp"
 #include "audio/guide/sonified_guide.hpp"
@@ -76,7 +76,7 @@ private:
     SonifiedGuide& guide_;
     const PageClock& now_;
     State state_ = State::open;
-    WayWatch way_;
+    PassageEarcons way_;
     ClockGuide clock_guide_;
 };
 

@@ -12,7 +12,7 @@ ExploreTouch::ExploreTouch(FingerServo& servo, ExploreView& view, ExploreTour& t
                            ExploreChoices& choices, ExploreWords& words, ExploreDevice& device,
                            const ExploreSettings& settings)
     : servo_(servo), view_(view), tour_(tour), ear_(ear), choices_(choices), words_(words), device_(device),
-      surface_(settings.surface.width_mm, settings.surface.height_mm), desk_(settings.touch) {
+      surface_(settings.surface.width_mm, settings.surface.height_mm), connector_(settings.touch) {
     connect(&view_, &ExploreView::fresh, this, &ExploreTouch::look);
     connect(&choices_, &ExploreChoices::changed, this, &ExploreTouch::follow_choices);
     connect(&device_, &ExploreDevice::in_use_changed, this, &ExploreTouch::follow_wish);
@@ -20,9 +20,10 @@ ExploreTouch::ExploreTouch(FingerServo& servo, ExploreView& view, ExploreTour& t
         refused_.clear(); // where one was refused, it is asked again
         look();
     });
-    connect(&desk_, &TouchDesk::looked, this, &ExploreTouch::look);
-    connect(&desk_, &TouchDesk::opened, this, [this](const std::shared_ptr<OpenTouch>& open) { use(*open); });
-    connect(&desk_, &TouchDesk::refused, this, &ExploreTouch::refuse);
+    connect(&connector_, &TouchConnector::looked, this, &ExploreTouch::look);
+    connect(&connector_, &TouchConnector::opened, this,
+            [this](const std::shared_ptr<OpenTouch>& open) { use(*open); });
+    connect(&connector_, &TouchConnector::refused, this, &ExploreTouch::refuse);
 }
 
 void ExploreTouch::enter() {
@@ -47,18 +48,18 @@ void ExploreTouch::follow_wish() {
 void ExploreTouch::want() {
     refused_.clear();
     state_ = State::Expected;
-    desk_.watch(true);
+    connector_.watch(true);
 }
 
 void ExploreTouch::give_back() {
-    desk_.watch(false);
-    desk_.cancel();
+    connector_.watch(false);
+    connector_.cancel();
     if (std::exchange(state_, State::Away) != State::InUse)
         return;
     const bool on = servo_.engaged();
     if (tour_.touring())
         tour_.end();
-    desk_.release(servo_.feel_by(nullptr));
+    connector_.release(servo_.feel_by(nullptr));
     view_.reach({});
     ear_.lift();
     if (on)
@@ -68,13 +69,13 @@ void ExploreTouch::give_back() {
 
 /// Opens the one that the person wants as soon as there is something to feel.
 void ExploreTouch::look() {
-    if (!view_.ready() || state_ == State::Away || desk_.opening() || !desk_.knows())
+    if (!view_.ready() || state_ == State::Away || connector_.opening() || !connector_.knows())
         return;
-    const ListedTouchOutput* output = touch_for(desk_.there(), choices_.touch());
+    const ListedTouchOutput* output = touch_for(connector_.there(), choices_.touch());
     if (state_ == State::InUse && (output == nullptr || output->name == used_))
         return;
     if (output != nullptr && output->name != refused_)
-        return desk_.open(*output);
+        return connector_.open(*output);
     if (output == nullptr && std::exchange(state_, State::Awaited) == State::Expected)
         words_.tell(tr("There is nothing here that ticks under a finger. Beeps and words guide."),
                     Priority::message);
@@ -85,15 +86,15 @@ void ExploreTouch::use(OpenTouch& open) {
     if (tour_.touring())
         tour_.end_told();
     if (state_ == State::InUse)
-        desk_.release(servo_.feel_by(nullptr));
+        connector_.release(servo_.feel_by(nullptr));
     about_ = in_persons_language(open.listed.about);
     key_ = choices_.touch();
     used_ = open.listed.name;
-    desk_.watch(used_ == drawn_touch_name); // which only stands in for another
+    connector_.watch(used_ == drawn_touch_name); // which only stands in for another
     auto drive =
         std::make_unique<TouchDrive>(std::move(open.output), open.can, surface_, choices_.touch_settings());
     view_.reach(drive->reach());
-    desk_.release(servo_.feel_by(std::move(drive)));
+    connector_.release(servo_.feel_by(std::move(drive)));
     state_ = State::InUse;
     ear_.lift();
     if (on)
@@ -107,7 +108,7 @@ void ExploreTouch::use(OpenTouch& open) {
 void ExploreTouch::refuse(const QString& sentence) {
     if (state_ != State::InUse)
         state_ = State::Awaited;
-    if (const ListedTouchOutput* output = touch_for(desk_.there(), choices_.touch()))
+    if (const ListedTouchOutput* output = touch_for(connector_.there(), choices_.touch()))
         refused_ = output->name;
     words_.tell(Earcon::fault, tr("%1 Until then beeps and words guide.").arg(sentence), Priority::fault);
 }
@@ -122,7 +123,7 @@ void ExploreTouch::lose() {
     const QString gone = about_;
     give_back();
     state_ = State::Awaited;
-    desk_.watch(true);
+    connector_.watch(true);
     words_.tell(Earcon::fault,
                 tr("%1 is gone. Beeps and words guide until it is there again.").arg(at_the_start(gone)),
                 Priority::fault);

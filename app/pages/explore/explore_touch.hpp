@@ -8,7 +8,7 @@
 #include "app/pages/explore/explore_tour.hpp"
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_words.hpp"
-#include "app/parts/devices/touch_desk.hpp"
+#include "app/parts/devices/touch_connector.hpp"
 #include "app/parts/finger/finger_servo.hpp"
 
 #include <QObject>
@@ -85,7 +85,7 @@ private:
     std::string used_;    ///< its name
     QString key_;         ///< of the one in use: what was chosen
     std::string refused_; ///< name of the one that could not be opened; it is not asked again by itself
-    TouchDesk desk_;      ///< last: its work ends first
+    TouchConnector connector_; ///< last: its work ends first
 };
 
 } // namespace tp

@@ -3,7 +3,7 @@
 
 #include "app/pages/explore/feature_labels.hpp"
 #include "app/pages/explore/feature_tracker.hpp"
-#include "app/pages/explore/way_watch.hpp"
+#include "app/pages/explore/passage_earcons.hpp"
 #include "app/pages/explore/zoom_steps.hpp"
 #include "core/guidance/tent_profile.hpp"
 

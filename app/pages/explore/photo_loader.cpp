@@ -55,7 +55,7 @@ PhotoLoader::PhotoLoader() = default;
 PhotoLoader::~PhotoLoader() = default;
 
 void PhotoLoader::load(const QString& file) {
-    work_.ask([this, file](const std::stop_token& stop) -> NewestWork::Answer {
+    work_.ask([this, file](const std::stop_token& stop) -> LatestTask::Answer {
         auto photo = std::make_shared<LoadedPhoto>();
         try {
             *photo = read_and_find(file, extractor_, stop);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 #include "faces/base/face.hpp"
 
 #include <QImage>
@@ -43,7 +43,7 @@ signals:
 
 private:
     std::unique_ptr<FaceExtractor> extractor_; ///< only the work's thread
-    NewestWork work_;                          ///< last: it ends first
+    LatestTask work_;                          ///< last: it ends first
 };
 
 } // namespace tp

@@ -25,7 +25,7 @@ QStringList LabDevices::names() const {
 void LabDevices::find() {
     if (activity_.opening() || !find_)
         return;
-    work_.ask([this, find = find_](const std::stop_token&) -> NewestWork::Answer {
+    work_.ask([this, find = find_](const std::stop_token&) -> LatestTask::Answer {
         return [this, found = find()] {
             const std::string used = found_[static_cast<std::size_t>(current_)].name;
             found_ = {{simulated_device_name, {}, {}, {}}};
@@ -56,7 +56,7 @@ void LabDevices::open(const std::filesystem::path& recording, const SurfaceSize&
     const DeviceChain::Wish wish{found_[static_cast<std::size_t>(current_)].name, recording};
     if (simulated())
         return then(DeviceChain::open(wish, surface, parameters, clock));
-    work_.ask([wish, surface, parameters, &clock, then](const std::stop_token&) -> NewestWork::Answer {
+    work_.ask([wish, surface, parameters, &clock, then](const std::stop_token&) -> LatestTask::Answer {
         auto chain = std::make_shared<Result<std::shared_ptr<DeviceChain>>>(
             DeviceChain::open(wish, surface, parameters, clock));
         return [chain, then] { then(*chain); };

@@ -4,7 +4,7 @@
 #include "app/pages/lab/lab_activity.hpp"
 #include "app/pages/lab/lab_servo.hpp"
 #include "app/pages/lab/lab_teller.hpp"
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 #include "device/registry.hpp"
 
 #include <QObject>
@@ -59,7 +59,7 @@ private:
     Find find_;
     std::vector<ListedDevice> found_;
     int current_ = 0;
-    NewestWork work_; ///< last: it ends first
+    LatestTask work_; ///< last: it ends first
 };
 
 } // namespace tp

@@ -35,7 +35,7 @@ void LabField::paint() {
     if (scale_ < 2.0)
         return paint_finely();
     work_.ask([this, scene = scene_, area = surface_,
-               scale = scale_](const std::stop_token& stop) -> NewestWork::Answer {
+               scale = scale_](const std::stop_token& stop) -> LatestTask::Answer {
         const QImage coarse = draw_force_field(*scene, area, 0.25 * scale, {}, stop);
         QImage image(static_cast<int>(std::lround(area.width() * scale)),
                      static_cast<int>(std::lround(area.height() * scale)) + legend_pixels,
@@ -55,7 +55,7 @@ void LabField::paint() {
 
 void LabField::paint_finely() {
     work_.ask([this, scene = scene_, area = surface_,
-               scale = scale_](const std::stop_token& stop) -> NewestWork::Answer {
+               scale = scale_](const std::stop_token& stop) -> LatestTask::Answer {
         const QImage image = draw_force_field(*scene, area, scale, {}, stop);
         return [this, image] { take(image); };
     });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 #include "core/geometry/polyline.hpp"
 #include "core/guidance/haptic_scene.hpp"
 
@@ -36,7 +36,7 @@ private:
     std::shared_ptr<const HapticScene> scene_;
     double scale_ = 4.0;
     QImage image_;
-    NewestWork work_; ///< last: it ends first
+    LatestTask work_; ///< last: it ends first
 };
 
 } // namespace tp

@@ -26,7 +26,7 @@ void LabReplayer::replay(int index) {
     const QString& name = names[index];
     teller_.say(tr("Reading %1.").arg(name));
     reading_.ask(
-        [this, name, file = archive_.recording(name)](const std::stop_token& stop) -> NewestWork::Answer {
+        [this, name, file = archive_.recording(name)](const std::stop_token& stop) -> LatestTask::Answer {
             auto read = std::make_shared<Result<LabReplay>>(read_replay(file, stop));
             return [this, name, read] {
                 if (!read->ok())

@@ -8,7 +8,7 @@
 #include "app/pages/lab/lab_playback.hpp"
 #include "app/pages/lab/lab_replay.hpp"
 #include "app/pages/lab/lab_teller.hpp"
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 #include "core/servo/clock.hpp"
 
 #include <QObject>
@@ -47,7 +47,7 @@ private:
     LabTeller& teller_;
     std::optional<LabPlayback> playback_;
     QString words_;      ///< what computing it again has shown
-    NewestWork reading_; ///< last: it ends first
+    LatestTask reading_; ///< last: it ends first
 };
 
 } // namespace tp

@@ -96,7 +96,7 @@ void LabScene::use_photo(const QString& file) {
     const QString name = QFileInfo(file).fileName();
     teller_.say(tr("Looking for faces in %1.").arg(name));
     work_.ask([this, file, name, path = file.toStdString(), surface = size_,
-               extractor = extractor_](const std::stop_token& stop) -> NewestWork::Answer {
+               extractor = extractor_](const std::stop_token& stop) -> LatestTask::Answer {
         auto photo = std::make_shared<LabPhoto>(read_photo(path, surface, *extractor, stop));
         return [this, photo, file, name] {
             if (!photo->problem.empty())

@@ -6,7 +6,7 @@
 #include "app/pages/lab/lab_teller.hpp"
 #include "app/pages/lab/lab_tuning.hpp"
 #include "app/parts/preferences/preferences.hpp"
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 #include "app/photo/scene/scene_builder.hpp"
 #include "core/guidance/haptic_scene.hpp"
 
@@ -91,7 +91,7 @@ private:
     QString photo_; ///< file; empty: none was opened
     LabField field_;
     std::shared_ptr<std::unique_ptr<FaceExtractor>> extractor_; ///< what is in it belongs to work_'s thread
-    NewestWork work_;                                           ///< last: it ends first
+    LatestTask work_;                                           ///< last: it ends first
 };
 
 } // namespace tp

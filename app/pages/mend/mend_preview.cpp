@@ -26,7 +26,7 @@ void MendPreview::follow() {
         return;
     }
     state_ = State::Asked;
-    work_.ask([this, work = photo_.work()](const std::stop_token&) -> NewestWork::Answer {
+    work_.ask([this, work = photo_.work()](const std::stop_token&) -> LatestTask::Answer {
         return [this, felt = felt_change(found_faces(work), faces_of(work))] { take(felt); };
     });
 }

@@ -5,7 +5,7 @@
 #include "app/pages/mend/mend_words.hpp"
 #include "app/pages/mend/mended_photo.hpp"
 #include "app/parts/narration/narrator.hpp"
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 
 #include <QObject>
 #include <QString>
@@ -56,7 +56,7 @@ private:
     State state_ = State::Current;
     bool shown_ = false;
     FeltChange felt_;
-    NewestWork work_; ///< last: its thread ends first
+    LatestTask work_; ///< last: its thread ends first
 };
 
 } // namespace tp

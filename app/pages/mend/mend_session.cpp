@@ -28,7 +28,7 @@ void MendSession::open_file(const QString& file) {
         return;
     photo_.look();
     tell(tr("Looking for faces…"));
-    loader_.ask([this, file](const std::stop_token& stop) -> NewestWork::Answer {
+    loader_.ask([this, file](const std::stop_token& stop) -> LatestTask::Answer {
         auto photo = std::make_shared<MendPhoto>(read_for_mending(file, extractor_, stop));
         return [this, photo] { show(std::move(*photo)); };
     });

@@ -11,7 +11,7 @@
 #include "app/pages/mend/mend_view.hpp"
 #include "app/pages/mend/mended_photo.hpp"
 #include "app/parts/narration/narrator.hpp"
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 #include "faces/extract/face_extractor.hpp"
 
 #include <QObject>
@@ -74,7 +74,7 @@ private:
     MendPreview preview_;
     MendSaving file_;
     std::unique_ptr<FaceExtractor> extractor_; ///< only the loader's thread
-    NewestWork loader_;                        ///< last: its thread ends first
+    LatestTask loader_;                        ///< last: its thread ends first
 };
 
 } // namespace tp

@@ -31,7 +31,7 @@ void PrintedPhoto::open(const std::filesystem::path& photo) {
     file_ = photo;
     looking_ = true;
     subject_ = {};
-    reading_.ask([this, photo](const std::stop_token&) -> NewestWork::Answer {
+    reading_.ask([this, photo](const std::stop_token&) -> LatestTask::Answer {
         return [this, subject = read_(photo)] {
             subject_ = subject;
             looking_ = false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 #include "faces/base/face.hpp"
 
 #include <QObject>
@@ -57,7 +57,7 @@ private:
     std::filesystem::path file_;
     bool looking_ = false;
     Subject subject_;
-    NewestWork reading_; ///< last: it ends before what its work is for
+    LatestTask reading_; ///< last: it ends before what its work is for
 };
 
 } // namespace tp

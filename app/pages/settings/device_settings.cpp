@@ -6,7 +6,7 @@
 #include "core/geometry/calibration.hpp"
 #include "core/guidance/haptic_scene.hpp"
 #include "device/calibration_file.hpp"
-#include "device/hid_pid/stick_scale_file.hpp"
+#include "device/hid_pid/joystick_scale_file.hpp"
 
 #include <QLocale>
 
@@ -25,15 +25,17 @@ QString in_millimetres(double mm) { return QLocale().toString(mm, 'f', 1); }
 } // namespace
 
 DeviceSettings::DeviceSettings(Narrator& narrator, Preferences& preferences, Setup setup)
-    : narrator_(narrator), preferences_(preferences), setup_(std::move(setup)), desk_(setup_.access) {
+    : narrator_(narrator), preferences_(preferences), setup_(std::move(setup)), connector_(setup_.access) {
     clock_.start();
     timer_.setInterval(device_poll_ms);
     connect(&timer_, &QTimer::timeout, this, &DeviceSettings::poll);
     connect(&preferences_, &Preferences::changed, this, &DeviceSettings::changed);
-    connect(&desk_, &DeviceDesk::looked, this, &DeviceSettings::changed);
-    connect(&desk_, &DeviceDesk::opened, this, [this](const std::shared_ptr<OpenDevice>& open) { opened(*open); });
-    connect(&desk_, &DeviceDesk::homed, this, [this] { end(tr("The device is homed: it knows where its handle is.")); });
-    connect(&desk_, &DeviceDesk::refused, this,
+    connect(&connector_, &DeviceConnector::looked, this, &DeviceSettings::changed);
+    connect(&connector_, &DeviceConnector::opened, this,
+            [this](const std::shared_ptr<OpenDevice>& open) { opened(*open); });
+    connect(&connector_, &DeviceConnector::homed, this,
+            [this] { end(tr("The device is homed: it knows where its handle is.")); });
+    connect(&connector_, &DeviceConnector::refused, this,
             [this](const QString& sentence) { end(sentence, Priority::fault); });
 }
 
@@ -44,7 +46,7 @@ double DeviceSettings::now() const {
 // --- which there are ---
 
 const ListedDevice* DeviceSettings::serving() const {
-    return device_for(desk_.there(), preferences_.choices().device);
+    return device_for(connector_.there(), preferences_.choices().device);
 }
 
 QString DeviceSettings::name_of(const ListedDevice& device) const {
@@ -58,7 +60,7 @@ QString DeviceSettings::name_of(const ListedDevice& device) const {
 
 QStringList DeviceSettings::names() const {
     QStringList names{tr("None: sound, and a drawn finger")};
-    for (const ListedDevice& one : desk_.there())
+    for (const ListedDevice& one : connector_.there())
         names << name_of(one);
     const QString& chosen = preferences_.choices().device;
     if (!chosen.isEmpty() && key_at(current()) != chosen)
@@ -68,14 +70,15 @@ QStringList DeviceSettings::names() const {
 
 int DeviceSettings::current() const {
     const ListedDevice* device = serving();
-    return device == nullptr ? 0 : static_cast<int>(device - desk_.there().data()) + 1;
+    return device == nullptr ? 0 : static_cast<int>(device - connector_.there().data()) + 1;
 }
 
 std::optional<QString> DeviceSettings::key_at(int index) const {
     if (index == 0)
         return no_device_key;
     const auto place = static_cast<std::size_t>(index) - 1;
-    return index > 0 && place < desk_.there().size() ? std::optional(key_of(desk_.there()[place])) : std::nullopt;
+    return index > 0 && place < connector_.there().size() ? std::optional(key_of(connector_.there()[place]))
+                                                          : std::nullopt;
 }
 
 QString DeviceSettings::calibration() const {
@@ -89,11 +92,11 @@ QString DeviceSettings::calibration() const {
                 : tr("Not calibrated. It may stand beside the screen; to lie on it, it must be calibrated.");
 }
 
-void DeviceSettings::enter() { desk_.watch(true); }
+void DeviceSettings::enter() { connector_.watch(true); }
 
 void DeviceSettings::leave() {
     end({});
-    desk_.watch(false);
+    connector_.watch(false);
 }
 
 // --- what is done with one ---
@@ -104,7 +107,7 @@ void DeviceSettings::begin(Doing what) {
     const ListedDevice* device = serving();
     if (device == nullptr)
         return narrator_.tell(
-            desk_.there().empty()
+            connector_.there().empty()
                 ? tr("No force device is plugged in. Plug one in; it is found automatically.")
                 : tr("No force device is chosen. Choose one above."),
             Priority::touch);
@@ -112,11 +115,11 @@ void DeviceSettings::begin(Doing what) {
     key_ = key_of(*device);
     scale_key_ = device->scale_key;
     const ListedDevice wish = *device;
-    desk_.watch(false);
+    connector_.watch(false);
     if (what == Doing::homing)
-        desk_.home(wish);
+        connector_.home(wish);
     else
-        desk_.open(wish);
+        connector_.open(wish);
 }
 
 void DeviceSettings::tryForce() { begin(Doing::opening_to_try); }
@@ -134,7 +137,7 @@ void DeviceSettings::opened(OpenDevice& open) {
     const bool to_calibrate = doing_ == Doing::opening_to_calibrate;
     drive_ = std::make_unique<DeviceDrive>(std::move(open.device), open.can,
                                            to_calibrate ? settings_for_reading(setup_.servo) : setup_.servo);
-    drive_->loop().set_max_force(to_measure ? StickTrial::pull_n : preferences_.choices().max_force_n);
+    drive_->loop().set_max_force(to_measure ? JoystickTrial::pull_n : preferences_.choices().max_force_n);
     drive_->loop().start();
     faulty_from_ = -1.0;
     steps_.reset();
@@ -285,7 +288,7 @@ QString DeviceSettings::result() {
 void DeviceSettings::poll_measuring() {
     if (!measuring_->poll(now()))
         return;
-    if (measuring_->trial().step() == StickTrial::Step::failed)
+    if (measuring_->trial().step() == JoystickTrial::Step::failed)
         return end(instruction() + ' ' + tr("Nothing was changed."), Priority::fault);
     emit changed();
     if (weighing())
@@ -305,8 +308,8 @@ void DeviceSettings::weighed(const QString& text) {
     if (!*done)
         return narrator_.tell(tr("That is too little to be read well. The stick pulls twice as strongly now: weigh again."),
                               Priority::message);
-    const StickScale found = measuring_->trial().assumed();
-    const std::string why = keep_stick_scale(setup_.access.stick_scales, scale_key_, found);
+    const JoystickScale found = measuring_->trial().assumed();
+    const std::string why = keep_joystick_scale(setup_.access.joystick_scales, scale_key_, found);
     end(why.empty() ? tr("The stick is measured: %1 newtons at most. That is saved for this stick.")
                           .arg(QLocale().toString(found.newtons_at_full, 'f', 1))
                     : in_persons_language(why));
@@ -328,17 +331,17 @@ bool DeviceSettings::stop() {
 void DeviceSettings::end(const QString& sentence, Priority priority) {
     const bool was_doing = std::exchange(doing_, Doing::nothing) != Doing::nothing;
     timer_.stop();
-    desk_.cancel();
+    connector_.cancel();
     measuring_.reset();
     if (drive_) {
         drive_->loop().disengage();
-        desk_.release(std::move(drive_));
+        connector_.release(std::move(drive_));
     }
     steps_.reset();
     touch_.reset();
     if (!was_doing)
         return;
-    desk_.watch(true);
+    connector_.watch(true);
     emit changed();
     narrator_.tell(sentence, priority);
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/parts/devices/calibration_steps.hpp"
-#include "app/parts/devices/device_desk.hpp"
-#include "app/parts/devices/stick_measuring.hpp"
+#include "app/parts/devices/device_connector.hpp"
+#include "app/parts/devices/joystick_measuring.hpp"
 #include "app/parts/narration/narrator.hpp"
 #include "app/parts/preferences/preferences.hpp"
 #include "core/servo/servo_loop.hpp"
@@ -80,7 +80,7 @@ public:
     bool calibrating() const { return doing_ == Doing::calibrating; }
     bool measurable() const { return there() && !serving()->scale_key.empty(); }
     bool measuring() const { return measuring_.has_value(); }
-    bool weighing() const { return measuring_ && measuring_->trial().step() == StickTrial::Step::weigh; }
+    bool weighing() const { return measuring_ && measuring_->trial().step() == JoystickTrial::Step::weigh; }
     int mark() const { return steps_ ? steps_->mark() : CalibrationSteps::top_left; }
     QString instruction() const;
     /// What the choice of the one with that index in `names` is remembered by; nothing where there is none.
@@ -156,8 +156,8 @@ private:
     double faulty_from_ = -1.0; ///< s; negative: no fault
     std::optional<CalibrationSteps> steps_;
     std::optional<Vec2> touch_;               ///< screen frame
-    std::optional<StickMeasuring> measuring_; ///< goes before the drive it uses
-    DeviceDesk desk_;           ///< last: its work ends first
+    std::optional<JoystickMeasuring> measuring_; ///< goes before the drive it uses
+    DeviceConnector connector_;                  ///< last: its work ends first
 };
 
 } // namespace tp

@@ -23,40 +23,41 @@ int in_ms(double seconds) { return static_cast<int>(1000.0 * seconds); }
 
 TickSettings::TickSettings(SettingSteps& steps, Narrator& narrator, Setup setup)
     : steps_(steps), narrator_(narrator), now_(std::move(setup.now)),
-      pause_before_(std::move(setup.pause_before)), desk_(std::move(setup.access)) {
+      pause_before_(std::move(setup.pause_before)), connector_(std::move(setup.access)) {
     if (!now_)
         now_ = [] { return SteadyClock().now(); };
     next_.setSingleShot(true);
     connect(&next_, &QTimer::timeout, this, &TickSettings::go_on);
     connect(&steps_, &SettingSteps::changed, this, &TickSettings::changed);
-    connect(&desk_, &TouchDesk::looked, this, &TickSettings::changed);
-    connect(&desk_, &TouchDesk::opened, this, [this](const std::shared_ptr<OpenTouch>& open) { use(*open); });
-    connect(&desk_, &TouchDesk::refused, this, &TickSettings::end);
+    connect(&connector_, &TouchConnector::looked, this, &TickSettings::changed);
+    connect(&connector_, &TouchConnector::opened, this,
+            [this](const std::shared_ptr<OpenTouch>& open) { use(*open); });
+    connect(&connector_, &TouchConnector::refused, this, &TickSettings::end);
 }
 
 QStringList TickSettings::names() const {
     QStringList names;
-    for (const ListedTouchOutput& one : desk_.there())
+    for (const ListedTouchOutput& one : connector_.there())
         names << in_persons_language(one.about);
     return names;
 }
 
 int TickSettings::current() const {
-    const ListedTouchOutput* one = touch_for(desk_.there(), steps_.now().touch);
-    return one == nullptr ? -1 : static_cast<int>(one - desk_.there().data());
+    const ListedTouchOutput* one = touch_for(connector_.there(), steps_.now().touch);
+    return one == nullptr ? -1 : static_cast<int>(one - connector_.there().data());
 }
 
-void TickSettings::enter() { desk_.watch(true); }
+void TickSettings::enter() { connector_.watch(true); }
 
 void TickSettings::leave() {
     stop();
-    desk_.watch(false);
+    connector_.watch(false);
 }
 
 void TickSettings::choose(int index) {
     if (index < 0 || index >= names().size())
         return;
-    const QString key = key_of(desk_.there()[static_cast<std::size_t>(index)]);
+    const QString key = key_of(connector_.there()[static_cast<std::size_t>(index)]);
     steps_.make(tr("what ticks"), tr("Ticks: %1.").arg(names()[index]),
                 [&key](Choices& choices) { choices.touch = key; });
 }
@@ -88,7 +89,7 @@ void TickSettings::open(Doing wish) {
     if (index < 0)
         return steps_.tell(tr("There is nothing here that ticks under a finger."));
     doing_ = wish;
-    desk_.open(desk_.there()[static_cast<std::size_t>(index)]);
+    connector_.open(connector_.there()[static_cast<std::size_t>(index)]);
 }
 
 void TickSettings::use(OpenTouch& open) {
@@ -114,8 +115,8 @@ void TickSettings::use(OpenTouch& open) {
 
 void TickSettings::end(const QString& sentence) {
     next_.stop();
-    desk_.cancel();
-    desk_.release(std::move(drive_));
+    connector_.cancel();
+    connector_.release(std::move(drive_));
     const bool was = std::exchange(doing_, Doing::nothing) == Doing::measuring;
     if (!sentence.isEmpty())
         steps_.tell(sentence);

@@ -3,7 +3,7 @@
 
 #include "app/pages/settings/setting_steps.hpp"
 #include "app/pages/settings/tap_test.hpp"
-#include "app/parts/devices/touch_desk.hpp"
+#include "app/parts/devices/touch_connector.hpp"
 
 #include <QObject>
 #include <QString>
@@ -91,7 +91,7 @@ private:
     int ticks_ = 0; ///< sent of the test
     std::unique_ptr<TouchDrive> drive_;
     QTimer next_;    ///< until the next tick, or the end
-    TouchDesk desk_; ///< last: its work ends first
+    TouchConnector connector_; ///< last: its work ends first
 };
 
 } // namespace tp

@@ -35,11 +35,11 @@ std::string words_of(const Affine& map) {
 } // namespace
 
 StudyFinger::StudyFinger(const StudySettings& settings, Preferences& preferences)
-    : settings_(settings), preferences_(preferences), desk_(settings.devices) {
-    connect(&desk_, &DeviceDesk::looked, this, &StudyFinger::changed);
-    connect(&desk_, &DeviceDesk::opened, this,
+    : settings_(settings), preferences_(preferences), connector_(settings.devices) {
+    connect(&connector_, &DeviceConnector::looked, this, &StudyFinger::changed);
+    connect(&connector_, &DeviceConnector::opened, this,
             [this](const std::shared_ptr<OpenDevice>& open) { use(*open); });
-    connect(&desk_, &DeviceDesk::refused, this, [this](const QString& sentence) {
+    connect(&connector_, &DeviceConnector::refused, this, [this](const QString& sentence) {
         give_back();
         emit refused(sentence);
     });
@@ -49,11 +49,11 @@ StudyFinger::~StudyFinger() { give_back(); }
 
 void StudyFinger::look(bool on) {
     looks_ = on;
-    desk_.watch(on);
+    connector_.watch(on);
 }
 
 const ListedDevice* StudyFinger::wanted() const {
-    return device_for(desk_.there(), preferences_.choices().device);
+    return device_for(connector_.there(), preferences_.choices().device);
 }
 
 QString StudyFinger::found() const {
@@ -82,7 +82,7 @@ void StudyFinger::take(Vec2 surface, bool device) {
         return emit taken();
     }
     opening_ = true;
-    desk_.open(*wanted);
+    connector_.open(*wanted);
 }
 
 /// Whether it reaches all of the surface, laid middle on middle.
@@ -98,7 +98,7 @@ void StudyFinger::use(OpenDevice& open) {
     opening_ = false;
     if (!reaches(open)) {
         const QString about = in_persons_language(open.listed.about);
-        desk_.release(
+        connector_.release(
             std::make_unique<DeviceDrive>(std::move(open.device), open.can, settings_.device_servo));
         give_back();
         return emit refused(
@@ -115,20 +115,20 @@ void StudyFinger::use(OpenDevice& open) {
         about << QString::fromStdString(open.can.serial_number);
     about_ = recorded(about, std::min(strongest(), open.can.max_force));
     calibration_ = words_of(servo.device_to_surface);
-    desk_.release(
+    connector_.release(
         servo_->use(std::make_unique<DeviceDrive>(std::move(open.device), open.can, servo, settings_.time)));
     servo_->set_max_force(strongest());
     emit taken();
 }
 
 void StudyFinger::give_back() {
-    desk_.cancel();
+    connector_.cancel();
     opening_ = false;
     if (servo_ == nullptr)
         return;
     stop();
     if (servo_->real())
-        desk_.release(servo_->use_simulated());
+        connector_.release(servo_->use_simulated());
     servo_.reset();
 }
 

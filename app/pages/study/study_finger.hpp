@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/pages/study/study_settings.hpp"
-#include "app/parts/devices/device_desk.hpp"
+#include "app/parts/devices/device_connector.hpp"
 #include "app/parts/finger/fault_watch.hpp"
 #include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/preferences/preferences.hpp"
@@ -91,7 +91,7 @@ private:
     std::string about_, calibration_; ///< of the device in use
     bool opening_ = false;
     bool looks_ = false;
-    DeviceDesk desk_; ///< last: its work ends first
+    DeviceConnector connector_; ///< last: its work ends first
 };
 
 } // namespace tp

@@ -46,7 +46,7 @@ void StudyOverview::hide() {
 void StudyOverview::look() {
     folder_ = setup_.study_folder();
     teller_.tell(tr("The study is being checked."));
-    reading_.ask([this, folder = folder_](const std::stop_token& stop) -> NewestWork::Answer {
+    reading_.ask([this, folder = folder_](const std::stop_token& stop) -> LatestTask::Answer {
         QStringList lines;
         if (!is_begun(folder)) {
             lines << tr("No study has begun in this folder.");
@@ -75,7 +75,7 @@ void StudyOverview::look() {
 void StudyOverview::makeReport() {
     folder_ = setup_.study_folder();
     teller_.tell(tr("The report is being made."));
-    reading_.ask([this, folder = folder_](const std::stop_token&) -> NewestWork::Answer {
+    reading_.ask([this, folder = folder_](const std::stop_token&) -> LatestTask::Answer {
         const std::filesystem::path there = report_folder(folder);
         QString problem;
         if (!is_begun(folder)) {

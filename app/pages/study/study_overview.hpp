@@ -3,7 +3,7 @@
 
 #include "app/pages/study/study_setup.hpp"
 #include "app/pages/study/study_teller.hpp"
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 
 #include <QObject>
 #include <QStringList>
@@ -48,7 +48,7 @@ private:
     StudyTeller& teller_;
     QStringList lines_;
     std::filesystem::path folder_; ///< that the lines speak of
-    NewestWork reading_;           ///< last: its work ends first
+    LatestTask reading_;           ///< last: its work ends first
 };
 
 } // namespace tp

@@ -184,7 +184,7 @@ void StudySetup::read_faces() {
     if (!needs_faces() || faces_folder_.empty())
         return reading_.cancel();
     reading_.ask([this, folder = faces_folder_,
-                  experiment = now()](const std::stop_token& stop) -> NewestWork::Answer {
+                  experiment = now()](const std::stop_token& stop) -> LatestTask::Answer {
         auto read = FolderFaces::read(folder, experiment, stop);
         return [this, read = std::move(read)] {
             if (read)

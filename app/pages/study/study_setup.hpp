@@ -7,7 +7,7 @@
 #include "app/pages/study/study_settings.hpp"
 #include "app/pages/study/study_teller.hpp"
 #include "app/parts/folders/folder_chooser.hpp"
-#include "app/parts/work/newest_work.hpp"
+#include "app/parts/work/latest_task.hpp"
 
 #include <QObject>
 #include <QString>
@@ -123,7 +123,7 @@ private:
     std::filesystem::path faces_folder_;
     std::shared_ptr<const StudyFaces> faces_;
     QString faces_problem_;
-    NewestWork reading_; ///< last: its work ends first
+    LatestTask reading_; ///< last: its work ends first
 };
 
 } // namespace tp

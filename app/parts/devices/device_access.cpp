@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/parts/devices/device_access.hpp"
 
-#include "device/hid_pid/stick_scale_file.hpp"
+#include "device/hid_pid/joystick_scale_file.hpp"
 #include "device/usb/plug_watch.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace tp {
 
 DeviceAccess DeviceAccess::of_this_computer(std::filesystem::path calibrations) {
     DeviceAccess access{list_devices, device_named, std::move(calibrations)};
-    access.stick_scales = stick_scale_file();
+    access.joystick_scales = joystick_scale_file();
     access.on_plug = [](std::function<void()> changed) { return std::make_shared<PlugWatch>(std::move(changed)); };
     return access;
 }

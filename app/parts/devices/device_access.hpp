@@ -21,7 +21,8 @@ struct DeviceAccess {
     std::function<std::vector<ListedDevice>()> list;
     std::function<Result<std::unique_ptr<ForceDevice>>(const std::string& name)> make;
     std::filesystem::path calibrations; ///< file (device/calibration_file.hpp); empty: none are kept
-    std::filesystem::path stick_scales = {}; ///< file (device/hid_pid/stick_scale_file.hpp); empty: none are kept
+    std::filesystem::path joystick_scales =
+        {}; ///< file (device/hid_pid/joystick_scale_file.hpp); empty: none are kept
     int look_every_ms = 2000;           ///< how soon a device that is plugged in is found where nothing tells of it
     /// Calls on any thread when something was plugged in or out, for as long as what it returns lives; empty: nothing tells.
     std::function<std::shared_ptr<void>(std::function<void()> changed)> on_plug = {};

@@ -11,12 +11,12 @@
 
 namespace tp {
 
-/// Looks again and again, on a desk's thread, for what is plugged in: while it watches, when something tells of a change, and
+/// Looks again and again, on a connector's thread, for what is plugged in: while it watches, when something tells of a change, and
 /// every so often. Belongs to the page's thread.
 class PlugLook final : public QObject {
     Q_OBJECT
 public:
-    /// Done on the desk's thread, where it may wait; what it returns is done on the page's thread, and not at all where nobody
+    /// Done on the connector's thread, where it may wait; what it returns is done on the page's thread, and not at all where nobody
     /// watches any more.
     using Look = std::function<std::function<void()>()>;
     /// Calls on any thread when something was plugged in or out, for as long as what it returns lives.

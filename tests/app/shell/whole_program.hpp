@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/capture/camera/desk_camera.hpp"
+#include "app/capture/camera/stand_in_camera.hpp"
 #include "app/parts/devices/device_access.hpp"
 #include "app/shell/program_window.hpp"
 #include "audio/speech/recording_voice.hpp"
@@ -69,7 +69,7 @@ public:
                                [] { return std::vector<tp::FoundDevice>(); }};
         parts.explore.devices = std::move(devices);
         parts.make_camera = [photo = file("Family/anna_smiling.jpg")] {
-            return std::make_unique<tp::DeskCamera>(tp::DeskCamera::Of::photo, photo);
+            return std::make_unique<tp::StandInCamera>(tp::StandInCamera::Of::photo, photo);
         };
         program = std::make_unique<tp::Program>(std::move(parts));
         program->begin({});

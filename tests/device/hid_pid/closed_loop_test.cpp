@@ -2,7 +2,7 @@
 #include "../closed_loop/closed_loop_test.hpp"
 
 #include "../closed_loop/force_judge.hpp"
-#include "stick_bench.hpp"
+#include "joystick_bench.hpp"
 
 #include <QTest>
 
@@ -14,46 +14,46 @@ using namespace tp::testing;
 
 namespace {
 
-StickWire wire_of(std::size_t variant) {
+JoystickWire wire_of(std::size_t variant) {
     return variant == 0 ? open_controller() : variant == 1 ? plain_controller() : sidewinder();
 }
 
 /// What the smallest step of a stick's force is, of each axis at once, and what a direction of 8 bits is off
 /// by.
-double slack_of(const StickBench& bench) {
+double slack_of(const JoystickBench& bench) {
     const double step = bench.model.newtons_at_full / bench.model.wire().magnitude_full;
     return 0.005 + 2.0 * step + (bench.model.wire().direction_bytes == 1 ? 0.02 : 0.0);
 }
 
-void guard_steps_in(StickBench& bench) { bench.link.diary.word = ForceGuard::Word::stepped_in; }
-void guard_is_here(StickBench& bench) { bench.link.diary.word = ForceGuard::Word::here; }
-void guard_ends(StickBench& bench) { bench.link.diary.word = ForceGuard::Word::gone; }
+void guard_steps_in(JoystickBench& bench) { bench.link.diary.word = ForceGuard::Word::stepped_in; }
+void guard_is_here(JoystickBench& bench) { bench.link.diary.word = ForceGuard::Word::here; }
+void guard_ends(JoystickBench& bench) { bench.link.diary.word = ForceGuard::Word::gone; }
 
-std::vector<TroubleKind> stick_troubles() {
+std::vector<TroubleKind> joystick_troubles() {
     return {
-        trouble(&StickBench::link, &StickLinkTroubles::drop),
-        trouble(&StickBench::link, &StickLinkTroubles::garble),
-        trouble(&StickBench::link, &StickLinkTroubles::cut),
-        trouble(&StickBench::link, &StickLinkTroubles::mute),
-        trouble(&StickBench::link, &StickLinkTroubles::deaf),
+        trouble(&JoystickBench::link, &JoystickLinkTroubles::drop),
+        trouble(&JoystickBench::link, &JoystickLinkTroubles::garble),
+        trouble(&JoystickBench::link, &JoystickLinkTroubles::cut),
+        trouble(&JoystickBench::link, &JoystickLinkTroubles::mute),
+        trouble(&JoystickBench::link, &JoystickLinkTroubles::deaf),
         pulled_cable(),
         stalled_writer(),
-        trouble(&StickBench::model, &ModelStick::Troubles::safety_switch),
-        {.set = of<StickBench>([](StickBench& bench, double, bool on) {
+        trouble(&JoystickBench::model, &ModelJoystick::Troubles::safety_switch),
+        {.set = of<JoystickBench>([](JoystickBench& bench, double, bool on) {
              if (on)
                  bench.model.disable();
          })},
-        {.set = of<StickBench>([](StickBench& bench, double size, bool on) {
+        {.set = of<JoystickBench>([](JoystickBench& bench, double size, bool on) {
              if (on)
                  bench.place({80.0 * size - 40.0, 80.0 * std::fmod(7.0 * size, 1.0) - 40.0});
          })},
         letting_go(),
         late_tick(),
-        trouble(&StickBench::model, &ModelStick::Troubles::no_power),
+        trouble(&JoystickBench::model, &ModelJoystick::Troubles::no_power),
     };
 }
 
-std::vector<Interruption> stick_interruptions() {
+std::vector<Interruption> joystick_interruptions() {
     return {
         {.name = "a writer hangs",
          .begin = [](LoopBench& bench) { bench.writer_stalled = true; },
@@ -63,22 +63,22 @@ std::vector<Interruption> stick_interruptions() {
          .back_after = 1.0,
          .keeps_its_force = true},
         {.name = "the guard steps in",
-         .begin = of<StickBench>(guard_steps_in),
-         .end = of<StickBench>(guard_is_here),
+         .begin = of<JoystickBench>(guard_steps_in),
+         .end = of<JoystickBench>(guard_is_here),
          .back_after = 1.0},
         {.name = "the guard ends",
-         .begin = of<StickBench>(guard_ends),
+         .begin = of<JoystickBench>(guard_ends),
          .within = 0.002,
          .words = "watches over the motors",
-         .end = of<StickBench>(guard_is_here), // one that has ended does not come back
+         .end = of<JoystickBench>(guard_is_here), // one that has ended does not come back
          .back_after = 0.0},
         {.name = "the safety switch",
-         .begin = of<StickBench>([](StickBench& bench) { bench.model.troubles.safety_switch = true; }),
+         .begin = of<JoystickBench>([](JoystickBench& bench) { bench.model.troubles.safety_switch = true; }),
          .words = "safety switch",
-         .end = of<StickBench>([](StickBench& bench) { bench.model.troubles.safety_switch = false; }),
+         .end = of<JoystickBench>([](JoystickBench& bench) { bench.model.troubles.safety_switch = false; }),
          .back_after = 1.0},
         {.name = "its motors go off",
-         .begin = of<StickBench>([](StickBench& bench) { bench.model.disable(); }),
+         .begin = of<JoystickBench>([](JoystickBench& bench) { bench.model.disable(); }),
          .within = 0.005,
          .words = "switched its motors off",
          .lasts = 0.0,
@@ -87,16 +87,16 @@ std::vector<Interruption> stick_interruptions() {
     };
 }
 
-DeviceUnderTest force_stick() {
+DeviceUnderTest force_joystick() {
     DeviceUnderTest device;
     device.variants = {"open controller", "plain controller", "sidewinder"};
     device.watchdogs = {0.0, 0.0, 0.0};
     device.make = [](std::size_t variant, const Handle& handle, unsigned delay_ms, std::uint32_t seed) {
-        return std::make_unique<StickBench>(wire_of(variant), handle.plant<HandlePlant>(), delay_ms, seed);
+        return std::make_unique<JoystickBench>(wire_of(variant), handle.plant<HandlePlant>(), delay_ms, seed);
     };
-    device.slack = [](LoopBench& bench, bool) { return slack_of(dynamic_cast<StickBench&>(bench)); };
+    device.slack = [](LoopBench& bench, bool) { return slack_of(dynamic_cast<JoystickBench&>(bench)); };
     device.may_follow = [](LoopBench& bench, Vec2 before, Vec2 now, double dt) {
-        const StickBench& stick = dynamic_cast<StickBench&>(bench);
+        const JoystickBench& stick = dynamic_cast<JoystickBench&>(bench);
         return stick.may_be_felt(before, now, dt, slack_of(stick));
     };
     device.settling = {.masses = {0.1, 0.3},
@@ -105,13 +105,14 @@ DeviceUnderTest force_stick() {
                        .damping = 0.3,
                        .farthest = 0.5, // Coulomb friction over stiffness, twice
                        .to_and_fro = 0.1};
-    device.interruptions = stick_interruptions();
-    device.troubles = stick_troubles();
-    device.guards = {{.set = of<StickBench>([](StickBench& bench, double, bool on) {
-                          on ? guard_steps_in(bench) : guard_is_here(bench);
-                      })},
-                     {.set = of<StickBench>([](StickBench& bench, double, bool) { guard_ends(bench); })}};
-    device.heal = of<StickBench>([](StickBench& bench) {
+    device.interruptions = joystick_interruptions();
+    device.troubles = joystick_troubles();
+    device.guards = {
+        {.set = of<JoystickBench>([](JoystickBench& bench, double, bool on) {
+             on ? guard_steps_in(bench) : guard_is_here(bench);
+         })},
+        {.set = of<JoystickBench>([](JoystickBench& bench, double, bool) { guard_ends(bench); })}};
+    device.heal = of<JoystickBench>([](JoystickBench& bench) {
         const bool out = bench.unplugged();
         bench.link.troubles = {};
         bench.model.troubles = {};
@@ -122,23 +123,23 @@ DeviceUnderTest force_stick() {
 
 } // namespace
 
-class PidStickClosedLoopTest : public ClosedLoopTest {
+class PidJoystickClosedLoopTest : public ClosedLoopTest {
     Q_OBJECT
 
-    static void each_stick() {
+    static void each_joystick() {
         QTest::addColumn<std::size_t>("stick");
         for (const std::size_t stick : {0u, 1u, 2u})
             QTest::addRow("stick %zu", stick) << stick;
     }
 
 public:
-    PidStickClosedLoopTest() : ClosedLoopTest(force_stick()) {}
+    PidJoystickClosedLoopTest() : ClosedLoopTest(force_joystick()) {}
 
 private slots:
     /// An "infinite" effect ends after 65.5 s on this stick: two and a half minutes of a held grip, and no
     /// gap.
     void the_force_outlasts_the_end_of_its_effects() {
-        const auto bench = held<StickBench>();
+        const auto bench = held<JoystickBench>();
         QVERIFY2(bench->loop, bench->error.c_str());
         QCOMPARE(bench->model.last_duration, 0xFFFF);
         const Vec2 held = bench->model.force();
@@ -159,8 +160,8 @@ private slots:
         QVERIFY2(judge.complaint.isEmpty(), qPrintable(judge.complaint));
     }
 
-    void a_grip_that_does_not_move_keeps_its_force_though_the_stick_says_nothing() {
-        const auto bench = held<StickBench>();
+    void a_grip_that_does_not_move_keeps_its_force_though_the_joystick_says_nothing() {
+        const auto bench = held<JoystickBench>();
         bench->run(5.0);
         bench->link.troubles.mute = true; // which cannot be told from it
         bench->run(5.0);
@@ -169,7 +170,7 @@ private slots:
     }
 
     void a_guard_that_has_ended_is_not_sent_away() {
-        const auto bench = held<StickBench>();
+        const auto bench = held<JoystickBench>();
         guard_ends(*bench);
         bench->run(0.002);
         guard_is_here(*bench);
@@ -177,10 +178,10 @@ private slots:
         QCOMPARE(bench->link.diary.dismissals, 0);
     }
 
-    void stopped_in_mid_touch_nothing_is_left_on_the_stick_data() { each_stick(); }
-    void stopped_in_mid_touch_nothing_is_left_on_the_stick() {
+    void stopped_in_mid_touch_nothing_is_left_on_the_joystick_data() { each_joystick(); }
+    void stopped_in_mid_touch_nothing_is_left_on_the_joystick() {
         QFETCH(std::size_t, stick);
-        const auto bench = held<StickBench>(stick);
+        const auto bench = held<JoystickBench>(stick);
         QCOMPARE(bench->model.effects(), std::size_t(2));
         bench->loop->stop();
         bench->pass();
@@ -188,7 +189,7 @@ private slots:
     }
 
     void halted_while_a_writer_hangs_nothing_pulls() { // as while a signal ends the program
-        const auto bench = held<StickBench>();
+        const auto bench = held<JoystickBench>();
         bench->writer_stalled = true;
         bench->device.halt();
         bench->pass();
@@ -196,5 +197,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PidStickClosedLoopTest)
+QTEST_APPLESS_MAIN(PidJoystickClosedLoopTest)
 #include "closed_loop_test.moc"

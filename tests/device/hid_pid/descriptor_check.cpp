@@ -85,7 +85,7 @@ std::string complaint_about_reports(const PidLayout& layout) {
         noise[i] = static_cast<std::uint8_t>(0x5A + 37 * i);
     for (std::size_t size = 0; size <= noise.size(); ++size) {
         noise[0] = layout.stick.report.id;
-        const StickNews news = stick_news(layout, std::span(noise).first(size));
+        const JoystickNews news = joystick_news(layout, std::span(noise).first(size));
         if (news.axes && (std::abs(news.axes->x) > 1.0 || std::abs(news.axes->y) > 1.0))
             return "an axis goes farther than its end";
         loaded_block(layout, std::span(noise).first(size));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is told to a force stick, how often, and what is made of what it tells: each report written by hand.
 #include "device/guard/simulated_guard.hpp"
-#include "device/hid_pid/model_stick.hpp"
-#include "device/hid_pid/pid_stick.hpp"
 #include "device/hid/report_descriptor.hpp"
+#include "device/hid_pid/model_joystick.hpp"
+#include "device/hid_pid/pid_joystick.hpp"
 #include "recorded_descriptors.hpp"
 #include "safe_force.hpp"
 
@@ -40,7 +40,7 @@ struct Script final : PidTransport {
     GuardDiary diary;
 
     std::vector<std::uint8_t> descriptor() override {
-        const StickWire wire = open_controller();
+        const JoystickWire wire = open_controller();
         return {wire.descriptor.begin(), wire.descriptor.end()};
     }
     Got read(hid::Report& report, int) noexcept override {
@@ -105,10 +105,10 @@ struct Borrowed final : PidTransport {
 
 struct Bench {
     Script script;
-    PidStick device;
+    PidJoystick device;
     double now = 0.0;
 
-    explicit Bench(const StickScale& scale = {8.0, {1.0, 1.0}, true})
+    explicit Bench(const JoystickScale& scale = {8.0, {1.0, 1.0}, true})
         : device(
               [this]() -> Result<std::unique_ptr<PidTransport>> {
                   return std::unique_ptr<PidTransport>(std::make_unique<Borrowed>(script));
@@ -130,7 +130,7 @@ hid::DescriptorFault fault_of(const std::vector<std::uint8_t>& bytes) {
 
 } // namespace
 
-class StickDialogueTest : public QObject {
+class JoystickDialogueTest : public QObject {
     Q_OBJECT
 private slots:
     void it_says_what_it_can_data() {
@@ -371,5 +371,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(StickDialogueTest)
+QTEST_APPLESS_MAIN(JoystickDialogueTest)
 #include "dialogue_test.moc"

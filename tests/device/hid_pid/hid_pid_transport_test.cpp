@@ -3,7 +3,7 @@
 #include "../usb/wire_bench.hpp"
 #include "device/hid_pid/hid_pid_transport.hpp"
 #include "device/registry.hpp"
-#include "mock_stick.hpp"
+#include "mock_joystick.hpp"
 #include "stranger.hpp"
 
 #include <QTest>
@@ -17,15 +17,15 @@
 #include <vector>
 
 using namespace tp;
-using mock::StickBed;
+using mock::JoystickBed;
 
 namespace {
 
 /// The guard's time is not the simulated one: none stands beside this stick.
-class UnhurriedTransport final : public tp::testing::BorrowedStickLink {
+class UnhurriedTransport final : public tp::testing::BorrowedJoystickLink {
 public:
     explicit UnhurriedTransport(std::unique_ptr<PidTransport> transport)
-        : BorrowedStickLink(*transport), transport_(std::move(transport)) {}
+        : BorrowedJoystickLink(*transport), transport_(std::move(transport)) {}
     Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report>,
                                               std::span<const hid::Report>) override {
         return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(diary_));
@@ -36,22 +36,22 @@ private:
     GuardDiary diary_;
 };
 
-Result<std::unique_ptr<PidTransport>> open_unhurried(const FoundStick& stick) {
-    auto opened = open_stick(stick, {});
+Result<std::unique_ptr<PidTransport>> open_unhurried(const FoundJoystick& stick) {
+    auto opened = open_joystick(stick, {});
     if (!opened.ok())
         return Error{opened.error()};
     return std::unique_ptr<PidTransport>(std::make_unique<UnhurriedTransport>(std::move(opened).value()));
 }
 
 /// The only stick that is found, behind the real hidapi. An answer is that it took a force.
-struct FoundStickBench : testing::WireBench<PidStick> {
-    explicit FoundStickBench(StickBed& bed) : WireBench([&bed] { return bed.taken(); }) {
-        const std::vector<FoundStick> found = find_sticks();
+struct FoundJoystickBench : testing::WireBench<PidJoystick> {
+    explicit FoundJoystickBench(JoystickBed& bed) : WireBench([&bed] { return bed.taken(); }) {
+        const std::vector<FoundJoystick> found = find_joysticks();
         if (found.size() == 1)
-            begin(std::make_unique<PidStick>(
+            begin(std::make_unique<PidJoystick>(
                 [one = found.front()] { return open_unhurried(one); },
-                PidStick::Identity{found.front().product, found.front().serial_number},
-                StickScale{8.0, {-1.0, -1.0}, true}));
+                PidJoystick::Identity{found.front().product, found.front().serial_number},
+                JoystickScale{8.0, {-1.0, -1.0}, true}));
         else
             error = "found " + std::to_string(found.size());
     }
@@ -63,15 +63,15 @@ class HidPidTransportTest : public QObject {
     Q_OBJECT
 private slots:
     void initTestCase() {
-        const StickBed bed;
+        const JoystickBed bed;
         QVERIFY2(umockdev_in_mock_environment() != FALSE, "needs umockdev's preloaded library");
     }
 
-    void a_stick_is_found_listed_and_draws_its_grip_to_a_line() {
-        StickBed bed;
-        QVERIFY(find_sticks().empty());
+    void a_joystick_is_found_listed_and_draws_its_grip_to_a_line() {
+        JoystickBed bed;
+        QVERIFY(find_joysticks().empty());
         QVERIFY(bed.plug_in()); // late arrival: it was not there a moment ago
-        const std::vector<FoundStick> found = find_sticks();
+        const std::vector<FoundJoystick> found = find_joysticks();
         QCOMPARE(found.size(), std::size_t(1));
         QCOMPARE(found.front().serial_number, std::string("FS-0001"));
         QCOMPARE(found.front().product, std::string("force stick"));
@@ -79,7 +79,7 @@ private slots:
         QCOMPARE(listed.size(), std::size_t(2));
         QCOMPARE(listed.back().name, std::string("stick:FS-0001"));
         QCOMPARE(listed.back().interface, std::string("hid"));
-        FoundStickBench bench(bed);
+        FoundJoystickBench bench(bed);
         QVERIFY2(bench.loop, bench.error.c_str());
         QCOMPARE(bed.effects(), std::size_t(2));
         for (int i = 0; i < 1000; ++i)
@@ -98,9 +98,9 @@ private slots:
         HandlePlant held;
         held.hand_stiffness = 0.5;
         held.hand_damping = 5.0;
-        StickBed bed(plain_controller(), {}, held);
+        JoystickBed bed(plain_controller(), {}, held);
         QVERIFY(bed.plug_in());
-        FoundStickBench bench(bed);
+        FoundJoystickBench bench(bed);
         QVERIFY2(bench.loop, bench.error.c_str());
         for (int i = 0; i < 300; ++i)
             bench.tick();
@@ -112,9 +112,9 @@ private slots:
     }
 
     void unplugged_in_mid_touch_it_is_lost_and_everything_ends() {
-        StickBed bed;
+        JoystickBed bed;
         QVERIFY(bed.plug_in());
-        FoundStickBench bench(bed);
+        FoundJoystickBench bench(bed);
         QVERIFY2(bench.loop, bench.error.c_str());
         for (int i = 0; i < 300; ++i)
             bench.tick();
@@ -126,35 +126,35 @@ private slots:
         QVERIFY(!bench.device->write(SafeForce{}));
     }
 
-    void another_device_with_the_same_ids_is_no_stick() {
+    void another_device_with_the_same_ids_is_no_joystick() {
         const std::vector<std::uint8_t> gamepad = tp::testing::bytes_of(tp::testing::dragonrise_gamepad.hex);
-        StickBed bed(plain_controller(), gamepad);
+        JoystickBed bed(plain_controller(), gamepad);
         QVERIFY(bed.plug_in());
-        QVERIFY(find_sticks().empty());
+        QVERIFY(find_joysticks().empty());
         QCOMPARE(list_devices().size(), std::size_t(1));
     }
     void one_that_only_rumbles_is_told_why_it_cannot_be_used() {
         const std::vector<std::uint8_t> rumbles = tp::testing::bytes_of(tp::testing::saitek_rumble_pad.hex);
-        StickBed bed(plain_controller(), rumbles);
+        JoystickBed bed(plain_controller(), rumbles);
         QVERIFY(bed.plug_in());
-        FoundStickBench bench(bed);
+        FoundJoystickBench bench(bed);
         QVERIFY2(bench.error.find("its force has no direction") != std::string::npos, bench.error.c_str());
     }
 
     void without_permission_it_is_listed_and_a_person_is_told_what_to_do() {
-        StickBed bed;
+        JoystickBed bed;
         QVERIFY(bed.plug_in());
         const mock::Stranger stranger(bed.root(), {mock::hidraw_node}, {mock::hidraw_node});
         QVERIFY(stranger.good());
-        const std::vector<FoundStick> found = find_sticks();
+        const std::vector<FoundJoystick> found = find_joysticks();
         QCOMPARE(found.size(), std::size_t(1));
-        const Result<std::unique_ptr<PidTransport>> opened = open_stick(found.front(), {});
+        const Result<std::unique_ptr<PidTransport>> opened = open_joystick(found.front(), {});
         QVERIFY(!opened.ok());
         QVERIFY2(opened.error().find("udev/rules.d") != std::string::npos, opened.error().c_str());
     }
 
     void what_was_unplugged_before_it_was_opened_is_gone() {
-        const Result<std::unique_ptr<PidTransport>> opened = open_stick({"/dev/hidraw7", "", ""}, {});
+        const Result<std::unique_ptr<PidTransport>> opened = open_joystick({"/dev/hidraw7", "", ""}, {});
         QVERIFY(!opened.ok());
         QVERIFY2(opened.error().find("unplugged") != std::string::npos, opened.error().c_str());
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/hid_pid/pid_reports.hpp"
-#include "stick_bench.hpp"
+#include "joystick_bench.hpp"
 
 #include <QTest>
 
@@ -21,7 +21,7 @@ ReportDescriptor read_whole(std::span<const std::uint8_t> bytes) {
     return parse_report_descriptor(bytes, found) == DescriptorFault::none ? found : ReportDescriptor{};
 }
 
-PidLayout layout_of(const StickWire& wire) {
+PidLayout layout_of(const JoystickWire& wire) {
     PidLayout layout;
     find_layout(read_whole(wire.descriptor), layout);
     return layout;
@@ -36,7 +36,7 @@ QByteArray hex_of(const Report& report) {
 std::vector<std::uint8_t> changed(std::string_view bytes, std::string_view into) {
     const std::vector<std::uint8_t> from = bytes_of(bytes);
     const std::vector<std::uint8_t> to = bytes_of(into);
-    const StickWire wire = open_controller();
+    const JoystickWire wire = open_controller();
     std::vector<std::uint8_t> descriptor(wire.descriptor.begin(), wire.descriptor.end());
     const auto at = std::search(descriptor.begin(), descriptor.end(), from.begin(), from.end());
     if (at == descriptor.end())
@@ -105,22 +105,22 @@ private slots:
 
     void axes_buttons_and_state_are_read() {
         const PidLayout layout = layout_of(open_controller());
-        StickNews news = stick_news(layout, bytes_of("01 05 00 00 00 00 00 00 00 FF 7F 01 80"));
+        JoystickNews news = joystick_news(layout, bytes_of("01 05 00 00 00 00 00 00 00 FF 7F 01 80"));
         QVERIFY(news.axes == Vec2(1.0, -1.0));
         QCOMPARE(news.buttons, 5u);
         QVERIFY(!news.motors_on);
-        QVERIFY(!stick_news(layout, bytes_of("01 05 00 00 00 00 00 00 00 FF 7F 01")).axes); // cut short
-        QVERIFY(!stick_news(layout, {}).axes);
-        QCOMPARE(stick_news(layout, bytes_of("02 0E")).motors_on, std::optional(true));
-        QCOMPARE(stick_news(layout, bytes_of("02 0F")).motors_on, std::optional(false)); // paused
-        QCOMPARE(stick_news(layout, bytes_of("02 0C")).motors_on, std::optional(false)); // actuators off
-        QCOMPARE(stick_news(layout, bytes_of("02 06")).motors_on, std::optional(false)); // no power
-        news = stick_news(layout, bytes_of("02 0A"));
+        QVERIFY(!joystick_news(layout, bytes_of("01 05 00 00 00 00 00 00 00 FF 7F 01")).axes); // cut short
+        QVERIFY(!joystick_news(layout, {}).axes);
+        QCOMPARE(joystick_news(layout, bytes_of("02 0E")).motors_on, std::optional(true));
+        QCOMPARE(joystick_news(layout, bytes_of("02 0F")).motors_on, std::optional(false)); // paused
+        QCOMPARE(joystick_news(layout, bytes_of("02 0C")).motors_on, std::optional(false)); // actuators off
+        QCOMPARE(joystick_news(layout, bytes_of("02 06")).motors_on, std::optional(false)); // no power
+        news = joystick_news(layout, bytes_of("02 0A"));
         QCOMPARE(news.motors_on, std::optional(false));
         QVERIFY(news.safety_switch_off);
     }
 
-    void of_the_recorded_ones_only_the_sidewinder_is_a_stick() {
+    void of_the_recorded_ones_only_the_sidewinder_is_a_joystick() {
         for (const auto& recorded : tp::testing::recorded_descriptors) {
             const ReportDescriptor descriptor = read_whole(bytes_of(recorded.hex));
             PidLayout layout;
@@ -134,7 +134,7 @@ private slots:
         }
     }
 
-    void what_keeps_a_stick_from_being_used_is_said_data() {
+    void what_keeps_a_joystick_from_being_used_is_said_data() {
         QTest::addColumn<QByteArray>("from");
         QTest::addColumn<QByteArray>("into");
         QTest::addColumn<QByteArray>("why");
@@ -158,7 +158,7 @@ private slots:
         row("reports_too_long", "09 58 A1 02", "96 FF 01 91 03 95 02 09 58 A1 02",
             "its reports are too long");
     }
-    void what_keeps_a_stick_from_being_used_is_said() {
+    void what_keeps_a_joystick_from_being_used_is_said() {
         QFETCH(QByteArray, from);
         QFETCH(QByteArray, into);
         QFETCH(QByteArray, why);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "byte_mutants.hpp"
 #include "descriptor_check.hpp"
-#include "device/hid_pid/model_stick.hpp"
 #include "device/hid/report_descriptor.hpp"
+#include "device/hid_pid/model_joystick.hpp"
 #include "places.hpp"
 #include "recorded_descriptors.hpp"
 
@@ -229,7 +229,7 @@ private slots:
             const std::vector<std::uint8_t> bytes = bytes_of(recorded.hex);
             seeds.push_back({recorded.device, std::string(bytes.begin(), bytes.end())});
         }
-        for (const StickWire& wire : {open_controller(), plain_controller()})
+        for (const JoystickWire& wire : {open_controller(), plain_controller()})
             seeds.push_back({"model", std::string(wire.descriptor.begin(), wire.descriptor.end())});
         for (const tp::test::Seed& seed : seeds) {
             const std::string complaint = tp::test::complaint_about_descriptor(seed.text);

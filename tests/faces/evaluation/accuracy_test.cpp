@@ -106,7 +106,7 @@ private slots:
     void edges_make_every_feature_better() {
         NEEDS_PORTRAITS();
         QFETCH(QString, model);
-        const auto& without = measured({"embedded", model.toStdString(), Refinement::close_looks});
+        const auto& without = measured({"embedded", model.toStdString(), RefinementStage::close_looks});
         const auto& with = measured({"embedded", model.toStdString()});
         const GoldenRow plain = golden_row(without), moved = golden_row(with);
         for (std::size_t f = 0; f < feature_count; ++f) {

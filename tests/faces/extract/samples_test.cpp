@@ -105,7 +105,7 @@ private slots:
         QFETCH(double, blur);
         QFETCH(double, noise);
         FaceExtractor without =
-            std::move(FaceExtractor::create({"embedded", "embedded", Refinement::close_looks})).value();
+            std::move(FaceExtractor::create({"embedded", "embedded", RefinementStage::close_looks})).value();
         FaceExtractor with = std::move(FaceExtractor::create()).value();
         const char* names[] = {feature::right_eye, feature::left_eye, feature::outer_lip, feature::inner_lip};
         std::map<std::string, double> before, after;

@@ -65,7 +65,7 @@ private slots:
         QVERIFY2(labels.ok() && kept_out.ok(), (labels.error() + kept_out.error()).c_str());
         FaceExtractor ours = std::move(FaceExtractor::create()).value();
         FaceExtractor mesh =
-            std::move(FaceExtractor::create({"embedded", "mesh", Refinement::close_looks})).value();
+            std::move(FaceExtractor::create({"embedded", "mesh", RefinementStage::close_looks})).value();
         QStringList missed, wrongly;
         int covered = 0, told = 0, compared = 0, beards = 0, beards_said = 0, others = 0, others_said = 0;
         std::array<std::vector<double>, features.size()> disagreement;

@@ -226,7 +226,7 @@ private slots:
         QCOMPARE(program.said.size(), 1);
     }
 
-    void a_stick_is_noticed_when_it_comes_and_keeps_its_place_when_it_goes() {
+    void a_joystick_is_noticed_when_it_comes_and_keeps_its_place_when_it_goes() {
         Program program;
         const fs::path photo = program.photo("stick/1.jpg", 1), put_away = program.root() / "put away";
         fs::rename(program.root() / "stick", put_away);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The camera that a page holds: what is wrong in one sentence, the newest frame between two threads, the desk's camera.
 #include "app/capture/camera/camera_trouble.hpp"
-#include "app/capture/camera/desk_camera.hpp"
 #include "app/capture/camera/newest_frame.hpp"
+#include "app/capture/camera/stand_in_camera.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -158,7 +158,7 @@ private slots:
 
     void a_person_at_a_desk_moves_the_camera() {
         const QTemporaryDir folder;
-        DeskCamera camera(DeskCamera::Of::photo, half_white_photo(folder));
+        StandInCamera camera(StandInCamera::Of::photo, half_white_photo(folder));
         QVERIFY(!camera.move_by({})); // it is off
         const auto opened = camera.open(CameraSide::back);
         FrameSource* const source = opened->get();
@@ -173,14 +173,14 @@ private slots:
     }
 
     void a_photograph_that_is_not_there_is_one_sentence() {
-        DeskCamera camera(DeskCamera::Of::photo, "/no/such/photo.jpg");
+        StandInCamera camera(StandInCamera::Of::photo, "/no/such/photo.jpg");
         const auto opened = camera.open(CameraSide::back);
         FrameSource* const source = opened->get();
         QVERIFY(!source->next().error().empty());
     }
 
     void a_video_that_is_not_there_is_one_sentence() {
-        DeskCamera camera(DeskCamera::Of::video, "/no/such/video.mp4");
+        StandInCamera camera(StandInCamera::Of::video, "/no/such/video.mp4");
         const auto opened = camera.open(CameraSide::back);
         QVERIFY(!camera.moved_by_keys());
         const std::string why = (*opened)->next().error();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/calibration_file.hpp"
-#include "device/hid_pid/stick_scale_file.hpp"
+#include "device/hid_pid/joystick_scale_file.hpp"
 #include "settings_bench.hpp"
 
 #include <QTest>
@@ -119,9 +119,9 @@ private slots:
         QTRY_VERIFY(bench.said("Another program uses the force pad."));
     }
 
-    void a_stick_is_measured_with_a_scale_and_kept() {
+    void a_joystick_is_measured_with_a_scale_and_kept() {
         Bench bench;
-        bench.socket.be_a_stick(8.0, {1.0, -1.0});
+        bench.socket.be_a_joystick(8.0, {1.0, -1.0});
         bench.socket.plug_in();
         QTRY_VERIFY(bench.devices().measurable());
         bench.devices().measure();
@@ -138,7 +138,7 @@ private slots:
         }
         QVERIFY(!bench.devices().measuring());
         QVERIFY2(bench.said("The stick is measured: 8.0 newtons at most."), qPrintable(bench.voice.said().join('\n')));
-        const StickScale kept = kept_stick_scale(bench.stick_scales(), DeviceSocket::serial_number);
+        const JoystickScale kept = kept_joystick_scale(bench.joystick_scales(), DeviceSocket::serial_number);
         QVERIFY(kept.measured && kept.sign == Vec2(1.0, -1.0));
         QVERIFY(std::abs(kept.newtons_at_full - 8.0) < 0.1);
         QTRY_VERIFY(!bench.socket.in_use());
@@ -147,7 +147,7 @@ private slots:
 
     void a_measurement_that_is_ended_or_fails_changes_nothing() {
         Bench bench;
-        bench.socket.be_a_stick(8.0, {1.0, 1.0});
+        bench.socket.be_a_joystick(8.0, {1.0, 1.0});
         bench.socket.plug_in();
         QTRY_VERIFY(bench.devices().measurable());
         bench.devices().measure();
@@ -162,11 +162,11 @@ private slots:
         bench.wait_in_time([&] { return !bench.voice.said().isEmpty() && bench.said("The stick did not move."); }, 30.0);
         QVERIFY(bench.said("The stick did not move."));
         QVERIFY(!bench.devices().measuring());
-        QVERIFY(!std::filesystem::exists(bench.stick_scales()));
+        QVERIFY(!std::filesystem::exists(bench.joystick_scales()));
         QTRY_VERIFY(!bench.socket.in_use());
     }
 
-    void only_a_stick_is_measured() {
+    void only_a_joystick_is_measured() {
         Bench bench;
         bench.socket.plug_in();
         QTRY_VERIFY(bench.has_device());
@@ -211,9 +211,9 @@ private slots:
         QCOMPARE(bench.socket.strongest(), 0.0);
     }
 
-    void a_stick_stays_still_while_its_measuring_is_announced() {
+    void a_joystick_stays_still_while_its_measuring_is_announced() {
         Bench bench;
-        bench.socket.be_a_stick(8.0, {1.0, 1.0});
+        bench.socket.be_a_joystick(8.0, {1.0, 1.0});
         bench.socket.plug_in();
         QTRY_VERIFY(bench.devices().measurable());
         bench.voice.set_busy(true);

@@ -30,11 +30,11 @@ struct SettingsBench {
                                 {ticking.access(), [this] { return time; }, [](int) { return 0.03; }}};
 
     std::filesystem::path calibrations() const { return folder.filePath("calibrations.txt").toStdString(); }
-    std::filesystem::path stick_scales() const { return folder.filePath("sticks.txt").toStdString(); }
+    std::filesystem::path joystick_scales() const { return folder.filePath("sticks.txt").toStdString(); }
     tp::DeviceSettings::Setup devices() {
         tp::DeviceSettings::Setup setup{socket.access(), {}, [this] { return time; }};
         setup.access.calibrations = calibrations();
-        setup.access.stick_scales = stick_scales();
+        setup.access.joystick_scales = joystick_scales();
         setup.servo.limits.stall = 60.0; // a busy test machine is never too late
         setup.servo.limits.stale_after = 60.0;
         setup.servo.limits.engage_ramp = 0.02; // the page's time is not the servo's

@@ -96,17 +96,17 @@ private slots:
         QVERIFY(!bench.session.storage()->choosing());
     }
 
-    void a_stick_is_measured_by_a_screen_reader_and_keys_data() {
+    void a_joystick_is_measured_by_a_screen_reader_and_keys_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("wide") << QSize(1280, 800);
         QTest::newRow("smallest") << QSize(480, 560);
     }
-    void a_stick_is_measured_by_a_screen_reader_and_keys() {
+    void a_joystick_is_measured_by_a_screen_reader_and_keys() {
         QFETCH(QSize, size);
         const Warnings warnings;
         SettingsBench bench;
         bench.socket.hold_at({0.0, 100.0});
-        bench.socket.be_a_stick(8.0, {-1.0, 1.0});
+        bench.socket.be_a_joystick(8.0, {-1.0, 1.0});
         bench.socket.plug_in();
         bench.session.enter();
         PageWindow window(page, &bench.session, size);
@@ -122,7 +122,9 @@ private slots:
         QCOMPARE(window.faulty_targets().join("; "), QString());
         QCOMPARE(PageWindow::tab_order(window), PageWindow::reading_order(window));
         bench.socket.hold();
-        const auto grams = [&bench] { return 1e3 * bench.socket.force().y / StickTrial::standard_gravity; };
+        const auto grams = [&bench] {
+            return 1e3 * bench.socket.force().y / JoystickTrial::standard_gravity;
+        };
         bench.wait_in_time([&] { return grams() > 100.0; }, 20.0);
         QAccessibleInterface* slider = window.named("Grams, in steps of five");
         QVERIFY(slider != nullptr);

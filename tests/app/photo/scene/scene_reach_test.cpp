@@ -4,7 +4,7 @@
 #include "core/geometry/flatten.hpp"
 #include "core/svg/contour_sheet.hpp"
 #include "device/haply_2diy/pantograph.hpp"
-#include "device/hid_pid/pid_stick.hpp"
+#include "device/hid_pid/pid_joystick.hpp"
 #include "faces/evaluation/placed_truth.hpp"
 #include "places.hpp"
 
@@ -54,7 +54,7 @@ const std::vector<Reach>& reaches() {
         {"2diy, first", in_the_middle(Pantograph(HaplyGeneration::first).workspace()), false},
         {"2diy, third", in_the_middle(Pantograph(HaplyGeneration::third).workspace()), false},
         {"Falcon", circle(50.0), false, false},
-        {"stick", rectangle(2.0 * PidStick::lever_mm, 2.0 * PidStick::lever_mm), false}};
+        {"stick", rectangle(2.0 * PidJoystick::lever_mm, 2.0 * PidJoystick::lever_mm), false}};
     return all;
 }
 

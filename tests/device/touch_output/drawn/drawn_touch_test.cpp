@@ -51,7 +51,7 @@ private slots:
         QCOMPARE(lag(std::numeric_limits<double>::quiet_NaN()), lag(0.0));
     }
 
-    void a_finger_sticks_behind_a_resting_hand_by_the_dry_friction_alone() {
+    void a_finger_joysticks_behind_a_resting_hand_by_the_dry_friction_alone() {
         BrakedFinger finger;
         for (int i = 0; i < 10'000; ++i)
             finger.step({100.0, 0.0}, 0.5, 0.001);

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "joystick_bench.hpp"
+#include "safe_force.hpp"
+
+#include <QTest>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace tp;
+using tp::testing::BorrowedJoystickLink;
+using tp::testing::JoystickBench;
+using tp::testing::safe;
+
+namespace {
+
+/// A stick that is opened when a test wants it.
+struct JoystickToOpen {
+    ModelJoystick model;
+    SimulatedJoystickLink link{model};
+    PidJoystick device;
+
+    explicit JoystickToOpen(const JoystickWire& wire = open_controller(), const JoystickScale& scale = {},
+                            LatestWriter::Thread thread = LatestWriter::Thread::caller)
+        : model(wire),
+          device(
+              [this]() -> Result<std::unique_ptr<PidTransport>> {
+                  return std::unique_ptr<PidTransport>(std::make_unique<BorrowedJoystickLink>(link));
+              },
+              {"a stick", "0001"}, scale, thread) {}
+};
+
+} // namespace
+
+class PidJoystickTest : public QObject {
+    Q_OBJECT
+
+    static void sticks() {
+        QTest::addColumn<int>("stick");
+        QTest::newRow("open controller") << 0;
+        QTest::newRow("plain controller") << 1;
+        QTest::newRow("sidewinder") << 2;
+    }
+    static JoystickWire wire_of(int stick) {
+        return stick == 0 ? open_controller() : stick == 1 ? plain_controller() : tp::testing::sidewinder();
+    }
+
+private slots:
+    void it_says_what_it_can_and_that_its_newtons_are_none() {
+        JoystickToOpen stick;
+        const Result<Capabilities> can = stick.device.open();
+        QVERIFY2(can.ok(), can.error().c_str());
+        QCOMPARE(can->serial_number, std::string("0001"));
+        QVERIFY(!can->calibrated);
+        QCOMPARE(can->max_force, PidJoystick::most_newtons_unmeasured);
+        QCOMPARE(can->workspace.size(), std::size_t(4));
+        QVERIFY(can->resolution > 0.001 && can->resolution < 0.002); // 120 mm in 65 534 steps
+        QCOMPARE(stick.model.effects(), std::size_t(2));
+    }
+
+    void forces_along_each_axis_have_their_size_and_their_sign_data() { sticks(); }
+    void forces_along_each_axis_have_their_size_and_their_sign() {
+        QFETCH(int, stick);
+        for (const Vec2 sign : {Vec2(-1, -1), Vec2(1, -1), Vec2(-1, 1), Vec2(1, 1)}) {
+            JoystickToOpen bench(wire_of(stick), {8.0, sign, true});
+            bench.model.sign = sign;
+            QVERIFY(bench.device.open().ok());
+            for (const Vec2 newtons :
+                 {Vec2(2.0, 0.0), Vec2(-2.0, 0.0), Vec2(0.0, 1.5), Vec2(0.0, -1.5), Vec2(1.0, -2.0)}) {
+                bench.device.read(0.001);
+                QVERIFY(bench.device.write(safe(newtons, 100.0)));
+                bench.device.deliver();
+                bench.link.advance();
+                const Vec2 felt = bench.model.force();
+                QVERIFY2(length(felt - newtons) < 0.05, qPrintable(QString("%1 %2").arg(felt.x).arg(felt.y)));
+                QVERIFY(length(felt) < length(newtons) + 0.02);
+            }
+        }
+    }
+
+    void a_force_that_was_lost_does_not_stay_while_the_other_axis_goes_on() {
+        JoystickToOpen stick(open_controller(), {8.0, {-1, -1}, true});
+        QVERIFY(stick.device.open().ok());
+        const auto pull = [&](Vec2 newtons) {
+            stick.device.read(0.001);
+            QVERIFY(stick.device.write(safe(newtons, 100.0)));
+            stick.device.deliver();
+            stick.link.advance();
+        };
+        pull({2.0, 0.5});
+        stick.link.troubles.deaf = true;
+        pull({0.0, 0.6});
+        stick.link.troubles.deaf = false;
+        QVERIFY(stick.model.force().x > 1.9);
+        int ticks = 0;
+        while (std::abs(stick.model.force().x) > 0.01 && ticks < 100)
+            pull({0.0, ++ticks % 2 == 0 ? 0.6 : 0.7});
+        QVERIFY2(ticks <= 16, qPrintable(QString::number(ticks)));
+    }
+
+    void one_that_was_not_measured_pulls_less_than_it_is_asked_to() {
+        JoystickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        stick.device.read(0.001);
+        stick.device.write(safe({1.5, 0.0}));
+        stick.device.deliver();
+        stick.link.advance();
+        QVERIFY(stick.model.force().x > 0.1 &&
+                stick.model.force().x < 0.3); // 1.5 N of 60 N, of a stick of 8 N
+    }
+
+    void where_it_stands_is_known_from_the_first_moment_data() { sticks(); }
+    void where_it_stands_is_known_from_the_first_moment() {
+        QFETCH(int, stick);
+        JoystickToOpen bench(wire_of(stick));
+        bench.model.place_grip({30.0, -15.0});
+        QVERIFY(bench.device.open().ok());
+        const std::optional<DeviceState> state = bench.device.read(0.001);
+        QVERIFY(state.has_value());
+        QVERIFY(length(state->position - Vec2(30.0, -15.0)) < 0.2);
+    }
+    void or_from_its_first_report_where_it_does_not_tell() {
+        JoystickToOpen stick;
+        stick.link.troubles.no_input_now = true;
+        QVERIFY(stick.device.open().ok());
+        QVERIFY(!stick.device.read(0.001).has_value());
+        stick.model.place_grip({10.0, 0.0});
+        stick.link.advance();
+        QVERIFY(stick.device.read(0.002).has_value());
+    }
+
+    void a_full_memory_is_emptied_once() {
+        JoystickToOpen stick;
+        stick.model.troubles.room = 4;
+        stick.model.leave_effects(3); // a reset empties it
+        QVERIFY(stick.device.open().ok());
+        QCOMPARE(stick.model.effects(), std::size_t(2));
+        stick.device.stop();
+        stick.link.advance();
+
+        stick.model.troubles.keeps_after_reset = true; // only freeing does
+        stick.model.leave_effects(3);
+        QVERIFY(stick.device.open().ok());
+    }
+    void a_memory_without_room_is_said() {
+        JoystickToOpen stick;
+        stick.model.troubles.room = 1;
+        const Result<Capabilities> can = stick.device.open();
+        QVERIFY(!can.ok());
+        QVERIFY2(can.error().find("no room") != std::string::npos, can.error().c_str());
+        stick.link.advance();
+        QCOMPARE(stick.model.effects(), std::size_t(0)); // the one that had room is not left on it
+        QVERIFY(!stick.model.motors_on());
+        QVERIFY(!stick.device.write(SafeForce{}));
+    }
+    void an_effect_that_is_refused_is_said() {
+        JoystickToOpen stick;
+        stick.model.troubles.refuses = true;
+        const Result<Capabilities> can = stick.device.open();
+        QVERIFY(!can.ok());
+        QVERIFY2(can.error().find("does not take up a force") != std::string::npos, can.error().c_str());
+    }
+    void an_answer_may_take_a_while() {
+        JoystickToOpen stick;
+        stick.link.troubles.block_load_late = 5;
+        QVERIFY(stick.device.open().ok());
+    }
+    void unplugged_while_it_is_opened_is_said() {
+        JoystickToOpen stick;
+        stick.link.troubles.unplugged = true;
+        const Result<Capabilities> can = stick.device.open();
+        QVERIFY(!can.ok());
+        QVERIFY2(can.error().find("unplugged") != std::string::npos, can.error().c_str());
+    }
+    void what_cannot_be_used_is_said_with_its_reason() {
+        JoystickWire wire = open_controller();
+        wire.descriptor = wire.descriptor.first(wire.descriptor.size() - 1);
+        JoystickToOpen cut(wire);
+        QVERIFY(cut.device.open().error().find("makes no sense") != std::string::npos);
+        static const std::vector<std::uint8_t> rumble =
+            tp::testing::bytes_of(tp::testing::saitek_rumble_pad.hex);
+        wire.descriptor = rumble;
+        JoystickToOpen rumbles(wire);
+        QVERIFY(rumbles.device.open().error().find("its force has no direction") != std::string::npos);
+    }
+
+    void without_a_guard_it_is_not_opened_and_nothing_is_left_on_it() {
+        JoystickToOpen stick;
+        stick.link.troubles.no_guard = true;
+        const Result<Capabilities> can = stick.device.open();
+        QVERIFY2(can.error().find("nothing would watch over its motors") != std::string::npos,
+                 can.error().c_str());
+        stick.link.advance();
+        QCOMPARE(stick.model.effects(), std::size_t(0));
+        QVERIFY(!stick.model.motors_on());
+        QVERIFY(!stick.device.write(safe({1.0, 0.0})));
+    }
+
+    void its_guard_hears_before_and_after_each_message_whether_it_pulls() {
+        JoystickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        double now = 0.0;
+        const auto write = [&](Vec2 newtons) {
+            stick.device.read(now += 0.001);
+            stick.device.write(safe(newtons, 100.0));
+            stick.device.deliver();
+        };
+        write({1.0, 0.0});
+        QVERIFY(stick.link.diary.pulls);
+        QCOMPARE(stick.link.diary.beats, 2);
+        write({0.0, 0.0});
+        QVERIFY(!stick.link.diary.pulls);
+        QCOMPARE(stick.link.diary.beats, 3); // no force needs no leave
+        write({0.0, -1.0});
+        QVERIFY(stick.link.diary.pulls);
+        stick.device.stop();
+        QVERIFY(!stick.link.diary.pulls);
+        QCOMPARE(stick.link.diary.dismissals, 1);
+        QCOMPARE(stick.link.diary.ends, 1);
+    }
+
+    /// The program stood still between its sign of life and what it wrote.
+    void a_force_that_comes_after_its_guard_has_let_go_is_taken_back() {
+        JoystickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        stick.link.diary.before_that = {ForceGuard::Word::here, ForceGuard::Word::stepped_in};
+        stick.device.read(0.001);
+        stick.device.write(safe({1.0, -1.0}));
+        stick.device.deliver();
+        stick.link.advance();
+        QVERIFY(stick.model.force() == Vec2(0.0));
+        QVERIFY(!stick.link.diary.pulls);
+        stick.device.write(safe({1.0, -1.0})); // before the servo hears of it
+        stick.device.deliver();
+        stick.link.advance();
+        QVERIFY(stick.model.force() == Vec2(0.0));
+        stick.device.read(0.002);
+        QVERIFY(stick.device.motors_off());
+        stick.device.write(SafeForce{});
+        stick.device.deliver();
+        stick.device.read(0.003);
+        stick.device.write(SafeForce{});
+        QVERIFY(!stick.device.motors_off());
+        stick.device.write(safe({1.0, -1.0}));
+        stick.device.deliver();
+        stick.link.advance();
+        QVERIFY(stick.model.force() != Vec2(0.0));
+    }
+
+    void what_its_guard_would_write_takes_the_force_away_data() { sticks(); }
+    void what_its_guard_would_write_takes_the_force_away() {
+        QFETCH(int, stick);
+        JoystickToOpen bench(wire_of(stick));
+        QVERIFY(bench.device.open().ok());
+        bench.device.read(0.001);
+        bench.device.write(safe({1.0, -1.0}));
+        bench.device.deliver();
+        bench.link.advance();
+        QVERIFY(bench.model.force() != Vec2(0.0));
+        for (const hid::Report& report : bench.link.guard_takes_away)
+            bench.model.receive(report.all());
+        bench.model.step();
+        QVERIFY(bench.model.force() == Vec2(0.0));
+        QVERIFY(bench.model.motors_on());
+        QCOMPARE(bench.model.effects(), std::size_t(2)); // the program may go on
+        for (const hid::Report& report : bench.link.guard_leaves)
+            bench.model.receive(report.all());
+        QVERIFY(!bench.model.motors_on());
+        QCOMPARE(bench.model.effects(), std::size_t(0));
+    }
+
+    void it_opens_again_after_it_was_unplugged() {
+        JoystickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        stick.device.read(0.001);
+        stick.device.write(safe({1.0, 0.0}));
+        stick.device.deliver();
+        stick.link.troubles.unplugged = true;
+        stick.device.read(0.002);
+        QVERIFY(stick.device.lost());
+        QVERIFY(!stick.device.write(safe({1.0, 0.0})));
+        stick.link.troubles.unplugged = false;
+        QVERIFY(stick.device.open().ok());
+        QVERIFY(!stick.device.lost());
+        QCOMPARE(stick.link.diary.dismissals, 0); // the guard of one that is lost does what it still can
+        QCOMPARE(stick.link.diary.ends, 1);
+        stick.device.stop();
+        stick.device.stop();
+    }
+
+    /// The writer's own thread, with the servo's and one that halts: for the thread sanitizer.
+    void a_thread_of_its_own_delivers() {
+        /// Takes everything, from any thread.
+        class Taker final : public PidTransport {
+        public:
+            explicit Taker(std::atomic<int>& forces) : forces_(forces) {}
+            std::vector<std::uint8_t> descriptor() override {
+                const JoystickWire wire = open_controller();
+                return {wire.descriptor.begin(), wire.descriptor.end()};
+            }
+            Got read(hid::Report&, int) noexcept override { return Got::nothing; }
+            Got input_now(hid::Report& report) noexcept override {
+                report = {};
+                report.bytes[0] = 1;
+                report.size = 13;
+                return Got::report;
+            }
+            bool write(const hid::Report& report) noexcept override {
+                forces_.fetch_add(report.bytes[0] == 5 ? 1 : 0);
+                return true;
+            }
+            void write_from_signal(const hid::Report& report) noexcept override { write(report); }
+            bool set_feature(const hid::Report&) noexcept override { return true; }
+            bool get_feature(hid::Report& report) noexcept override {
+                report.bytes[1] = static_cast<std::uint8_t>(++loaded_);
+                report.bytes[2] = 1;
+                return true;
+            }
+            Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report>,
+                                                      std::span<const hid::Report>) override {
+                return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(diary_));
+            }
+
+        private:
+            std::atomic<int>& forces_;
+            GuardDiary diary_;
+            int loaded_ = 0;
+        };
+        std::atomic<int> forces{0};
+        PidJoystick device(
+            [&forces]() -> Result<std::unique_ptr<PidTransport>> {
+                return std::unique_ptr<PidTransport>(std::make_unique<Taker>(forces));
+            },
+            {"a stick", ""});
+        QVERIFY(device.open().ok());
+        std::thread halter([&device] {
+            for (int i = 0; i < 20; ++i)
+                device.halt();
+        });
+        for (int i = 0; i < 200; ++i) {
+            device.read(0.001 * i);
+            const int before = forces.load(); // the writer may be done before write() has returned
+            QVERIFY(device.write(safe({0.01 * (i % 7), 0.0})));
+            while (forces.load() == before) // CTest ends a test that waits for ever
+                std::this_thread::yield();
+        }
+        halter.join();
+        device.stop();
+    }
+};
+
+QTEST_APPLESS_MAIN(PidJoystickTest)
+#include "pid_joystick_test.moc"

@@ -2,6 +2,7 @@
 // A process that is told to end while its writer is in the middle of a force leaves no force behind. Apart
 // from the writer's other tests, because the thread sanitizer starts no threads in a child.
 #include "core/servo/exit_guard.hpp"
+#include "core/servo/force_device.hpp"
 #include "device/latest_writer.hpp"
 
 #include <QObject>

@@ -5980,8 +5980,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Uhrzeitansage</translation>
     </message>
     <message>
-        <source>Both</source>
-        <translation>Beides</translation>
+        <source>Beeps and clock directions</source>
+        <translation>Pieptöne und Uhrzeitansage</translation>
     </message>
     <message>
         <source>Guide: %1.</source>
@@ -6506,8 +6506,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Uhrzeitansage</translation>
     </message>
     <message>
-        <source>Both</source>
-        <translation>Beides</translation>
+        <source>Beeps and clock directions</source>
+        <translation>Pieptöne und Uhrzeitansage</translation>
     </message>
     <message>
         <source>the guide</source>

@@ -5947,8 +5947,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>시계 방향 안내</translation>
     </message>
     <message>
-        <source>Both</source>
-        <translation>둘 다</translation>
+        <source>Beeps and clock directions</source>
+        <translation>삐 소리와 시계 방향</translation>
     </message>
     <message>
         <source>Guide: %1.</source>
@@ -6464,8 +6464,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>시계 방향 안내</translation>
     </message>
     <message>
-        <source>Both</source>
-        <translation>둘 다</translation>
+        <source>Beeps and clock directions</source>
+        <translation>삐 소리와 시계 방향</translation>
     </message>
     <message>
         <source>the guide</source>

@@ -25,9 +25,12 @@ void ExploreChoices::setMaxForce(double newtons) {
 }
 
 QStringList ExploreChoices::guideNames() const {
-    return {
-        tr("None"),           tr("Beeps"), tr("Clock directions"), tr("Both"), tr("Ticks under the finger"),
-        tr("Ticks and beeps")};
+    return {tr("None"),
+            tr("Beeps"),
+            tr("Clock directions"),
+            tr("Beeps and clock directions"),
+            tr("Ticks under the finger"),
+            tr("Ticks and beeps")};
 }
 
 void ExploreChoices::setGuide(int guide) {

@@ -15,9 +15,12 @@ FeelingSettings::FeelingSettings(SettingSteps& steps, const DeviceSettings& devi
 }
 
 QStringList FeelingSettings::guides() const {
-    return {
-        tr("None"),           tr("Beeps"), tr("Clock directions"), tr("Both"), tr("Ticks under the finger"),
-        tr("Ticks and beeps")};
+    return {tr("None"),
+            tr("Beeps"),
+            tr("Clock directions"),
+            tr("Beeps and clock directions"),
+            tr("Ticks under the finger"),
+            tr("Ticks and beeps")};
 }
 
 void FeelingSettings::chooseGuide(int index) {

@@ -428,7 +428,7 @@ private slots:
                                  "Guide: None",
                                  "Guide: Beeps",
                                  "Guide: Clock directions",
-                                 "Guide: Both",
+                                 "Guide: Beeps and clock directions",
                                  "Voice",
                                  "Open photograph…",
                                  "Touch surface",

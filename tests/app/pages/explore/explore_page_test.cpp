@@ -429,6 +429,8 @@ private slots:
                                  "Guide: Beeps",
                                  "Guide: Clock directions",
                                  "Guide: Beeps and clock directions",
+                                 "Guide: Ticks under the finger",
+                                 "Guide: Ticks and beeps",
                                  "Voice",
                                  "Open photograph…",
                                  "Touch surface",

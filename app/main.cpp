@@ -147,8 +147,8 @@ int main(int argc, char** argv) {
     parts.explore.devices =
         tp::DeviceAccess::of_this_computer(tp::Preferences::usual_file().parent_path() / "calibrations.txt");
     const tp::SurfaceSize surface = parts.explore.surface;
-    parts.make_touch = [surface](std::shared_ptr<tp::TickListener> listener) {
-        return tp::TouchAccess::of_this_computer(surface.width_mm, surface.height_mm, std::move(listener));
+    parts.make_touch = [surface](const std::shared_ptr<tp::TickListener>& listener) {
+        return tp::TouchAccess::of_this_computer(surface.width_mm, surface.height_mm, listener);
     };
     parts.make_camera = [camera] { return tp::camera_named(camera); };
     const bool picture = options.isSet(picture_option);

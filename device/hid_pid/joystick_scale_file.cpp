@@ -98,10 +98,12 @@ std::string keep_joystick_scale(const std::filesystem::path& file, const std::st
 }
 
 std::filesystem::path joystick_scale_file() {
+    // NOLINTBEGIN(concurrency-mt-unsafe): nothing in the program changes its environment
     if (const char* const config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && config[0] == '/')
         return std::filesystem::path(config) / "touchphoto" / "sticks.txt";
     if (const char* const home = std::getenv("HOME"); home != nullptr && home[0] == '/')
         return std::filesystem::path(home) / ".config" / "touchphoto" / "sticks.txt";
+    // NOLINTEND(concurrency-mt-unsafe)
     return {};
 }
 

@@ -81,10 +81,10 @@ private:
     Vec2 surface_; ///< mm
     State state_ = State::Away;
     bool here_ = false;
-    QString about_;       ///< of the one in use
-    std::string used_;    ///< its name
-    QString key_;         ///< of the one in use: what was chosen
-    std::string refused_; ///< name of the one that could not be opened; it is not asked again by itself
+    QString about_;            ///< of the one in use
+    std::string used_;         ///< its name
+    QString key_;              ///< of the one in use: what was chosen
+    std::string refused_;      ///< name of the one that could not be opened; it is not asked again by itself
     TouchConnector connector_; ///< last: its work ends first
 };
 

@@ -90,7 +90,7 @@ private:
     TapTest taps_;
     int ticks_ = 0; ///< sent of the test
     std::unique_ptr<TouchDrive> drive_;
-    QTimer next_;    ///< until the next tick, or the end
+    QTimer next_;              ///< until the next tick, or the end
     TouchConnector connector_; ///< last: its work ends first
 };
 

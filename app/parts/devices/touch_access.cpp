@@ -10,7 +10,7 @@
 namespace tp {
 
 TouchAccess TouchAccess::of_this_computer(double width_mm, double height_mm,
-                                          std::shared_ptr<TickListener> listener) {
+                                          const std::shared_ptr<TickListener>& listener) {
     TouchAccess access;
     access.list = [] {
         std::vector<ListedTouchOutput> all = touch_outputs_here();

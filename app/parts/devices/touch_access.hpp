@@ -27,7 +27,7 @@ struct TouchAccess {
     /// Those of this computer, as app/parts/feedbackd/touch_outputs.hpp has them, and last the drawn one, on a surface of that
     /// size (mm), whose ticks `listener` is told of.
     static TouchAccess of_this_computer(double width_mm, double height_mm,
-                                        std::shared_ptr<TickListener> listener);
+                                        const std::shared_ptr<TickListener>& listener);
 };
 
 /// The drawn output's name.

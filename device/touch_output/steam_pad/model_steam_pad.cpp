@@ -77,7 +77,7 @@ void ModelSteamPad::play(std::span<const std::uint8_t> command) {
     const double on = get16(command, 2);
     const double off = get16(command, 4);
     const double count = get16(command, 6);
-    const int gain = static_cast<std::int8_t>(command[8]);
+    const int gain = command[8] < 128 ? command[8] : command[8] - 256; // two's complement
     Playing playing;
     if (on > 0.0 && count > 0.0) {
         playing.left_us = count * (on + off);

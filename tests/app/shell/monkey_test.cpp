@@ -12,7 +12,9 @@ using namespace tp;
 namespace {
 
 /// On each page; TP_DEEDS asks for others. The hours of soak_test.cpp, with the same checks after each deed, come on top.
-int deeds_per_page() { return qEnvironmentVariableIsSet("TP_DEEDS") ? qEnvironmentVariableIntValue("TP_DEEDS") : 3'000; }
+int deeds_per_page() {
+    return qEnvironmentVariableIsSet("TP_DEEDS") ? qEnvironmentVariableIntValue("TP_DEEDS") : 3'000;
+}
 
 } // namespace
 

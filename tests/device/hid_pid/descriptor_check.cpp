@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "descriptor_check.hpp"
 
-#include "device/hid_pid/pid_layout.hpp"
-#include "device/hid_pid/pid_reports.hpp"
 #include "device/hid/report_bits.hpp"
 #include "device/hid/report_descriptor.hpp"
+#include "device/hid_pid/pid_layout.hpp"
+#include "device/hid_pid/pid_reports.hpp"
 
 #include <algorithm>
 #include <array>

@@ -23,7 +23,7 @@ cv::Mat whole(const cv::Mat& picture, int longer) {
 double largest_difference(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF); }
 
 #ifdef __aarch64__
-constexpr double rounding = 1.0; ///< grey levels: OpenCV itself is built there so that products and sums round once
+constexpr double rounding = 1.0; ///< grey levels: OpenCV's own products and sums round once there
 #else
 constexpr double rounding = 0.0;
 #endif

@@ -10,9 +10,9 @@ from contours import SLICES, WINDOW
 SHRINK_FROM = 1.5  # picture px per crop px, above which areas are averaged first
 
 # Inputs of the nets, px, and how much of the picture they see.
-FACE_PX, EYE_PX, MOUTH_PX, OUTLINE_PX = 128, 64, 96, 96
+FACE_PX, EYE_PX, MOUTH_PX, OUTLINE_PX, EYES_PX = 128, 64, 96, 96, 64
 FACE_BY_BOX, FACE_BY_POINTS = 1.25, 1.45
-EYE_BY_WIDTH, MOUTH_BY_EXTENT, OUTLINE_BY_EXTENT = 2.0, 1.6, 1.35
+EYE_BY_WIDTH, MOUTH_BY_EXTENT, OUTLINE_BY_EXTENT, EYES_BY_APART = 2.0, 1.6, 1.35, 1.9
 
 
 @dataclass
@@ -67,6 +67,12 @@ def face_frame(points):
 def eye_frame(eye, mirrored):
     along = (eye[0] - eye[8]) if mirrored else (eye[8] - eye[0])
     return Frame((eye.min(0) + eye.max(0)) / 2, EYE_BY_WIDTH * np.linalg.norm(along), angle_of(along), mirrored)
+
+
+def eyes_frame(points):
+    """Around the middle between both eyes' outer corners, upright along them."""
+    across = points[16] - points[0]
+    return Frame((points[0] + points[16]) / 2, EYES_BY_APART * np.linalg.norm(across), angle_of(across))
 
 
 def mouth_frame(lips):

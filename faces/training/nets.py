@@ -2,7 +2,7 @@
 """The nets, of layers that OpenCV 4.6 runs from ONNX opset 11.
 
 Input: B × 3 × size × size, (BGR − 127.5) / 255. A contour net answers B × 2n, each point as fractions of the window's
-side from its middle. The detector answers B × 8 × h/8 × w/8: score, centre (2), size, eyes (4); `detector_scenes.py`.
+side from its middle. Nets of what lies before a face answer a number for each kind. The detector answers B × 8 × h/8 × w/8: score, centre (2), size, eyes (4); `detector_scenes.py`.
 """
 import cv2
 import torch
@@ -48,6 +48,20 @@ class ContourNet(nn.Module):
 
     def forward(self, x):
         return self.points(functional.relu(self.squeeze(self.features(x))).flatten(1))
+
+
+class CoverNet(ContourNet):
+    """The same layers, which answer some numbers, each above 0 where something of a kind lies before the face."""
+
+    def __init__(self, kinds, size, widths, squeeze, forgets=0.0):
+        """`forgets`: share of what the last layer is not shown while it learns."""
+        super().__init__(1, size, widths, squeeze)
+        self.forget = nn.Dropout(forgets)
+        self.points = nn.Linear(self.points.in_features, kinds)
+        nn.init.normal_(self.points.weight, 0.0, 0.01)
+
+    def forward(self, x):
+        return self.points(self.forget(functional.relu(self.squeeze(self.features(x)))).flatten(1))
 
 
 class Detector(nn.Module):

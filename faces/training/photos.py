@@ -29,6 +29,11 @@ def held_out():
     return held_out_people() | listed(HERE / "holdout_wild.txt")
 
 
+def hidden_eyes():
+    """Names, as "wild/file.jpg", of photographs in which something hides an eye."""
+    return {f"wild/{file}" for file in listed(HERE / "eyes_hidden.txt")}
+
+
 def person_of(name):
     """"london/002_03.jpg" → "002"; everybody else has one picture, whose name is theirs."""
     folder, file = name.split("/")

@@ -27,6 +27,7 @@ class Portrait:
     points: np.ndarray   # (140, 2), px of the picture, counted from its corner
     skin: np.ndarray     # (468, 3), the teacher's mesh, px of the picture and as many away from the camera
     weight: float        # how often it is shown, to that of the others
+    name: str = ""       # of a photograph as it is, "set/file.jpg"
 
     @property
     def box(self):
@@ -40,7 +41,7 @@ class Portrait:
             return self
         picture = cv2.resize(self.picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
         exact = np.divide(picture.shape[1::-1], self.picture.shape[1::-1])
-        return Portrait(picture, self.points * exact, self.skin * [*exact, exact.mean()], self.weight)
+        return Portrait(picture, self.points * exact, self.skin * [*exact, exact.mean()], self.weight, self.name)
 
 
 def typology_angle(picture, points):
@@ -57,26 +58,29 @@ def typology_angle(picture, points):
     return float(np.degrees(np.arctan2(lightness - 50.0, max(yellow, 1e-3))))
 
 
-def cut_out(picture, points, skin, weight):
+def cut_out(picture, points, skin, weight, name=""):
     apart = np.linalg.norm(points[16] - points[0])
     middle = points[:105].mean(0)
     low = np.maximum(0, np.floor(middle - REACH * apart)).astype(int)
     high = np.ceil(middle + REACH * apart).astype(int)
     part = picture[low[1]:high[1], low[0]:high[0]]
-    return Portrait(np.ascontiguousarray(part), points - low, skin - [*low, 0], weight).shrunk(APART_PX)
+    return Portrait(np.ascontiguousarray(part), points - low, skin - [*low, 0], weight, name).shrunk(APART_PX)
 
 
-def plain_portraits(faces, work, log):
-    """One a portrait, with the teacher's points corrected, or the hand-placed ones where there are some."""
+def plain_portraits(faces, work, log, without=frozenset()):
+    """One a portrait, with the teacher's points corrected, or the hand-placed ones where there are some. `without`:
+    names that are left out."""
     said, truth, kept_out = teacher_labels(faces, work, log), read_truth(truth_file(faces)), held_out()
     placed = {name: truth_labels(truth[name], said[name].points)
               for name in truth if name in said and not is_held_out(name, kept_out)}
     correct = Correction([(said[name].points, placed[name]) for name in placed])
     portraits = []
     for name, seen in said.items():
+        if name in without:
+            continue
         weight = WEIGHTS["truth" if name in placed else name.split("/")[0]]
         points = placed[name] if name in placed else correct(seen.points)
-        portrait = cut_out(read_photo(faces / "photos", name), points, seen.skin, weight)
+        portrait = cut_out(read_photo(faces / "photos", name), points, seen.skin, weight, name)
         if typology_angle(portrait.picture, portrait.points) < SELDOM_SHOWN:
             portrait.weight *= SHOWN_MORE_OFTEN
         portraits.append(portrait)

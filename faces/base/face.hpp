@@ -3,6 +3,7 @@
 
 #include "core/geometry/contour.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,22 @@ inline constexpr const char* left_iris = "left_iris";
 inline constexpr const char* right_iris = "right_iris";
 } // namespace feature
 
+// Reasons for which something lies before a feature, so that its contour is a guess.
+inline constexpr const char* covered_reason = "may be covered";
+inline constexpr const char* dark_glasses_reason = "dark glasses hide it";
+
 /// How exact one contour of a face is, as far as can be told without knowing the truth.
 struct ContourQuality {
     double expected_error_percent = 0.0; ///< of the outer inter-ocular distance; see contour_error_percent
     std::vector<std::string> reasons;    ///< why it is larger than usual, "turned to the side"; may be empty
 };
+
+/// Whether a person is told that something lies before that feature.
+inline bool is_said_hidden(const ContourQuality& quality) {
+    return std::ranges::any_of(quality.reasons, [](const std::string& reason) {
+        return reason == covered_reason || reason == dark_glasses_reason;
+    });
+}
 
 /// One face of a photograph. All places in pixels of the upright picture: x right, y down.
 struct Face {

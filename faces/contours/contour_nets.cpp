@@ -16,7 +16,7 @@ namespace tp {
 namespace {
 
 // Inputs of the nets, px, and how much of the picture they were trained to see.
-constexpr int face_px = 128, eye_px = 64, mouth_px = 96, outline_px = 96;
+constexpr int face_px = 128, eye_px = 64, mouth_px = 96;
 constexpr double face_by_box = 1.25;    ///< window per longer side of the detected box
 constexpr double face_by_points = 1.45; ///< window per extent of the points, second pass
 constexpr double eye_by_width = 2.0, mouth_by_extent = 1.6, outline_by_extent = 1.35;
@@ -58,6 +58,14 @@ CropFrame eye_frame(const Points& eye, bool mirrored) {
     const Vec2 outwards_in = eye[eye_corner] - eye[0];
     const Vec2 along = mirrored ? -outwards_in : outwards_in;
     return {bounds_of(eye).centre(), eye_by_width * length(along), angle_of(along), mirrored};
+}
+
+Points felt_points(const Landmarks& face) {
+    Points all;
+    for (const Points* line :
+         {&face.right_eye, &face.left_eye, &face.outer_lip, &face.inner_lip, &face.outline})
+        all.insert(all.end(), line->begin(), line->end());
+    return all;
 }
 
 CropFrame mouth_frame(const Points& lips) {
@@ -151,6 +159,10 @@ void replace(Points& points, PointRange range, const Points& by) {
 }
 
 } // namespace
+
+CropFrame outline_frame(const Landmarks& face) {
+    return frame_around(felt_points(face), angle_of(face.left_eye[0] - face.right_eye[0]), outline_by_extent);
+}
 
 ContourNets::ContourNets(RefinementStage most)
     : most_(most), face_(embedded_net(EmbeddedModel::contours)), eye_(embedded_net(EmbeddedModel::eye)),
@@ -260,7 +272,7 @@ std::optional<Landmarks> ContourNets::look_closely_in(const cv::Mat& picture, co
     const auto lips_close =
         look_both_ways(mouth_, picture, mouth_frame(part(fine, lips)), mouth_px, lips.begin);
     const auto outline_close = look_both_ways(outline_, picture, face_frame(fine, felt, outline_by_extent),
-                                              outline_px, outline.begin);
+                                              outline_net_px, outline.begin);
     if (!right_eye_close || !left_eye_close || !lips_close || !outline_close)
         return std::nullopt;
     Points closest = fine;

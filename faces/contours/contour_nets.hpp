@@ -9,6 +9,10 @@
 
 namespace tp {
 
+inline constexpr int outline_net_px = 96; ///< side of the window of nets that see the outline
+/// That window: upright along the eyes, around eyes, mouth and outline of a face with all of these.
+CropFrame outline_frame(const Landmarks& face);
+
 /// Our own nets: one sees the whole face and places all points, twice; then one looks closely at each eye
 /// (the left one in a mirror), one at the mouth and one at the outline, each in a window that fits it. The
 /// last look at the face and those at mouth and outline are taken at the mirror image too, so that a mirrored

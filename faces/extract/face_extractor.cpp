@@ -3,6 +3,8 @@
 
 #include "faces/base/freed_memory.hpp"
 #include "faces/contours/contour_nets.hpp"
+#include "faces/contours/dark_glasses.hpp"
+#include "faces/contours/hidden_jaw.hpp"
 #include "faces/contours/lbf_model.hpp"
 #include "faces/contours/mesh_model.hpp"
 #include "faces/contours/second_opinion.hpp"
@@ -36,6 +38,8 @@ constexpr int longest_shrunk_px = 1600;
 /// Of faces for which the shrunk pixels are enough: eyes that are 150 px apart, outer corner to outer corner.
 /// Contours are as exact from there on (faces/FIGURES.md, errors over the size of the picture).
 constexpr double least_shrunk_face_px = 300.0;
+/// Few people wear any: half of those from whom the net learned did.
+constexpr double least_evidence_of_glasses = 1.0;
 
 Result<std::unique_ptr<Detector>> load_detector(const ChosenModel& model) {
     if (model.file.empty())
@@ -122,16 +126,22 @@ bool carefully(Extraction& result, Search search) {
 
 struct FaceExtractor::Parts {
     std::unique_ptr<LandmarkModel> model;
-    std::unique_ptr<SecondOpinion> second; ///< where the model is ours, and its most refined
+    // Where the model is ours, and its most refined.
+    std::unique_ptr<SecondOpinion> second;
+    std::unique_ptr<DarkGlasses> glasses;
+    std::unique_ptr<HiddenJaw> jaws = std::make_unique<HiddenJaw>();
     std::unique_ptr<FaceSearch> search;
     bool edges = true;
 
     /// Gives back what is made anew when it is asked for.
     void rest() const {
-        if (second)
+        jaws->rest();
+        if (second) {
+            glasses->rest();
             second->rest();
-        else
+        } else {
             give_back_freed_memory();
+        }
     }
 
     /// Where no face is sure, the picture may stand on its side or its head: a scan, or a camera that noted
@@ -217,7 +227,8 @@ struct FaceExtractor::Parts {
                 throw SearchStopped();
             Drawn seen = drawn(picture, face.points);
             result.milliseconds.edges += watch.lap();
-            if (second && !face.mesh && !is_sure(seen.signs)) {
+            const bool is_doubtful = second && (face.mesh || !is_sure(seen.signs));
+            if (is_doubtful && !face.mesh) {
                 if (auto opinions = second->about(picture, face.detection, &face.points)) {
                     face.points = std::move(opinions->settled);
                     face.mesh = std::move(opinions->mesh);
@@ -227,6 +238,10 @@ struct FaceExtractor::Parts {
                     seen = drawn(picture, face.points);
                 result.milliseconds.edges += watch.lap();
             }
+            if (edges)
+                seen.signs.jaw = jaws->cover(picture, face.points);
+            if (is_doubtful)
+                seen.signs.dark_glasses = glasses->evidence(picture, face.points) > least_evidence_of_glasses;
             if (face.mesh)
                 uncover(seen.lines, *face.mesh, seen.signs);
             std::string problem = problem_of(face.detection, face.points, picture.size());
@@ -261,8 +276,10 @@ Result<FaceExtractor> FaceExtractor::create(const ExtractorChoice& choice) {
         parts->edges = choice.refinement == RefinementStage::onto_edges;
         if (choice.model == "embedded") {
             auto nets = std::make_unique<ContourNets>(choice.refinement);
-            if (parts->edges)
+            if (parts->edges) {
                 parts->second = std::make_unique<SecondOpinion>(*nets);
+                parts->glasses = std::make_unique<DarkGlasses>();
+            }
             parts->model = std::move(nets);
         } else {
             auto model = make_other_model(choice.model);

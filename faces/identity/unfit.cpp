@@ -37,8 +37,7 @@ bool is_covered(const Face& face) {
     for (std::size_t i = 0; i < std::min(face.contours.size(), face.quality.size()); ++i) {
         const std::string& name = face.contours[i].name;
         const bool mended = std::ranges::count(face.mended, name) > 0;
-        if (name != feature::outline && !mended &&
-            std::ranges::count(face.quality[i].reasons, "may be covered") > 0)
+        if (name != feature::outline && !mended && is_said_hidden(face.quality[i]))
             return true;
     }
     return false;

@@ -48,6 +48,8 @@ bool can_tell_cover(const QualitySigns& signs, FeatureIndex feature) {
 }
 
 bool is_covered(const QualitySigns& signs, FeatureIndex feature) {
+    if (is_eye(feature) && signs.dark_glasses)
+        return true;
     if (!can_tell_cover(signs, feature) || (is_eye(feature) && signs.eye_openness[feature] < open_eye))
         return false;
     const auto sign = cover_signs(signs, feature);

@@ -65,12 +65,14 @@ std::string problem_of(const QualitySigns& signs) {
         if (quality.reasons.empty() || quality.expected_error_percent < worst)
             continue;
         const std::string& reason = quality.reasons.back();
-        if (reason != "may be covered" && quality.expected_error_percent < worth_saying_percent)
+        if (!is_said_hidden(quality) && quality.expected_error_percent < worth_saying_percent)
             continue;
         worst = quality.expected_error_percent;
         const std::string feature = spoken[f];
-        if (reason == "may be covered")
+        if (reason == covered_reason)
             sentence = "The " + feature + " may be covered, so its contour may be wrong.";
+        else if (reason == dark_glasses_reason)
+            sentence = "Dark glasses hide the eyes, so their contours are a guess.";
         else if (reason == "a beard hides it")
             sentence = "A beard hides the jaw, so the outline may be wrong.";
         else if (reason == "hair hides it")

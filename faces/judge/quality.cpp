@@ -57,26 +57,28 @@ double mean_clarity(const EdgeReports& edges) {
     return sum / 8.0;
 }
 
-enum { aside_reason, small_reason, blurred_reason, covered_reason, faint_reason, beard_reason, hair_reason };
+enum { aside, small, blurred, covered, faint, beard, hair, dark_glasses };
 constexpr const char* reason_words[] = {"turned to the side", "too small",         "blurred",
-                                        "may be covered",     "its edge is faint", "a beard hides it",
-                                        "hair hides it"};
+                                        covered_reason,       "its edge is faint", "a beard hides it",
+                                        "hair hides it",      dark_glasses_reason};
 
 std::vector<std::string> reasons(const QualitySigns& signs, FeatureIndex feature) {
     std::vector<std::string> words;
     if (std::abs(signs.turn) > turned_from)
-        words.emplace_back(reason_words[aside_reason]);
+        words.emplace_back(reason_words[aside]);
     const EdgeReports::Pair* lips = edges_of(signs.edges, at_outer_lip);
-    if (signs.unit_px < small_below_px)
-        words.emplace_back(reason_words[small_reason]);
+    if (is_eye(feature) && signs.dark_glasses)
+        words.emplace_back(reason_words[dark_glasses]);
+    else if (signs.unit_px < small_below_px)
+        words.emplace_back(reason_words[small]);
     else if (mean_clarity(signs.edges) < blurred_below)
-        words.emplace_back(reason_words[blurred_reason]);
+        words.emplace_back(reason_words[blurred]);
     else if (is_covered(signs, feature))
-        words.emplace_back(reason_words[covered_reason]);
+        words.emplace_back(reason_words[covered]);
     else if (feature == at_outline && signs.jaw != JawCover::none)
-        words.emplace_back(reason_words[signs.jaw == JawCover::beard ? beard_reason : hair_reason]);
+        words.emplace_back(reason_words[signs.jaw == JawCover::beard ? beard : hair]);
     else if (feature == at_outer_lip && lips->lower.clarity + lips->upper.clarity < faint_below)
-        words.emplace_back(reason_words[faint_reason]);
+        words.emplace_back(reason_words[faint]);
     return words;
 }
 
@@ -93,7 +95,6 @@ QualitySigns signs_of(const Landmarks& points, const EdgeReports& edges, const c
         return signs;
     signs.eye_openness = {openness(points.right_eye), openness(points.left_eye)};
     signs.outline_off_step = outline_off_step(picture, points.outline, signs.unit_px);
-    signs.jaw = jaw_cover(jaw_signs(picture, points));
     const Vec2 across = (left - right) / signs.unit_px;
     const auto balance = [](double a, double b) {
         return std::clamp((a - b) / std::max(std::abs(a) + std::abs(b), 1e-9), -1.0, 1.0);

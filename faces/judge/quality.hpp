@@ -2,8 +2,8 @@
 #pragma once
 
 #include "faces/base/face.hpp"
+#include "faces/contours/hidden_jaw.hpp"
 #include "faces/edges/edge_fit.hpp"
-#include "faces/judge/hidden_jaw.hpp"
 
 #include <opencv2/core/mat.hpp>
 
@@ -23,7 +23,8 @@ struct QualitySigns {
     std::array<double, feature_count> between_models{}, between_close{};                   ///< see Landmarks
     std::array<double, 2> eye_openness{}; ///< of right and left eye, see openness()
     double outline_off_step = 0.0;        ///< see outline_step.hpp
-    JawCover jaw = JawCover::none;        ///< see hidden_jaw.hpp
+    JawCover jaw = JawCover::none;        ///< where somebody asked, see hidden_jaw.hpp
+    bool dark_glasses = false;            ///< before the eyes, where somebody asked, see dark_glasses.hpp
     EdgeReports edges;
 };
 

@@ -14,6 +14,8 @@
     MODEL(eye, "eye.onnx")
     MODEL(mouth, "mouth.onnx")
     MODEL(outline, "outline.onnx")
+    MODEL(dark_glasses, "dark_glasses.onnx")
+    MODEL(hidden_jaw, "hidden_jaw.onnx")
     MODEL(mesh, "mesh.onnx")
     MODEL(yunet, "yunet.onnx")
     MODEL(descriptor, "descriptor.packed")

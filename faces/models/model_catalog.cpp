@@ -16,6 +16,8 @@
     MODEL(eye, "looks closely at an eye", "Apache-2.0")                                                      \
     MODEL(mouth, "looks closely at the mouth", "Apache-2.0")                                                 \
     MODEL(outline, "looks closely at the outline", "Apache-2.0")                                             \
+    MODEL(dark_glasses, "tells dark glasses", "Apache-2.0")                                                  \
+    MODEL(hidden_jaw, "tells beards, and hair before the jaw", "Apache-2.0")                                 \
     MODEL(mesh, "places the points of a face of which the others are not sure", "Apache-2.0")                \
     MODEL(yunet, "finds faces where the other detector finds none", "MIT")                                   \
     MODEL(descriptor, "describes a face, to tell whether two show one person", "CC0-1.0, MIT")

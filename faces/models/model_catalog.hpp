@@ -16,7 +16,18 @@
 namespace tp {
 
 /// The nets that are part of the program (resources/models/ORIGINS.md says where each comes from).
-enum class EmbeddedModel { detector, contours, eye, mouth, outline, mesh, yunet, descriptor };
+enum class EmbeddedModel {
+    detector,
+    contours,
+    eye,
+    mouth,
+    outline,
+    dark_glasses,
+    hidden_jaw,
+    mesh,
+    yunet,
+    descriptor
+};
 
 /// A fresh copy of an embedded net, ready to run on the CPU. Throws cv::Exception where the program was built
 /// with a file that is not a net.

@@ -3205,10 +3205,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Ein anderes Programm schreibt immer wieder daran.</translation>
     </message>
     <message>
-        <source>blurred</source>
-        <translation>unscharf</translation>
-    </message>
-    <message>
         <source>bottom edge</source>
         <translation>unteren Rand</translation>
     </message>
@@ -4519,6 +4515,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>vibration of this phone</source>
         <translation>Vibration dieses Telefons</translation>
+    </message>
+    <message>
+        <source>Dark glasses hide the eyes, so their contours are a guess.</source>
+        <translation>Eine Sonnenbrille verdeckt die Augen, deshalb sind ihre Konturen geraten.</translation>
+    </message>
+    <message>
+        <source>dark glasses hide it</source>
+        <translation>von einer Sonnenbrille verdeckt</translation>
     </message>
 </context>
 <context>

@@ -3182,10 +3182,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>다른 프로그램이 계속 쓰고 있습니다.</translation>
     </message>
     <message>
-        <source>blurred</source>
-        <translation>흐려서</translation>
-    </message>
-    <message>
         <source>bottom edge</source>
         <translation>아래쪽 가장자리</translation>
     </message>
@@ -4496,6 +4492,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>vibration of this phone</source>
         <translation>이 전화기의 진동</translation>
+    </message>
+    <message>
+        <source>Dark glasses hide the eyes, so their contours are a guess.</source>
+        <translation>선글라스가 눈을 가려서 눈의 윤곽은 짐작한 것입니다.</translation>
+    </message>
+    <message>
+        <source>dark glasses hide it</source>
+        <translation>선글라스에 가려져</translation>
     </message>
 </context>
 <context>

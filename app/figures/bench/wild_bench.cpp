@@ -19,7 +19,6 @@ constexpr double same_place = 0.4; ///< of a face's size
 /// Of wild_contours: both eyes are one feature.
 constexpr std::array<std::size_t, 5> feature_of{0, 0, 1, 2, 3};
 constexpr std::array<const char*, 4> feature_names{"eyes", "outer lip", "inner lip", "outline"};
-constexpr const char* covered_reason = "may be covered";
 
 /// The middle of both eyes and the mouth, px; nothing where none of them is there.
 std::optional<Vec2> middle_of(const Face& face) {
@@ -128,10 +127,8 @@ bool WildPhoto::is_said_covered(std::size_t contour) const {
     if (!face)
         return false;
     for (std::size_t i = 0; i < std::min(face->contours.size(), face->quality.size()); ++i)
-        if (face->contours[i].name == wild_contours[contour]) {
-            const std::vector<std::string>& reasons = face->quality[i].reasons;
-            return std::find(reasons.begin(), reasons.end(), covered_reason) != reasons.end();
-        }
+        if (face->contours[i].name == wild_contours[contour])
+            return is_said_hidden(face->quality[i]);
     return false;
 }
 

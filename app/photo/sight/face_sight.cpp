@@ -25,9 +25,8 @@ double error_of(const Face& face, const char* name) {
     for (std::size_t i = 0; i < face.contours.size() && i < face.quality.size(); ++i)
         if (face.contours[i].name == name) {
             const ContourQuality& quality = face.quality[i];
-            const bool covered = std::find(quality.reasons.begin(), quality.reasons.end(),
-                                           "may be covered") != quality.reasons.end();
-            return covered ? std::numeric_limits<double>::infinity() : quality.expected_error_percent;
+            return is_said_hidden(quality) ? std::numeric_limits<double>::infinity()
+                                           : quality.expected_error_percent;
         }
     return std::numeric_limits<double>::infinity();
 }

@@ -105,6 +105,24 @@ private slots:
         shut.eye_openness[at_left_eye] = 0.1;
         QVERIFY(!is_covered(shut, at_left_eye));
     }
+    void dark_glasses_hide_both_eyes_and_nothing_else() {
+        QualitySigns signs = signs_of_a_seen_face();
+        signs.dark_glasses = true;
+        for (const FeatureIndex feature : {at_outer_lip, at_inner_lip, at_outline})
+            QVERIFY(!is_covered(signs, feature) && quality_of(signs, feature).reasons.empty());
+        signs.unit_px = 20.0; // hard to see, and yet these are why
+        for (const FeatureIndex eye : {at_right_eye, at_left_eye}) {
+            signs.eye_openness[eye] = 0.05;
+            QVERIFY(is_covered(signs, eye));
+            QCOMPARE(quality_of(signs, eye).expected_error_percent, covered_eye_error_percent);
+            QCOMPARE(quality_of(signs, eye).reasons, std::vector<std::string>{"dark glasses hide it"});
+            QVERIFY(is_said_hidden(quality_of(signs, eye)));
+        }
+        signs.unit_px = 200.0;
+        QCOMPARE(problem_of(signs),
+                 std::string("Dark glasses hide the eyes, so their contours are a guess."));
+        QVERIFY(!is_sure(signs));
+    }
     void nothing_is_told_where_nothing_can_be() {
         QualitySigns small = signs_of_a_covered_left_eye(), one_opinion = small;
         small.unit_px = 20.0;

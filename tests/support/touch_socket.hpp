@@ -3,6 +3,7 @@
 
 #include "app/parts/devices/touch_access.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -23,6 +24,9 @@ class TouchSocket {
         std::vector<Tick> ticks;
         std::atomic<bool> there{false};
         std::atomic<int> open{0};
+        std::atomic<int> most_open{0};
+        std::atomic<int> halts{0};
+        std::mutex closing; ///< a test that holds it keeps outputs from being closed
     };
 
     class Output final : public TouchOutput {
@@ -33,7 +37,7 @@ class TouchSocket {
             const std::lock_guard lock(plugged_->mutex);
             if (!plugged_->refusal.empty())
                 return Error{plugged_->refusal};
-            ++plugged_->open;
+            plugged_->most_open = std::max(plugged_->most_open.load(), ++plugged_->open);
             open_ = true;
             TouchCapabilities can;
             can.name = "double";
@@ -56,10 +60,12 @@ class TouchSocket {
             plugged_->ticks.push_back(tick);
             return true;
         }
-        void halt() noexcept override {}
+        void halt() noexcept override { ++plugged_->halts; }
         void stop() noexcept override {
-            if (std::exchange(open_, false))
-                --plugged_->open;
+            if (!std::exchange(open_, false))
+                return;
+            const std::lock_guard lock(plugged_->closing);
+            --plugged_->open;
         }
         bool lost() const noexcept override { return !plugged_->there; }
 
@@ -109,6 +115,12 @@ public:
     }
     /// How many are open.
     int open() const { return plugged_->open; }
+    /// How many were at the same time, at most.
+    int most_open() const { return plugged_->most_open; }
+    /// How often one was told to be still.
+    int halts() const { return plugged_->halts; }
+    /// As long as this is held, nothing is closed.
+    std::unique_lock<std::mutex> hold_closing() { return std::unique_lock(plugged_->closing); }
 
 private:
     std::shared_ptr<Plugged> plugged_ = std::make_shared<Plugged>();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/parts/devices/touch_connector.hpp"
 
+#include "app/parts/devices/giving_back.hpp"
 #include "audio/sentences/sentences.hpp"
 
 #include <QMetaObject>
@@ -29,7 +30,8 @@ PlugLook::Look TouchConnector::look() {
 
 void TouchConnector::open(const ListedTouchOutput& listed) {
     opening_ = true;
-    pool_.start([this, wish = ++wish_, listed, make = access_.make] {
+    pool_.start([this, wish = ++wish_, listed, make = access_.make, before = GivingBack::here().begun()] {
+        GivingBack::here().wait_for(before);
         auto open = std::make_shared<OpenTouch>();
         open->listed = listed;
         QString problem;
@@ -44,7 +46,7 @@ void TouchConnector::open(const ListedTouchOutput& listed) {
         }
         QMetaObject::invokeMethod(this, [this, wish, problem, open] {
             if (wish != wish_)
-                return pool_.start([open] { open->output.reset(); }); // giving it back may wait
+                return release(std::move(open->output));
             opening_ = false;
             if (problem.isEmpty())
                 emit opened(open);
@@ -61,8 +63,22 @@ void TouchConnector::cancel() {
 
 void TouchConnector::release(std::unique_ptr<TouchDrive> drive) {
     if (drive)
-        pool_.start(
+        give_back(
             [held = std::make_shared<std::unique_ptr<TouchDrive>>(std::move(drive))] { held->reset(); });
+}
+
+void TouchConnector::release(std::unique_ptr<TouchOutput> output) {
+    if (output)
+        give_back(
+            [held = std::make_shared<std::unique_ptr<TouchOutput>>(std::move(output))] { held->reset(); });
+}
+
+/// It may wait.
+void TouchConnector::give_back(std::function<void()> let_go) {
+    pool_.start([number = GivingBack::here().begin(), let_go = std::move(let_go)] {
+        let_go();
+        GivingBack::here().ended(number);
+    });
 }
 
 } // namespace tp

@@ -10,6 +10,7 @@
 #include <QThreadPool>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -36,13 +37,15 @@ public:
     void watch(bool on) { plugs_.watch(on); }
     /// It watches, and has looked since it began to.
     bool knows() const { return plugs_.knows(); }
-    /// Opens it; `opened` or `refused` follows. One that is being opened already is not wanted any more.
+    /// Opens it, once pages before have let go of theirs; `opened` or `refused` follows. One that is being opened already is not wanted any more.
     void open(const ListedTouchOutput& output);
     /// What is being opened is not wanted any more.
     void cancel();
     bool opening() const { return opening_; }
     /// Ends it without letting the page wait, and before anything is opened again.
     void release(std::unique_ptr<TouchDrive> drive);
+    /// The same of one that nothing drives.
+    void release(std::unique_ptr<TouchOutput> output);
 
 signals:
     /// There was a look, and `there` is new.
@@ -53,6 +56,7 @@ signals:
 
 private:
     PlugLook::Look look();
+    void give_back(std::function<void()> let_go);
 
     TouchAccess access_;
     std::vector<ListedTouchOutput> there_;

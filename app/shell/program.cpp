@@ -82,7 +82,8 @@ struct Program::Capturing {
               program.narrator_, program.earcons_, program.guide_, recorder, moment, program.preferences_,
               {program.parts_.make_camera ? program.parts_.make_camera() : std::make_unique<SystemCamera>(),
                [people = people] { return look_with_an_eye(people); },
-               [&program] { return program.folder_for_photographs(); }, people}) {}
+               [&program] { return program.folder_for_photographs(); }, people,
+               program.parts_.make_touch ? program.parts_.make_touch(nullptr) : TouchAccess{}}) {}
     std::shared_ptr<KnownPeople> people = std::make_shared<KnownPeople>();
     bool knows_people = false; ///< the album tells them
     Recorder recorder;
@@ -93,7 +94,7 @@ struct Program::Capturing {
 Program::Program(ProgramParts parts)
     : parts_(std::move(parts)), preferences_(parts_.preferences), narrator_(parts_.voice, announcer_),
       voice_names_(parts_.voice, preferences_), earcon_output_(parts_.make_loudspeaker()),
-      earcons_(*earcon_output_), guide_output_(parts_.make_loudspeaker()), guide_(*guide_output_, vibration_),
+      earcons_(*earcon_output_), guide_output_(parts_.make_loudspeaker()), guide_(*guide_output_),
       shell_(narrator_), start_(narrator_, preferences_, parts_.find_devices) {
     keep_few_heaps();
     follow_choices();

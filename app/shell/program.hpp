@@ -25,7 +25,6 @@
 #include "app/shell/voice_names.hpp"
 #include "audio/guide/click_sound.hpp"
 #include "audio/guide/sonified_guide.hpp"
-#include "audio/guide/vibration.hpp"
 #include "audio/sound/earcon_player.hpp"
 #include "audio/sound/recorder_worker.hpp"
 #include "audio/sound/sound_output.hpp"
@@ -138,7 +137,6 @@ private:
     std::unique_ptr<SoundOutput> earcon_output_;
     EarconPlayer earcons_;
     std::unique_ptr<SoundOutput> guide_output_;
-    NoVibration vibration_;
     SonifiedGuide guide_;
     std::unique_ptr<SoundOutput> click_output_; ///< made when a page wants outputs under a bare finger
     std::unique_ptr<ClickSound> clicks_;

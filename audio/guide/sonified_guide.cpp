@@ -3,14 +3,7 @@
 
 namespace tp {
 
-namespace {
-constexpr int bump_ms = 25;
-constexpr double bump_strength = 0.6;
-constexpr double line_strength = 1.0;
-} // namespace
-
-SonifiedGuide::SonifiedGuide(SoundOutput& output, Vibration& vibration, QObject* parent)
-    : QObject(parent), output_(output), vibration_(vibration) {
+SonifiedGuide::SonifiedGuide(SoundOutput& output, QObject* parent) : QObject(parent), output_(output) {
     const auto over = [this](quint64 run) {
         if (run == run_)
             stream_.reset();
@@ -25,9 +18,6 @@ SonifiedGuide::SonifiedGuide(SoundOutput& output, Vibration& vibration, QObject*
 }
 
 void SonifiedGuide::sound(const SonarCue& cue) {
-    if (cue.steady() && !on_line_)
-        pulse(line_strength);
-    on_line_ = cue.steady();
     sounds_ = true;
     if (stream_ != nullptr && !stream_->ended()) {
         stream_->board().write(cue);
@@ -43,14 +33,9 @@ void SonifiedGuide::sound(const SonarCue& cue) {
 void SonifiedGuide::silence() {
     if (!sounds_)
         return;
-    sounds_ = on_line_ = missing_ = false;
+    sounds_ = missing_ = false;
     if (stream_ != nullptr)
         stream_->board().clear();
-    vibration_.stop();
 }
-
-void SonifiedGuide::bump() { pulse(bump_strength); }
-
-void SonifiedGuide::pulse(double strength) { vibration_.pulse(strength, bump_ms); }
 
 } // namespace tp

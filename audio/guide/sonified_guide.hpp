@@ -2,7 +2,6 @@
 #pragma once
 
 #include "audio/guide/sonar_stream.hpp"
-#include "audio/guide/vibration.hpp"
 #include "audio/sound/sound_output.hpp"
 
 #include <QObject>
@@ -11,31 +10,25 @@
 
 namespace tp {
 
-/// Guidance by sound and vibration: what sounds is the newest cue, until silence is asked for. Without a loudspeaker
+/// Guidance by sound: what sounds is the newest cue, until silence is asked for. Without a loudspeaker
 /// nothing is heard and nothing goes wrong; when there is one again, or after the next silence, it is tried again. Lives on the page's thread and never
 /// blocks it.
 class SonifiedGuide final : public QObject {
     Q_OBJECT
 public:
-    /// Both must outlive this, which has the output to itself.
-    SonifiedGuide(SoundOutput& output, Vibration& vibration, QObject* parent = nullptr);
+    /// The output must outlive this, which has it to itself.
+    explicit SonifiedGuide(SoundOutput& output, QObject* parent = nullptr);
 
     void sound(const SonarCue& cue);
     /// Silence now, within 6 ms of sound.
     void silence();
     bool sounds() const { return sounds_; }
-    /// The finger has passed over a line: felt, where there is a motor.
-    void bump();
-    /// One short pulse of this strength, 0 … 1, beside what sounds.
-    void pulse(double strength);
 
 private:
     SoundOutput& output_;
-    Vibration& vibration_;
     std::shared_ptr<SonarStream> stream_; ///< null: the loudspeaker is not ours
     quint64 run_ = 0;
     bool sounds_ = false;
-    bool on_line_ = false;
     bool missing_ = false; ///< there was no loudspeaker when one was asked for
 };
 

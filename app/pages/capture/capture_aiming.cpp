@@ -11,8 +11,10 @@
 
 namespace tp {
 
-CaptureAiming::CaptureAiming(CaptureChoices& choices, CaptureTeller& teller, SonifiedGuide& guide)
-    : choices_(choices), teller_(teller), guide_(guide), aiming_(choices.aim()), aim_(choices.aim()) {
+CaptureAiming::CaptureAiming(CaptureChoices& choices, CaptureTeller& teller, SonifiedGuide& guide,
+                             CaptureTouch& touch)
+    : choices_(choices), teller_(teller), guide_(guide), touch_(touch), aiming_(choices.aim()),
+      aim_(choices.aim()) {
     connect(&choices_, &CaptureChoices::changed, this, [this] {
         if (aim_ != choices_.aim())
             aiming_.aim_at(aim_ = choices_.aim());
@@ -33,13 +35,13 @@ void CaptureAiming::begin(HeldCamera held) {
 }
 
 void CaptureAiming::end() {
-    guide_.silence();
+    quiet();
     now_.reset();
     emit changed();
 }
 
 bool CaptureAiming::hush() {
-    guide_.silence();
+    quiet();
     return !std::exchange(hushed_, true);
 }
 
@@ -54,7 +56,7 @@ void CaptureAiming::see(const AimFrame& frame) {
         unsaid_ = false;
         aiming_.aim_at(aim_); // what was not said is said now
     }
-    aiming_.with_tone(choices_.tone());
+    aiming_.with_tone(tone());
     const AimAnswer answer = aiming_.see(frame);
     now_ = answer.now;
     good_ = answer.good;
@@ -90,17 +92,33 @@ void CaptureAiming::say(const AimInstruction& instruction) {
     teller_.tell(words.join(' '), [this] { aiming_.sentence_ended(now_s_); });
 }
 
+/// The tone sounds: it was chosen, or stands in for ticks where nothing ticks.
+bool CaptureAiming::tone() const { return choices_.tone() || (choices_.ticks() && !touch_.in_use()); }
+
+void CaptureAiming::quiet() {
+    guide_.silence();
+    touch_.still();
+}
+
 void CaptureAiming::hear(const AimTone& tone) {
-    if (hushed_ || !tone.sounds || !choices_.tone()) {
+    if (hushed_ || !tone.sounds) {
         pulses_.forget();
-        return guide_.silence();
+        return quiet();
     }
+    feel(tone);
+    if (!this->tone())
+        return guide_.silence();
     AimTone heard = tone;
     if (teller_.speaking())
         heard.gain = std::min(heard.gain, gain_under_words);
     guide_.sound(aim_cue(heard, good_since_ ? (now_s_ - *good_since_) / good_for_s : 0.0));
+}
+
+void CaptureAiming::feel(const AimTone& tone) {
+    if (!touch_.in_use())
+        return pulses_.forget();
     if (const auto strength = pulses_.due(tone, now_s_))
-        guide_.pulse(*strength);
+        touch_.pulse(*strength);
 }
 
 void CaptureAiming::tell_all() {

@@ -4,6 +4,7 @@
 #include "app/pages/capture/aim_pulses.hpp"
 #include "app/pages/capture/capture_choices.hpp"
 #include "app/pages/capture/capture_teller.hpp"
+#include "app/pages/capture/capture_touch.hpp"
 #include "audio/guide/sonified_guide.hpp"
 #include "core/aiming/aiming.hpp"
 
@@ -15,8 +16,8 @@
 
 namespace tp {
 
-/// Leads the hand: of each frame one instruction, said where nothing else is being said, and a tone, which is also felt where
-/// there is a motor.
+/// Leads the hand: of each frame one instruction, said where nothing else is being said, and a tone, which is also felt, or
+/// felt instead, where the person has chosen ticks.
 class CaptureAiming final : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -27,9 +28,9 @@ class CaptureAiming final : public QObject {
     Q_PROPERTY(bool good READ good NOTIFY changed)
 public:
     /// All must outlive it.
-    CaptureAiming(CaptureChoices& choices, CaptureTeller& teller, SonifiedGuide& guide);
-    /// Nothing sounds behind it.
-    ~CaptureAiming() override { guide_.silence(); }
+    CaptureAiming(CaptureChoices& choices, CaptureTeller& teller, SonifiedGuide& guide, CaptureTouch& touch);
+    /// Nothing sounds or is felt behind it.
+    ~CaptureAiming() override { quiet(); }
 
     QString advice() const;
     bool good() const { return now_ && good_; }
@@ -38,7 +39,7 @@ public:
     void begin(HeldCamera held);
     void end();
     void see(const AimFrame& frame);
-    /// Neither words nor tone until `listen`. False where it was so already.
+    /// Neither words nor tone nor ticks until `listen`. False where it was so already.
     bool hush();
     void listen();
     /// The photograph was taken: that all is well is told no more until it was not.
@@ -54,10 +55,14 @@ signals:
 private:
     void say(const AimInstruction& instruction);
     void hear(const AimTone& tone);
+    void feel(const AimTone& tone);
+    bool tone() const;
+    void quiet();
 
     CaptureChoices& choices_;
     CaptureTeller& teller_;
     SonifiedGuide& guide_;
+    CaptureTouch& touch_;
     Aiming aiming_;
     AimPulses pulses_;
     Aim aim_;

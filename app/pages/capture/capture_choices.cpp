@@ -18,6 +18,15 @@ bool CaptureChoices::tone() const {
            guide == Choices::Guide::ticks_and_sonar;
 }
 
+bool CaptureChoices::ticks() const {
+    const Choices::Guide guide = preferences_.choices().guide;
+    return guide == Choices::Guide::ticks || guide == Choices::Guide::ticks_and_sonar;
+}
+
+TickChoices CaptureChoices::tick_choices() const {
+    return {preferences_.choices().touch_strength, preferences_.choices().touch_sharpness};
+}
+
 void CaptureChoices::chooseAim(int index) {
     if (index < 0 || index >= aims().size())
         return;

@@ -4,6 +4,7 @@
 #include "app/pages/capture/capture_teller.hpp"
 #include "app/parts/preferences/preferences.hpp"
 #include "core/aiming/aim.hpp"
+#include "core/touch/tick_law.hpp"
 
 #include <QObject>
 #include <QStringList>
@@ -34,6 +35,12 @@ public:
     bool moment() const { return preferences_.choices().keep_moment; }
     /// The tone guides beside the words.
     bool tone() const;
+    /// Its beats are felt, where something there can tick.
+    bool ticks() const;
+    /// By key_of; the output that ticks.
+    const QString& touch() const { return preferences_.choices().touch; }
+    /// How it ticks.
+    TickChoices tick_choices() const;
 
     Q_INVOKABLE void chooseAim(int index);
     Q_INVOKABLE void setByItself(bool by_itself);

@@ -22,7 +22,8 @@ CaptureSession::CaptureSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
                                Recorder& recorder, MomentRecorder& moment, Preferences& preferences,
                                Parts parts)
     : preferences_(preferences), teller_(narrator, earcons), choices_(preferences, teller_),
-      camera_(std::move(parts.camera), std::move(parts.make_look)), aiming_(choices_, teller_, guide),
+      camera_(std::move(parts.camera), std::move(parts.make_look)),
+      touch_(choices_, teller_, std::move(parts.touch)), aiming_(choices_, teller_, guide, touch_),
       album_(std::move(parts.folder)), shutter_(album_, std::move(parts.people), teller_),
       memo_(album_, recorder, teller_), moment_(album_, choices_, moment, teller_) {
     connect(&camera_, &CaptureCamera::began, this, [this] {
@@ -30,6 +31,7 @@ CaptureSession::CaptureSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
         moment_.begin();
         teller_.sound(Earcon::ready);
     });
+    connect(&camera_, &CaptureCamera::seen, &touch_, &CaptureTouch::watch);
     connect(&camera_, &CaptureCamera::seen, &aiming_, &CaptureAiming::see);
     connect(&camera_, &CaptureCamera::seen, this, [this] { fresh_ = fresh_ || !aiming_.good(); });
     connect(&aiming_, &CaptureAiming::take_asked, this, [this] {
@@ -55,7 +57,22 @@ void CaptureSession::enter() {
     here_ = true;
     greet();
     if (in_sight_)
-        camera_.switch_on();
+        come_into_sight();
+}
+
+void CaptureSession::come_into_sight() {
+    camera_.switch_on();
+    touch_.enter();
+}
+
+void CaptureSession::go_out_of_sight() {
+    memo_.finish();
+    shutter_.forget();
+    camera_.switch_off();
+    moment_.end();
+    aiming_.end();
+    touch_.leave();
+    teller_.silence();
 }
 
 void CaptureSession::greet() {
@@ -71,25 +88,15 @@ void CaptureSession::greet() {
 
 void CaptureSession::leave() {
     here_ = false;
-    memo_.finish();
-    shutter_.forget();
-    camera_.switch_off();
-    moment_.end();
-    aiming_.end();
-    teller_.silence();
+    go_out_of_sight();
 }
 
 void CaptureSession::setInSight(bool in_sight) {
     if (std::exchange(in_sight_, in_sight) == in_sight || !here_)
         return;
     if (in_sight)
-        return camera_.switch_on();
-    memo_.finish();
-    shutter_.forget();
-    camera_.switch_off();
-    moment_.end();
-    aiming_.end();
-    teller_.silence();
+        return come_into_sight();
+    go_out_of_sight();
 }
 
 void CaptureSession::take() {

@@ -10,6 +10,7 @@
 #include "app/pages/capture/capture_moment.hpp"
 #include "app/pages/capture/capture_shutter.hpp"
 #include "app/pages/capture/capture_teller.hpp"
+#include "app/pages/capture/capture_touch.hpp"
 #include "app/parts/narration/narrator.hpp"
 #include "app/parts/preferences/preferences.hpp"
 #include "audio/guide/sonified_guide.hpp"
@@ -46,6 +47,7 @@ public:
         CaptureAlbum::Folder folder; ///< where photographs are kept
         /// Who may be known on what was taken.
         std::shared_ptr<const KnownPeople> people = std::make_shared<KnownPeople>();
+        TouchAccess touch = {}; ///< outputs that tick; without one nothing is felt
     };
 
     /// All must outlive the session.
@@ -59,6 +61,7 @@ public:
     CaptureShutter* shutter() { return &shutter_; }
     CaptureMemo* memo() { return &memo_; }
     CaptureMoment* moment() { return &moment_; }
+    const CaptureTouch& touch() const { return touch_; }
 
     /// The page comes into sight: says where one is; the camera goes on.
     Q_INVOKABLE void enter();
@@ -93,12 +96,15 @@ signals:
 
 private:
     void greet();
+    void come_into_sight();
+    void go_out_of_sight();
     void be_silent_for_memo();
 
     Preferences& preferences_;
     CaptureTeller teller_;
     CaptureChoices choices_;
     CaptureCamera camera_;
+    CaptureTouch touch_;
     CaptureAiming aiming_;
     CaptureAlbum album_;
     CaptureShutter shutter_;

@@ -85,8 +85,6 @@ void ExploreEar::tell_way(Vec2 place, double now) {
     if (!earcon || (*earcon == Earcon::contour_crossed && ticks()))
         return;
     earcons_.play(*earcon);
-    if (*earcon == Earcon::contour_crossed)
-        guide_.bump();
 }
 
 /// A line under the finger is felt as a tick: it is not told by sound as well.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/guide/sonified_guide.hpp"
 #include "fake_loudspeaker.hpp"
-#include "recording_vibration.hpp"
 
 #include <QTest>
 
@@ -14,8 +13,7 @@ namespace {
 
 struct Bench {
     FakeLoudspeaker loudspeaker;
-    RecordingVibration vibration;
-    SonifiedGuide guide{loudspeaker, vibration};
+    SonifiedGuide guide{loudspeaker};
 
     double peak_of(double seconds) {
         loudspeaker.heard.clear();
@@ -28,7 +26,6 @@ struct Bench {
 };
 
 const SonarCue near_cue = sonar_cue(3.0, 0.0, 1.0);
-const SonarCue line_cue = sonar_cue(0.0, 0.0, 0.0);
 
 } // namespace
 
@@ -84,27 +81,6 @@ private slots:
         bench.loudspeaker.move();
         bench.guide.sound(near_cue);
         QVERIFY(bench.peak_of(0.2) > 0.1);
-    }
-
-    void the_motor_tells_of_the_line_once_and_of_each_line_passed_over() {
-        Bench bench;
-        bench.guide.sound(near_cue);
-        QCOMPARE(bench.vibration.pulses.size(), 0u);
-        bench.guide.sound(line_cue);
-        bench.guide.sound(line_cue);
-        QCOMPARE(bench.vibration.pulses.size(), 1u);
-        bench.guide.bump();
-        QCOMPARE(bench.vibration.pulses.size(), 2u);
-        QVERIFY(bench.vibration.pulses[1] < bench.vibration.pulses[0]);
-        bench.guide.silence();
-        QCOMPARE(bench.vibration.stops, 1);
-    }
-
-    void a_machine_without_a_motor_says_so() {
-        NoVibration none;
-        QVERIFY(!none.there());
-        none.pulse(1.0, 20);
-        none.stop();
     }
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is felt while one aims, in the time of the frames, by a motor that remembers.
+// What is felt while one aims, in the time of the frames.
 #include "app/pages/capture/aim_pulses.hpp"
-#include "capture_bench.hpp"
 
-#include <algorithm>
+#include <QTest>
+
+#include <optional>
 #include <vector>
 
 using namespace tp;
@@ -11,7 +12,6 @@ using namespace tp;
 namespace {
 
 constexpr double frame_s = 1.0 / 30.0;
-const Vec2 middle{0.5, 0.45};
 
 AimTone beats(double per_s) {
     AimTone tone;
@@ -69,50 +69,6 @@ private slots:
         QVERIFY(felt(pulses, well()).size() == 1);
         felt(pulses, AimTone{}, 10.0);
         QVERIFY(felt(pulses, well(), 20.0).size() == 1); // somebody came back
-    }
-
-    void a_hand_that_comes_nearer_feels_it_and_the_page_ends_it() {
-        CaptureBench bench;
-        bench.session->choices()->setByItself(false);
-        bench.enter();
-        std::size_t before = 0;
-        for (const double x : {0.95, 0.75, 0.66}) {
-            bench.see_for(0.5, {{x, middle.y}});
-            bench.vibration.pulses.clear();
-            bench.see_for(4.0, {{x, middle.y}});
-            const std::vector<double>& pulses = bench.vibration.pulses;
-            QVERIFY2(pulses.size() > before,
-                     qPrintable(QString("%1 after %2").arg(pulses.size()).arg(before)));
-            QVERIFY(*std::max_element(pulses.begin(), pulses.end()) < well_pulse);
-            before = pulses.size();
-        }
-        bench.see_for(2.0, {middle});
-        QCOMPARE(bench.vibration.pulses.back(), well_pulse);
-        bench.vibration.pulses.clear();
-        bench.see_for(2.0, {middle});
-        QVERIFY(bench.vibration.pulses.empty());
-        bench.see_for(0.5, {{0.75, middle.y}});
-        QVERIFY(!bench.vibration.pulses.empty());
-        const int stops = bench.vibration.stops;
-        bench.session->leave();
-        QCOMPARE(bench.vibration.stops, stops + 1);
-    }
-
-    void whoever_wants_no_beeps_feels_none_and_escape_ends_them() {
-        Choices choices = CaptureBench::told();
-        choices.guide = Choices::Guide::clock_voice;
-        CaptureBench none(choices);
-        none.enter();
-        none.see_for(2.0, {{0.75, middle.y}});
-        QVERIFY(none.vibration.pulses.empty());
-        CaptureBench bench;
-        bench.enter();
-        bench.see_for(1.0, {{0.75, middle.y}});
-        QVERIFY(!bench.vibration.pulses.empty());
-        bench.session->stop();
-        bench.vibration.pulses.clear();
-        bench.see_for(1.0, {{0.75, middle.y}});
-        QVERIFY(bench.vibration.pulses.empty());
     }
 };
 

@@ -6,8 +6,8 @@
 #include "audio/speech/recording_voice.hpp"
 #include "fake_loudspeaker.hpp"
 #include "fake_microphone.hpp"
-#include "recording_vibration.hpp"
 #include "sound_files.hpp"
+#include "touch_socket.hpp"
 
 #include <QDir>
 #include <QMetaObject>
@@ -134,6 +134,7 @@ struct CaptureBench {
             return [this](const tp::CameraFrame& frame) { return camera->film->seen_on(frame); };
         };
         parts.folder = [this] { return std::filesystem::path(album().toStdString()); };
+        parts.touch = touch.access();
         session = std::make_unique<tp::CaptureSession>(narrator, earcons, guide, recorder, moment,
                                                        preferences, std::move(parts));
     }
@@ -215,8 +216,8 @@ struct CaptureBench {
     tp::Narrator narrator{voice, announcer};
     tp::testing::FakeLoudspeaker earcon_speaker, guide_speaker;
     tp::EarconPlayer earcons{earcon_speaker};
-    tp::testing::RecordingVibration vibration;
-    tp::SonifiedGuide guide{guide_speaker, vibration};
+    tp::testing::TouchSocket touch; ///< what ticks
+    tp::SonifiedGuide guide{guide_speaker};
     tp::Preferences preferences;
     std::atomic<tp::testing::FakeMicrophone*> microphone{nullptr}; ///< on the recorder's thread
     tp::Recorder recorder{[this] {

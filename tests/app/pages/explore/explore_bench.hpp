@@ -4,7 +4,6 @@
 #include "app/pages/explore/explore_session.hpp"
 #include "audio/speech/recording_voice.hpp"
 #include "fake_loudspeaker.hpp"
-#include "recording_vibration.hpp"
 
 #include <memory>
 #include <vector>
@@ -12,9 +11,8 @@
 /// Everything that sounds below a session, where a test can listen.
 struct ExploreSounds {
     tp::testing::FakeLoudspeaker earcon_output, guide_output;
-    tp::testing::RecordingVibration vibration;
     tp::EarconPlayer earcons{earcon_output};
-    tp::SonifiedGuide guide{guide_output, vibration};
+    tp::SonifiedGuide guide{guide_output};
     tp::Preferences preferences;
 
     /// The loudest of the guide's next `seconds`.

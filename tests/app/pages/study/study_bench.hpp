@@ -134,8 +134,7 @@ struct StudyBench {
     tp::Narrator narrator{voice, announcer};
     tp::testing::FakeLoudspeaker earcon_speaker, guide_speaker;
     tp::EarconPlayer earcons{earcon_speaker};
-    tp::NoVibration vibration;
-    tp::SonifiedGuide guide{guide_speaker, vibration};
+    tp::SonifiedGuide guide{guide_speaker};
     tp::Preferences preferences;
     tp::Experiment experiment; ///< that was set up
     int participant = 1;

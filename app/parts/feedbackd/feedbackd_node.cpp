@@ -27,7 +27,8 @@ const QDBusArgument& operator>>(const QDBusArgument& argument, Pulse& pulse) {
 
 } // namespace feedbackd
 
-FeedbackdNode::FeedbackdNode(const QDBusConnection& bus) : bus_(bus) {
+FeedbackdNode::FeedbackdNode(const QDBusConnection& bus, int answers_within_ms)
+    : bus_(bus), answers_within_ms_(answers_within_ms) {
     qDBusRegisterMetaType<feedbackd::Pulse>();
     qDBusRegisterMetaType<feedbackd::Pattern>();
 }
@@ -44,7 +45,7 @@ int FeedbackdNode::play(bool on) noexcept {
     QDBusMessage call = QDBusMessage::createMethodCall(feedbackd::service, feedbackd::path, feedbackd::haptic,
                                                        QStringLiteral("Vibrate"));
     call << QStringLiteral("touchphoto") << QVariant::fromValue(pattern);
-    const QDBusMessage answer = bus_.call(call, QDBus::Block, feedbackd::answers_within_ms);
+    const QDBusMessage answer = bus_.call(call, QDBus::Block, answers_within_ms_);
     if (answer.type() == QDBusMessage::ReplyMessage)
         return !on || answer.arguments().value(0).toBool() ? 0 : EIO;
     const QString error = answer.errorName();

@@ -36,7 +36,8 @@ const QDBusArgument& operator>>(const QDBusArgument& argument, Pulse& pulse);
 /// The motor that feedbackd has, as one that plays an effect.
 class FeedbackdNode final : public FeedbackNode {
 public:
-    explicit FeedbackdNode(const QDBusConnection& bus);
+    /// A call waits for its answer so long at most.
+    explicit FeedbackdNode(const QDBusConnection& bus, int answers_within_ms = feedbackd::answers_within_ms);
 
     FeedbackKind kind() const override { return FeedbackKind::motor; }
     int upload(const FeedbackEffect& effect) noexcept override;
@@ -46,6 +47,7 @@ public:
 
 private:
     QDBusConnection bus_;
+    int answers_within_ms_;
     FeedbackEffect effect_;
     std::atomic<bool> gone_{false};
 };

@@ -12,6 +12,7 @@ DrawnTouch::DrawnTouch(double width_mm, double height_mm, std::shared_ptr<TickLi
     : half_(0.5 * width_mm, 0.5 * height_mm), listener_(std::move(listener)) {}
 
 Result<TouchCapabilities> DrawnTouch::open() {
+    stopped_ = false;
     if (listener_)
         listener_->begin();
     TouchCapabilities can;
@@ -50,12 +51,16 @@ std::optional<PadTouch> DrawnTouch::read(double now) noexcept {
 }
 
 bool DrawnTouch::resist(double level) noexcept {
+    if (stopped_)
+        return false;
     level_.store(level > 0.0 ? std::min(level, 1.0) : 0.0, std::memory_order_relaxed);
     level_until_ = time_ + friction_lasts_s;
     return true;
 }
 
 bool DrawnTouch::tick(const Tick& tick) noexcept {
+    if (stopped_)
+        return false;
     if (listener_ && !tick.empty())
         listener_->ticked(tick, time_);
     return true;
@@ -69,6 +74,7 @@ void DrawnTouch::halt() noexcept {
 
 void DrawnTouch::stop() noexcept {
     halt();
+    stopped_ = true;
     if (listener_)
         listener_->end();
 }

@@ -60,6 +60,7 @@ private:
     Hand sent_; ///< only the hand's thread
 
     // Only the thread that reads.
+    bool stopped_ = false;
     BrakedFinger finger_;
     std::uint64_t downs_ = 0;
     double time_ = -1.0;       ///< s; negative: it was not read yet

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which of a kernel's input devices are offered, by folders like those of its sysfs.
+#include "byte_mutants.hpp"
 #include "device/touch_output/force_feedback/event_nodes.hpp"
 #include "device/touch_output/force_feedback/plugged_feedback.hpp"
+#include "nodes_check.hpp"
+#include "places.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -136,6 +139,18 @@ private slots:
         const auto can = outputs[0].make()->open();
         QVERIFY(!can.ok());
         QVERIFY2(can.error().find("The Pad was unplugged.") != std::string::npos, can.error().c_str());
+    }
+
+    void whatever_a_kernel_shows_what_is_offered_can_be_said_and_opened() {
+        const std::vector<test::Seed> seeds =
+            test::corpus(test::in_source("tests/device/touch_output/force_feedback/corpus"));
+        QVERIFY(seeds.size() >= 5);
+        for (const test::Seed& seed : seeds)
+            QCOMPARE(QString::fromStdString(test::complaint_about_input_device(seed.text)), QString());
+        test::ByteMutator mutator(1);
+        for (int i = 0; i < 2000; ++i)
+            QCOMPARE(QString::fromStdString(test::complaint_about_input_device(mutator.mutant(seeds))),
+                     QString());
     }
 };
 

@@ -353,6 +353,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "The trial was not kept: its error, time or answer is none that there can be."),
     QT_TRANSLATE_NOOP("Sentence", "The trial was not kept: the finger's path in it is none."),
     QT_TRANSLATE_NOOP("Sentence", "The video \"%1\" cannot be played: %2"),
+    QT_TRANSLATE_NOOP("Sentence", "The way after which a line is told of again must be a number of millimetres, zero or more."),
     QT_TRANSLATE_NOOP("Sentence", "The width of a ridge and of a stripe must be numbers of millimetres above zero."),
     QT_TRANSLATE_NOOP("Sentence", "The widths of hysteresis and blending are from 0 to 5 mm."),
     QT_TRANSLATE_NOOP("Sentence", "There is a file %1 already. Choose another name for the recording."),

@@ -22,6 +22,14 @@ std::optional<RidgeShape> ridge_named(std::string_view name) {
     return std::nullopt;
 }
 
+FrictionChoices FrictionChoices::enlarged(double scale) const {
+    FrictionChoices choices = *this;
+    choices.rest_mm_s *= scale;
+    choices.moving_mm_s *= scale;
+    choices.again_mm *= scale;
+    return choices;
+}
+
 std::string FrictionChoices::problem() const {
     if (!is_width(width_mm) || !is_width(texture_mm))
         return "The width of a ridge and of a stripe must be numbers of millimetres above zero.";
@@ -29,6 +37,8 @@ std::string FrictionChoices::problem() const {
         return "The friction of a ridge and of a stripe must be numbers from 0 to 1.";
     if (!(rest_mm_s >= 0.0) || !(moving_mm_s > rest_mm_s) || !std::isfinite(moving_mm_s))
         return "The speed of a moving finger must be a number above that of a resting one.";
+    if (!(again_mm >= 0.0) || !std::isfinite(again_mm))
+        return "The way after which a line is told of again must be a number of millimetres, zero or more.";
     return {};
 }
 

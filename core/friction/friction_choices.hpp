@@ -32,6 +32,12 @@ struct FrictionChoices {
 
     double rest_mm_s = 2.0;   ///< up to this speed a finger rests; ≥ 0
     double moving_mm_s = 6.0; ///< from here on it feels all of the friction; > rest_mm_s
+    /// A line that was crossed is told of again when the finger has been so far, mm, from where it crossed; ≥ 0. With 0 each
+    /// crossing is told.
+    double again_mm = 0.0;
+
+    /// The same for a finger whose way is enlarged `scale` times, so that it feels what it does by its own way.
+    FrictionChoices enlarged(double scale) const;
 
     /// A sentence for what cannot be; empty where all is well.
     std::string problem() const;

@@ -27,6 +27,7 @@ double angle_between(Vec2 way, Vec2 line) {
 void FrictionFinger::lift() noexcept {
     down_ = following_ = at_corner_ = false;
     contour_ = -1;
+    lately_count_ = 0;
     forget_way();
 }
 
@@ -39,6 +40,8 @@ Friction FrictionFinger::step(Vec2 place, Vec2 velocity, const Guidance& exact) 
         lift();
         return {};
     }
+    if (lately_count_ > 0)
+        forget_left(place);
     if (!down_) {
         down_ = true;
         in_texture_ = law_->in_texture(place);
@@ -75,11 +78,33 @@ void FrictionFinger::cross_lines(const Movement& now) noexcept {
     law_->lines().find(place_, now.place, crossings_);
     for (const LineCrossing& crossing : crossings_.list()) {
         in_texture_ ^= law_->bounds_texture(crossing.contour);
+        if (told_already(crossing, now.share))
+            continue;
         tell({LineEventKind::crossed, crossing.contour, crossing.segment, crossing.place, now.speed,
               angle_between(now.place - place_, crossing.along), crossing.to_left, now.share});
     }
     if (crossings_.left_out() > 0)
         in_texture_ = law_->in_texture(now.place);
+}
+
+/// A finger that rests on a line trembles, and would cross it many times a second. Notes a crossing that is felt.
+bool FrictionFinger::told_already(const LineCrossing& crossing, double share) noexcept {
+    if (law_->again_mm() <= 0.0)
+        return false;
+    for (std::size_t i = 0; i < lately_count_; ++i)
+        if (lately_[i].contour == crossing.contour)
+            return true;
+    if (share > 0.0 && lately_count_ < lately_.size())
+        lately_[lately_count_++] = {crossing.contour, crossing.place};
+    return false;
+}
+
+void FrictionFinger::forget_left(Vec2 place) noexcept {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < lately_count_; ++i)
+        if (quick_length(place - lately_[i].place) <= law_->again_mm())
+            lately_[kept++] = lately_[i];
+    lately_count_ = kept;
 }
 
 /// A finger follows a line where the place nearest to it goes along as the finger does; one that crosses leaves that place

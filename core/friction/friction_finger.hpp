@@ -69,6 +69,8 @@ private:
     void follow(const Movement& now, const Guidance& exact) noexcept;
     void look_for_corner(const Movement& now, const Guidance& exact) noexcept;
     void forget_way() noexcept;
+    bool told_already(const LineCrossing& crossing, double share) noexcept;
+    void forget_left(Vec2 place) noexcept;
     void tell(const LineEvent& event) noexcept { events_[told_++] = event; }
 
     const FrictionLaw* law_;
@@ -86,6 +88,13 @@ private:
     bool following_ = false;
     bool at_corner_ = false;
     Vec2 corner_{0.0}; ///< mm, the one told last
+
+    struct Crossed {
+        int contour = -1;
+        Vec2 place{0.0};
+    };
+    std::array<Crossed, 4> lately_{}; ///< crossings told of, from which the finger has not been far yet
+    std::size_t lately_count_ = 0;
 
     StepCrossings crossings_;
     std::array<LineEvent, StepCrossings::room + 3> events_{};

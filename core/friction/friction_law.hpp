@@ -42,6 +42,8 @@ public:
         return textured_[static_cast<std::size_t>(contour)] != 0;
     }
 
+    /// FrictionChoices::again_mm.
+    double again_mm() const noexcept { return choices_.again_mm; }
     const CrossingFinder& lines() const { return lines_; }
     /// Where contours turn sharply, by `corners_of`; found within `corner_mm`.
     const ContourIndex& corners() const { return corners_; }

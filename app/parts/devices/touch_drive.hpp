@@ -44,6 +44,7 @@ private:
     std::unique_ptr<TouchOutput> output_;
     DrawnTouch* drawn_; ///< output_, where it is that
     std::vector<Vec2> reach_;
+    double scale_;   ///< of the surface, in terms of the finger's own way
     TouchLoop loop_; ///< after what it uses
 };
 

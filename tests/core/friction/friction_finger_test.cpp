@@ -87,6 +87,38 @@ private slots:
         }
     }
 
+    void a_line_is_told_again_when_the_finger_has_been_far_enough_from_where_it_crossed() {
+        FrictionChoices choices;
+        choices.again_mm = 1.0;
+        const FlatScene two{{"one", "two"}, {{{{-40, 0}, {40, 0}}, false}, {{{-40, 0.5}, {40, 0.5}}, false}}};
+        Walk walk(two, choices);
+        walk.to({0, -5});
+        walk.to({0, 0.9}); // over both
+        QCOMPARE(walk.events.size(), std::size_t(2));
+        for (int i = 0; i < 20; ++i)
+            walk.to({0, i % 2 == 0 ? -0.4 : 0.9});
+        QCOMPARE(walk.events.size(), std::size_t(2));
+        walk.to({3, 0.9}); // along them
+        walk.to({3, -0.4});
+        QCOMPARE(walk.of(LineEventKind::crossed).size(), std::size_t(4));
+        walk.to({3, -2});
+        walk.to({3, 2});
+        walk.finger().lift();
+        walk.to({3, -2});
+        walk.to({3, 2});
+        QVERIFY(walk.of(LineEventKind::crossed).size() >= 8);
+    }
+
+    void what_was_too_slow_to_be_felt_is_told_when_it_is() {
+        FrictionChoices choices;
+        choices.again_mm = 1.0;
+        Walk walk(line, choices);
+        walk.to({0, -0.5}, 1.0);
+        walk.to({0, 0.1}, 1.0);
+        walk.to({0, -0.5}, 80.0);
+        QVERIFY(walk.events.size() == 2 && walk.events.back().share == 1.0);
+    }
+
     void a_slow_finger_is_told_that_nothing_is_to_be_felt_of_it() {
         Walk walk(line);
         walk.to({0, -1}, 1.0);

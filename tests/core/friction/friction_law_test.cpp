@@ -104,6 +104,16 @@ private slots:
         QCOMPARE(FrictionLaw(line, {}).corners().segment_count(), std::size_t(0));
     }
 
+    void a_way_that_is_enlarged_is_felt_as_it_is() {
+        FrictionChoices choices;
+        choices.again_mm = 0.3;
+        const FrictionLaw own(line, choices), enlarged(line, choices.enlarged(4.0));
+        QCOMPARE(enlarged.again_mm(), 1.2);
+        for (const double speed : {1.0, 3.0, 5.0, 7.0})
+            QVERIFY(std::abs(enlarged.share_at(4.0 * speed) - own.share_at(speed)) < 1e-12);
+        QCOMPARE(enlarged.moving_level({0, 0}, 0.4, false), own.moving_level({0, 0}, 0.4, false));
+    }
+
     void choices_that_cannot_be_are_refused_in_a_sentence() {
         QVERIFY(FrictionChoices{}.problem().empty());
         const auto problem = [](auto change) {
@@ -122,6 +132,8 @@ private slots:
         }
         for (const double bad : {-1.0, 6.0, nan})
             QVERIFY(problem([&](auto& c) { c.rest_mm_s = bad; }).ends_with('.'));
+        for (const double bad : {-0.1, inf, nan})
+            QVERIFY(problem([&](auto& c) { c.again_mm = bad; }).ends_with('.'));
         QVERIFY(problem([&](auto& c) { c.moving_mm_s = inf; }).ends_with('.'));
         QVERIFY(problem([&](auto& c) { c.strength = 0.0; }).empty());
         QVERIFY(problem([&](auto& c) { c.width_mm = c.texture_mm = 0.1; }).empty());

@@ -82,8 +82,7 @@ struct Program::Capturing {
               program.narrator_, program.earcons_, program.guide_, recorder, moment, program.preferences_,
               {program.parts_.make_camera ? program.parts_.make_camera() : std::make_unique<SystemCamera>(),
                [people = people] { return look_with_an_eye(people); },
-               [&program] { return program.folder_for_photographs(); }, people,
-               program.parts_.make_touch ? program.parts_.make_touch(nullptr) : TouchAccess{}}) {}
+               [&program] { return program.folder_for_photographs(); }, people, program.touch()}) {}
     std::shared_ptr<KnownPeople> people = std::make_shared<KnownPeople>();
     bool knows_people = false; ///< the album tells them
     Recorder recorder;

@@ -151,7 +151,7 @@ TpScroll {
     TpText {
         id: keys
         width: parent.width
-        text: [qsTr("Point the camera at somebody and do what is said. A tone says where to move the camera: faster is nearer, high is up, and it comes from the side to move to. It rises when all is well."),
+        text: [qsTr("Point the camera at somebody and do what is said. A tone says where to move the camera: faster is nearer, high is up, and it comes from the side to move to. It rises when all is well. Where ticks are chosen as the guide, they are felt too: faster and stronger is nearer."),
                qsTr("Space, or a touch on the camera view: take the photograph. Then M: record a memo, and M again to finish it. N, P: look through the other frames; K: keep one. Control+Z: undo."),
                qsTr("1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it automatically or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence."),
                panel.session.camera.movedByKeys ? qsTr("This camera is simulated. Arrow keys turn it, Page up and Page down move it closer and back, Shift with left and right tilts it.") : ""].join("\n\n").trim()

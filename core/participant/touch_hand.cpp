@@ -10,6 +10,8 @@ namespace {
 
 // All of these are assumed: nobody has measured how hands go about lines that only resist or tick.
 constexpr double noticed_friction = 0.5; // level
+constexpr double noticed_gap_s =
+    0.03; // in friction; two clicks on the skin are two from 10 ms on (Gescheider 1966)
 constexpr double edge_mm = 5.0;          // from there it turns round
 constexpr double usual_sway_mm = 2.5;    // to either side
 constexpr double widest_sway_mm = 8.0;   // a line that is not met within so much is lost
@@ -55,7 +57,8 @@ Vec2 TouchHand::step(Vec2 finger, const BareTouch& touch) {
     return hand_;
 }
 
-/// A tick is a place of the line; of friction it is the middle between where it began and where it ended.
+/// A tick is a place of the line; of friction it is the middle between where it began and where it ended. A finger that friction
+/// stops is let go, moves on, and is stopped again, many times on one ridge: to the hand that is one.
 void TouchHand::feel(const Felt& felt) {
     const Vec2 error = person_.touch_mm * Vec2(chance_.normal(), chance_.normal());
     if (felt.touch.ticked) {
@@ -65,9 +68,14 @@ void TouchHand::feel(const Felt& felt) {
     const bool on_ridge = felt.touch.friction >= noticed_friction;
     if (on_ridge && !on_ridge_)
         ridge_from_ = felt.place;
-    if (!on_ridge && on_ridge_)
-        meet_line(0.5 * (ridge_from_ + felt.place) + error);
-    on_ridge_ = on_ridge;
+    if (on_ridge) {
+        on_ridge_ = true;
+        ridge_to_ = felt.place;
+        gap_s_ = 0.0;
+    } else if (on_ridge_ && (gap_s_ += dt_s_) >= noticed_gap_s) {
+        on_ridge_ = false;
+        meet_line(0.5 * (ridge_from_ + ridge_to_) + error);
+    }
 }
 
 void TouchHand::meet_line(Vec2 place) {

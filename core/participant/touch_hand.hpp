@@ -60,6 +60,8 @@ private:
     std::size_t next_ = 0;
     bool on_ridge_ = false;
     Vec2 ridge_from_{0.0};    ///< mm, where friction began
+    Vec2 ridge_to_{0.0};      ///< mm, where it was felt last
+    double gap_s_ = 0.0;      ///< it is not felt for so long
     std::vector<Vec2> trail_; ///< mm, places of the line
     Vec2 hand_;
     Vec2 base_;    ///< mm, about which it sways or circles

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <vector>
 
 using namespace tp;
 
@@ -59,6 +60,21 @@ private slots:
                 along += Walk(ticks, seed, 20.0).along / 10.0;
             QVERIFY2(along > 50.0, qPrintable(QString::number(along)));
         }
+    }
+
+    void friction_that_stutters_on_one_ridge_is_one_line() {
+        const auto way = [](bool stutters) {
+            TouchHand hand(person_of(1, 1), area, {0, 0}, true, step_s, 1);
+            std::vector<Vec2> places{{0, 0}};
+            BareTouch now;
+            for (double t = 0.0; t < 20.0; t += step_s) {
+                places.push_back(hand.step(places.back(), now));
+                const double y = std::abs(places.back().y);
+                now.friction = y < 1.0 && !(stutters && y < 0.1) ? 1.0 : 0.0;
+            }
+            return places;
+        };
+        QVERIFY(way(true) == way(false));
     }
 
     void who_feels_nothing_stays_and_circles() {

@@ -155,8 +155,11 @@ private slots:
         }
         Bench bench;
         bench.begin();
+        QVERIFY(!bench.felt_for(1.0, beside).empty());
+        const int halts = bench.touch.halts();
         bench.preferences.change([](Choices& choices) { choices.guide = Choices::Guide::sonar; });
         QVERIFY(!bench.ticks());
+        QVERIFY(bench.touch.halts() > halts);
         QVERIFY(bench.felt_for(1.0, beside).empty());
         QTRY_COMPARE(bench.touch.open(), 0);
     }

@@ -116,7 +116,13 @@ int main(int argc, char** argv) {
         "\"folder:DIR\" gives the pictures of a folder, \"video:FILE\" those of "
         "a video, over and over.",
         "camera");
-    options.addOptions({voice_option, page_option, with_option, picture_option, size_option, camera_option});
+    const QCommandLineOption touch_option("touch",
+                                          "Ticks under the finger by one more output: \"simulated:FILE\" is "
+                                          "plugged in while that file is there, "
+                                          "and writes each tick to its end.",
+                                          "output");
+    options.addOptions(
+        {voice_option, page_option, with_option, picture_option, size_option, camera_option, touch_option});
     options.process(app);
     const QString voice_wish = options.value(voice_option);
     if (options.isSet(voice_option) && voice_wish != "on" && voice_wish != "off")
@@ -133,6 +139,10 @@ int main(int argc, char** argv) {
         return refuse("--camera is \"simulated:\" with a photograph, \"folder:\" with a folder, or "
                       "\"video:\" with a video.");
 
+    const auto motor_file = tp::motor_file_named(options.value(touch_option).toStdString());
+    if (options.isSet(touch_option) && !motor_file)
+        return refuse("--touch is \"simulated:\" with a file, such as simulated:/tmp/motor.");
+
     tp::decode_in_helpers(&tp::touchphoto_decoders());
     tp::SpokenVoice voice;
     tp::ProgramParts parts{voice,
@@ -147,8 +157,9 @@ int main(int argc, char** argv) {
     parts.explore.devices =
         tp::DeviceAccess::of_this_computer(tp::Preferences::usual_file().parent_path() / "calibrations.txt");
     const tp::SurfaceSize surface = parts.explore.surface;
-    parts.make_touch = [surface](const std::shared_ptr<tp::TickListener>& listener) {
-        return tp::TouchAccess::of_this_computer(surface.width_mm, surface.height_mm, listener);
+    parts.make_touch = [surface, motor_file](const std::shared_ptr<tp::TickListener>& listener) {
+        const auto access = tp::TouchAccess::of_this_computer(surface.width_mm, surface.height_mm, listener);
+        return motor_file ? access.with_motor_file(*motor_file) : access;
     };
     parts.make_camera = [camera] { return tp::camera_named(camera); };
     const bool picture = options.isSet(picture_option);

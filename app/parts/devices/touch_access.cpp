@@ -2,9 +2,11 @@
 #include "app/parts/devices/touch_access.hpp"
 
 #include "app/parts/feedbackd/touch_outputs.hpp"
+#include "device/touch_output/force_feedback/motor_file.hpp"
 #include "device/usb/plug_watch.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace tp {
@@ -27,6 +29,32 @@ TouchAccess TouchAccess::of_this_computer(double width_mm, double height_mm,
         return std::make_shared<PlugWatch>(std::move(changed));
     };
     return access;
+}
+
+TouchAccess TouchAccess::with_motor_file(const std::filesystem::path& file) const {
+    TouchAccess access = *this;
+    access.list = [file, others = list] {
+        std::vector<ListedTouchOutput> all;
+        for (const PluggedTouchOutput& motor : plugged_motor_file(file))
+            all.push_back({motor.name, motor.about, motor.serial_number, motor.means, motor.is_pad});
+        const std::vector<ListedTouchOutput> more = others();
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    access.make = [file, others = make](const std::string& name) -> Result<std::unique_ptr<TouchOutput>> {
+        for (const PluggedTouchOutput& motor : plugged_motor_file(file))
+            if (motor.name == name)
+                return motor.make();
+        return others(name);
+    };
+    return access;
+}
+
+std::optional<std::filesystem::path> motor_file_named(const std::string& wish) {
+    constexpr std::string_view simulated = "simulated:";
+    if (!wish.starts_with(simulated) || wish.size() == simulated.size())
+        return std::nullopt;
+    return wish.substr(simulated.size());
 }
 
 QString key_of(const ListedTouchOutput& output) {

@@ -8,8 +8,10 @@
 
 #include <QString>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,13 @@ struct TouchAccess {
     /// size (mm), whose ticks `listener` is told of.
     static TouchAccess of_this_computer(double width_mm, double height_mm,
                                         const std::shared_ptr<TickListener>& listener);
+    /// The same and, before them, a motor that is a file (device/touch_output/force_feedback/motor_file.hpp).
+    TouchAccess with_motor_file(const std::filesystem::path& file) const;
 };
+
+/// What a person who starts the program calls an output that is to be there too: the file of "simulated:FILE"; none of anything
+/// else.
+std::optional<std::filesystem::path> motor_file_named(const std::string& wish);
 
 /// The drawn output's name.
 inline constexpr const char* drawn_touch_name = "drawn";

@@ -2,6 +2,8 @@
 #include "app/parts/devices/touch_access.hpp"
 #include "app/parts/devices/touch_drive.hpp"
 
+#include <QFile>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <vector>
@@ -32,6 +34,29 @@ private slots:
         const auto made = access.make(drawn_touch_name);
         QVERIFY(made && (*made)->open());
         QVERIFY(!access.make("no such output"));
+    }
+
+    void a_motor_that_is_a_file_comes_first_while_the_file_is_there() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("motor");
+        const TouchAccess access =
+            TouchAccess::of_this_computer(200.0, 150.0, nullptr).with_motor_file(file.toStdString());
+        const std::size_t others = access.list().size();
+        QCOMPARE(access.list().back().name, std::string(drawn_touch_name));
+        QVERIFY(QFile(file).open(QIODevice::WriteOnly));
+        const std::vector<ListedTouchOutput> there = access.list();
+        QCOMPARE(there.size(), others + 1);
+        QCOMPARE(touch_for(there, {}), &there[0]);
+        QVERIFY(touch_for(there, drawn_touch_name) == &there.back()); // chosen by the person
+        const auto made = access.make(there[0].name);
+        QVERIFY(made && (*made)->open());
+        QVERIFY(access.make(drawn_touch_name));
+    }
+
+    void an_output_of_a_command_line_is_named_with_its_file() {
+        QCOMPARE(motor_file_named("simulated:/tmp/a motor"), std::filesystem::path("/tmp/a motor"));
+        for (const char* const wrong : {"", "simulated", "simulated:", "/tmp/motor", "drawn"})
+            QVERIFY2(!motor_file_named(wrong), wrong);
     }
 
     void a_pad_lies_on_the_surface_true_in_shape_and_as_large_as_it_goes() {

@@ -4,6 +4,7 @@
 #include "app/pages/explore/feature_labels.hpp"
 #include "audio/sentences/sentences.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tp {
@@ -47,6 +48,7 @@ void ExploreTouch::follow_wish() {
 
 void ExploreTouch::want() {
     refused_.clear();
+    gone_.clear();
     state_ = State::Expected;
     connector_.watch(true);
 }
@@ -54,6 +56,7 @@ void ExploreTouch::want() {
 void ExploreTouch::give_back() {
     connector_.watch(false);
     connector_.cancel();
+    gone_.clear();
     if (std::exchange(state_, State::Away) != State::InUse)
         return;
     const bool on = servo_.engaged();
@@ -71,11 +74,16 @@ void ExploreTouch::give_back() {
 void ExploreTouch::look() {
     if (!view_.ready() || state_ == State::Away || connector_.opening() || !connector_.knows())
         return;
-    const ListedTouchOutput* output = touch_for(connector_.there(), choices_.touch());
+    const std::vector<ListedTouchOutput>& there = connector_.there();
+    if (std::none_of(there.begin(), there.end(), [this](const auto& one) { return one.name == refused_; }))
+        refused_.clear(); // unplugged since; plugged in again it is asked again
+    const ListedTouchOutput* output = touch_for(there, choices_.touch());
     if (state_ == State::InUse && (output == nullptr || output->name == used_))
         return;
     if (output != nullptr && output->name != refused_)
         return connector_.open(*output);
+    if (!gone_.isEmpty())
+        return tell_gone();
     if (output == nullptr && std::exchange(state_, State::Awaited) == State::Expected)
         words_.tell(tr("There is nothing here that ticks under a finger. Beeps and words guide."),
                     Priority::message);
@@ -87,6 +95,7 @@ void ExploreTouch::use(OpenTouch& open) {
         tour_.end_told();
     if (state_ == State::InUse)
         connector_.release(servo_.feel_by(nullptr));
+    const bool in_place_of_another = !gone_.isEmpty() && open.listed.name != used_;
     about_ = in_persons_language(open.listed.about);
     key_ = choices_.touch();
     used_ = open.listed.name;
@@ -100,6 +109,9 @@ void ExploreTouch::use(OpenTouch& open) {
     if (on)
         servo_.engage();
     emit changed();
+    if (in_place_of_another)
+        return tell_gone();
+    gone_.clear();
     words_.tell(on ? tr("Ticks: %1.").arg(about_)
                    : tr("Ticks: %1. They are off. Press Enter to switch them on.").arg(about_),
                 Priority::message);
@@ -110,6 +122,8 @@ void ExploreTouch::refuse(const QString& sentence) {
         state_ = State::Awaited;
     if (const ListedTouchOutput* output = touch_for(connector_.there(), choices_.touch()))
         refused_ = output->name;
+    if (!gone_.isEmpty())
+        return tell_gone();
     words_.tell(Earcon::fault, tr("%1 Until then beeps and words guide.").arg(sentence), Priority::fault);
 }
 
@@ -118,14 +132,22 @@ void ExploreTouch::watch() {
         lose();
 }
 
-/// It was unplugged; sound goes on, and it is used again when it comes back.
+/// It was unplugged; sound goes on, and it is used again when it comes back. What ticks meanwhile is told with it, once that is
+/// known.
 void ExploreTouch::lose() {
     const QString gone = about_;
     give_back();
+    gone_ = gone;
     state_ = State::Awaited;
     connector_.watch(true);
+}
+
+void ExploreTouch::tell_gone() {
+    const QString gone = at_the_start(std::exchange(gone_, {}));
     words_.tell(Earcon::fault,
-                tr("%1 is gone. Beeps and words guide until it is there again.").arg(at_the_start(gone)),
+                state_ == State::InUse
+                    ? tr("%1 is gone. Until it is there again, ticks come from: %2.").arg(gone, about_)
+                    : tr("%1 is gone. Beeps and words guide until it is there again.").arg(gone),
                 Priority::fault);
 }
 

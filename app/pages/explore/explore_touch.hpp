@@ -69,6 +69,7 @@ private:
     void use(OpenTouch& open);
     void refuse(const QString& sentence);
     void lose();
+    void tell_gone();
     void follow_choices();
 
     FingerServo& servo_;
@@ -84,6 +85,7 @@ private:
     QString about_;            ///< of the one in use
     std::string used_;         ///< its name
     QString key_;              ///< of the one in use: what was chosen
+    QString gone_;             ///< the one that was lost, until that is told
     std::string refused_;      ///< name of the one that could not be opened; it is not asked again by itself
     TouchConnector connector_; ///< last: its work ends first
 };

@@ -131,6 +131,35 @@ private slots:
         QTRY_VERIFY(!bench.socket.ticks().empty());
     }
 
+    void the_drawn_finger_takes_the_place_of_a_lost_output_in_one_sentence() {
+        Bench bench(Choices::Guide::ticks, false, true);
+        bench.socket.plug_in();
+        bench.begin();
+        QTRY_COMPARE(bench.session->touch()->name(), QString("test pad"));
+        bench.voice.clear();
+        bench.socket.unplug();
+        QTRY_COMPARE(bench.session->touch()->name(), QString("drawn finger"));
+        QTest::qWait(100);
+        QCOMPARE(bench.voice.said(),
+                 QStringList("Test pad is gone. Until it is there again, ticks come from: drawn finger."));
+        QVERIFY(!bench.session->choices()->beeps());
+        bench.voice.clear();
+        bench.socket.plug_in();
+        QTRY_COMPARE(bench.session->touch()->name(), QString("test pad"));
+        QCOMPARE(bench.voice.said(), QStringList("Ticks: test pad."));
+    }
+
+    void a_refused_output_that_was_unplugged_is_asked_again_when_it_is_plugged_in() {
+        Bench bench;
+        bench.socket.plug_in(false, "It is held by another program.");
+        bench.begin();
+        QTRY_VERIFY(bench.said("It is held by another program."));
+        bench.socket.unplug();
+        QTest::qWait(100);
+        bench.socket.plug_in();
+        QTRY_VERIFY(bench.in_use());
+    }
+
     void where_there_is_none_that_is_told_once_and_beeps_guide() {
         Bench bench(Choices::Guide::ticks);
         bench.begin();

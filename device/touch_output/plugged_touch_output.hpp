@@ -16,6 +16,7 @@ struct PluggedTouchOutput {
     std::string serial_number;
     TouchMeans means = TouchMeans::ticks;
     bool is_pad = false; ///< the finger lies on it, and it tells where (TouchCapabilities::pad)
+    double delay = 0.0;  ///< s, estimate from a call to what is felt (TouchCapabilities::delay)
     /// Its back end, not yet open, whose open() holds bus_mutex() itself.
     std::function<std::unique_ptr<TouchOutput>()> make;
 };

@@ -38,7 +38,8 @@ std::vector<ListedTouchOutput> list_touch_outputs() {
     const std::lock_guard lock(bus_mutex());
     std::vector<ListedTouchOutput> outputs;
     for (const PluggedTouchOutput& output : plugged_touch_outputs())
-        outputs.push_back({output.name, output.about, output.serial_number, output.means, output.is_pad});
+        outputs.push_back(
+            {output.name, output.about, output.serial_number, output.means, output.is_pad, output.delay});
     return outputs;
 }
 

@@ -17,6 +17,7 @@ struct ListedTouchOutput {
     std::string serial_number;
     TouchMeans means = TouchMeans::ticks;
     bool is_pad = false; ///< the finger lies on it, and it tells where (TouchCapabilities::pad)
+    double delay = 0.0;  ///< s, estimate from a call to what is felt (TouchCapabilities::delay)
 };
 
 /// What is plugged in or built in now, each once. Any thread; it may wait for another.

@@ -75,6 +75,8 @@ class TouchSocket {
     };
 
 public:
+    static constexpr double delay_s = 0.012; ///< as it says of itself
+
     TouchAccess access() const {
         TouchAccess access;
         access.list = [plugged = plugged_] {
@@ -91,7 +93,7 @@ public:
         const std::lock_guard lock(plugged_->mutex);
         plugged_->pad = pad;
         plugged_->refusal = refusal;
-        plugged_->list = {{"double:1", "test pad", "1", TouchMeans::ticks, pad}};
+        plugged_->list = {{"double:1", "test pad", "1", TouchMeans::ticks, pad, delay_s}};
         plugged_->there = true;
     }
     void unplug() { plugged_->there = false; }

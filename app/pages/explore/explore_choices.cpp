@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/explore/explore_choices.hpp"
 
+#include "app/parts/devices/touch_access.hpp"
+
 #include <algorithm>
 
 namespace tp {
@@ -54,11 +56,11 @@ bool ExploreChoices::ticks() const {
     return kind == Choices::Guide::ticks || kind == Choices::Guide::ticks_and_sonar;
 }
 
-TouchSettings ExploreChoices::touch_settings() const {
+TouchSettings ExploreChoices::touch_settings(const ListedTouchOutput& output) const {
     const Choices& choices = preferences_.choices();
     TouchSettings settings;
     settings.choices = {choices.touch_strength, choices.touch_sharpness};
-    settings.latency_s = choices.touch_latency_s;
+    settings.latency_s = touch_latency_s(choices, key_of(output), output.delay);
     return settings;
 }
 

@@ -7,6 +7,7 @@
 #include "app/parts/preferences/preferences.hpp"
 #include "app/photo/scene/extra_features.hpp"
 #include "core/touch/touch_loop.hpp"
+#include "device/touch_output/touch_registry.hpp"
 
 #include <QObject>
 #include <QStringList>
@@ -46,8 +47,8 @@ public:
     bool ticks() const;
     /// By key_of; the output that ticks.
     QString touch() const { return preferences_.choices().touch; }
-    /// How it ticks.
-    TouchSettings touch_settings() const;
+    /// How that output ticks.
+    TouchSettings touch_settings(const ListedTouchOutput& output) const;
     /// Which features are felt beside eyes, mouth and outline.
     ExtraFeatures extras() const;
     /// By key_of; the device that moves the finger.

@@ -78,7 +78,7 @@ void ExploreTouch::look() {
     if (std::none_of(there.begin(), there.end(), [this](const auto& one) { return one.name == refused_; }))
         refused_.clear(); // unplugged since; plugged in again it is asked again
     const ListedTouchOutput* output = touch_for(there, choices_.touch());
-    if (state_ == State::InUse && (output == nullptr || output->name == used_))
+    if (state_ == State::InUse && (output == nullptr || output->name == used_.name))
         return;
     if (output != nullptr && output->name != refused_)
         return connector_.open(*output);
@@ -95,13 +95,13 @@ void ExploreTouch::use(OpenTouch& open) {
         tour_.end_told();
     if (state_ == State::InUse)
         connector_.release(servo_.feel_by(nullptr));
-    const bool in_place_of_another = !gone_.isEmpty() && open.listed.name != used_;
+    const bool in_place_of_another = !gone_.isEmpty() && open.listed.name != used_.name;
     about_ = in_persons_language(open.listed.about);
     key_ = choices_.touch();
-    used_ = open.listed.name;
-    connector_.watch(used_ == drawn_touch_name); // which only stands in for another
-    auto drive =
-        std::make_unique<TouchDrive>(std::move(open.output), open.can, surface_, choices_.touch_settings());
+    used_ = open.listed;
+    connector_.watch(used_.name == drawn_touch_name); // which only stands in for another
+    auto drive = std::make_unique<TouchDrive>(std::move(open.output), open.can, surface_,
+                                              choices_.touch_settings(used_));
     view_.reach(drive->reach());
     connector_.release(servo_.feel_by(std::move(drive)));
     state_ = State::InUse;
@@ -155,7 +155,7 @@ void ExploreTouch::follow_choices() {
     follow_wish();
     if (state_ != State::InUse)
         return;
-    const TouchSettings chosen = choices_.touch_settings();
+    const TouchSettings chosen = choices_.touch_settings(used_);
     servo_.touch()->loop().choose(chosen.choices);
     servo_.touch()->loop().set_latency(chosen.latency_s);
     if (choices_.touch() == key_)

@@ -83,7 +83,7 @@ private:
     State state_ = State::Away;
     bool here_ = false;
     QString about_;            ///< of the one in use
-    std::string used_;         ///< its name
+    ListedTouchOutput used_;   ///< the one in use, or the last one
     QString key_;              ///< of the one in use: what was chosen
     QString gone_;             ///< the one that was lost, until that is told
     std::string refused_;      ///< name of the one that could not be opened; it is not asked again by itself

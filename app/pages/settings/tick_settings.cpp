@@ -42,8 +42,18 @@ QStringList TickSettings::names() const {
     return names;
 }
 
+const ListedTouchOutput* TickSettings::chosen() const {
+    return touch_for(connector_.there(), steps_.now().touch);
+}
+
+double TickSettings::latency() const {
+    const ListedTouchOutput* one = chosen();
+    return one == nullptr ? steps_.now().touch_latency_s
+                          : touch_latency_s(steps_.now(), key_of(*one), one->delay);
+}
+
 int TickSettings::current() const {
-    const ListedTouchOutput* one = touch_for(connector_.there(), steps_.now().touch);
+    const ListedTouchOutput* one = chosen();
     return one == nullptr ? -1 : static_cast<int>(one - connector_.there().data());
 }
 
@@ -77,19 +87,31 @@ void TickSettings::setSharpness(double share) {
 }
 
 void TickSettings::setLatency(double seconds) {
+    const ListedTouchOutput* one = chosen();
+    set_latency(one == nullptr ? QString() : key_of(*one), seconds);
+}
+
+/// Of that output; without a key, of all that have none of their own.
+void TickSettings::set_latency(const QString& key, double seconds) {
     const double bounded = std::clamp(seconds, 0.0, TapTest::longest_latency_s);
     steps_.make(tr("how late ticks are felt"),
                 tr("Ticks are felt %n millisecond(s) late.", nullptr, qRound(1000.0 * bounded)),
-                [bounded](Choices& choices) { choices.touch_latency_s = bounded; });
+                [&key, bounded](Choices& choices) {
+                    if (key.isEmpty())
+                        choices.touch_latency_s = bounded;
+                    else
+                        choices.touch_latencies_s[key] = bounded;
+                });
 }
 
 void TickSettings::open(Doing wish) {
     end();
-    const int index = current();
-    if (index < 0)
+    const ListedTouchOutput* one = chosen();
+    if (one == nullptr)
         return steps_.tell(tr("There is nothing here that ticks under a finger."));
     doing_ = wish;
-    connector_.open(connector_.there()[static_cast<std::size_t>(index)]);
+    measured_ = key_of(*one);
+    connector_.open(*one);
 }
 
 void TickSettings::use(OpenTouch& open) {
@@ -150,7 +172,7 @@ void TickSettings::finish_measuring() {
     if (!latency)
         return end(tr("Too few ticks were answered. Nothing was changed."));
     end();
-    setLatency(*latency);
+    set_latency(measured_, *latency);
 }
 
 bool TickSettings::stop() {

@@ -37,7 +37,7 @@ class TickSettings final : public QObject {
     Q_PROPERTY(int current READ current NOTIFY changed)        ///< -1: nothing is there
     Q_PROPERTY(double strength READ strength NOTIFY changed)   ///< 0.1 … 1
     Q_PROPERTY(double sharpness READ sharpness NOTIFY changed) ///< 0 … 1
-    Q_PROPERTY(double latency READ latency NOTIFY changed)     ///< s, 0 … 0.15
+    Q_PROPERTY(double latency READ latency NOTIFY changed)     ///< s, 0 … 0.15, of the current one
     Q_PROPERTY(bool measuring READ measuring NOTIFY changed)
 public:
     struct Setup {
@@ -52,7 +52,7 @@ public:
     int current() const;
     double strength() const { return steps_.now().touch_strength; }
     double sharpness() const { return steps_.now().touch_sharpness; }
-    double latency() const { return steps_.now().touch_latency_s; }
+    double latency() const;
     bool measuring() const { return doing_ == Doing::measuring; }
 
     void enter();
@@ -76,6 +76,9 @@ signals:
 private:
     enum class Doing { nothing, opening_to_feel, feeling, opening_to_measure, measuring };
 
+    /// The current one; null for none.
+    const ListedTouchOutput* chosen() const;
+    void set_latency(const QString& key, double seconds);
     void open(Doing wish);
     void use(OpenTouch& open);
     void end(const QString& sentence = {});
@@ -87,6 +90,7 @@ private:
     std::function<double()> now_;
     std::function<double(int)> pause_before_;
     Doing doing_ = Doing::nothing;
+    QString measured_; ///< key_of the one that is open
     TapTest taps_;
     int ticks_ = 0; ///< sent of the test
     std::unique_ptr<TouchDrive> drive_;

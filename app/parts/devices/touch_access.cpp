@@ -36,7 +36,8 @@ TouchAccess TouchAccess::with_motor_file(const std::filesystem::path& file) cons
     access.list = [file, others = list] {
         std::vector<ListedTouchOutput> all;
         for (const PluggedTouchOutput& motor : plugged_motor_file(file))
-            all.push_back({motor.name, motor.about, motor.serial_number, motor.means, motor.is_pad});
+            all.push_back(
+                {motor.name, motor.about, motor.serial_number, motor.means, motor.is_pad, motor.delay});
         const std::vector<ListedTouchOutput> more = others();
         all.insert(all.end(), more.begin(), more.end());
         return all;

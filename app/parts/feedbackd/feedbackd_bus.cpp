@@ -43,6 +43,7 @@ std::vector<PluggedTouchOutput> plugged_feedbackd() {
     output.name = "feedbackd:motor";
     output.about = name_for_person;
     output.means = TouchMeans::rumble;
+    output.delay = feedback_delay_s(FeedbackKind::motor);
     output.make = []() -> std::unique_ptr<TouchOutput> {
         return std::make_unique<FeedbackOutput>(
             FeedbackOutput::Identity{name_for_person, {}}, []() -> Result<std::unique_ptr<FeedbackNode>> {

@@ -8,7 +8,8 @@ namespace tp {
 std::vector<ListedTouchOutput> touch_outputs_here() {
     std::vector<ListedTouchOutput> outputs = list_touch_outputs();
     for (const PluggedTouchOutput& output : plugged_feedbackd())
-        outputs.push_back({output.name, output.about, output.serial_number, output.means, output.is_pad});
+        outputs.push_back(
+            {output.name, output.about, output.serial_number, output.means, output.is_pad, output.delay});
     return outputs;
 }
 

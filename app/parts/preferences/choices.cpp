@@ -29,6 +29,12 @@ public:
         object_[name] = QJsonArray::fromStringList(value);
     }
     void operator()(const char* name, const double& value, double, double) { object_[name] = value; }
+    void operator()(const char* name, const QMap<QString, double>& values, double, double) {
+        QJsonObject each;
+        for (auto one = values.begin(); one != values.end(); ++one)
+            each[one.key()] = one.value();
+        object_[name] = each;
+    }
     template <typename Enum, std::size_t Count>
     void operator()(const char* name, const Enum& value, const std::array<const char*, Count>& names) {
         object_[name] = names[static_cast<std::size_t>(value)];
@@ -57,6 +63,15 @@ public:
         const double read = object_[name].toDouble(value);
         if (read >= least && read <= most)
             value = read;
+    }
+    void operator()(const char* name, QMap<QString, double>& values, double least, double most) const {
+        if (!object_[name].isObject())
+            return;
+        values.clear();
+        const QJsonObject each = object_[name].toObject();
+        for (auto one = each.begin(); one != each.end(); ++one)
+            if (one->isDouble() && one->toDouble() >= least && one->toDouble() <= most)
+                values[one.key()] = one->toDouble();
     }
     template <typename Enum, std::size_t Count>
     void operator()(const char* name, Enum& value, const std::array<const char*, Count>& names) const {
@@ -97,11 +112,17 @@ void each_choice(Of& choices, Visitor& visit) {
     visit("touch", choices.touch);
     visit("touch_strength", choices.touch_strength, 0.1, 1.0);
     visit("touch_sharpness", choices.touch_sharpness, 0.0, 1.0);
+    visit("touch_latencies_s", choices.touch_latencies_s, 0.0, 0.15);
     visit("touch_latency_s", choices.touch_latency_s, 0.0, 0.15);
     visit("device", choices.device);
 }
 
 } // namespace
+
+double touch_latency_s(const Choices& choices, const QString& key, double own) {
+    return choices.touch_latencies_s.value(key,
+                                           choices.touch_latency_s > 0.0 ? choices.touch_latency_s : own);
+}
 
 double speech_rate(Choices::Rate rate) {
     constexpr std::array rates{-0.6, -0.3, 0.0, 0.35, 0.7};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QMap>
 #include <QString>
 #include <QStringList>
 
@@ -43,11 +44,16 @@ struct Choices {
     QString touch;                ///< serial number, or name, of the output that ticks; empty: the first
     double touch_strength = 0.7;  ///< 0.1–1
     double touch_sharpness = 0.7; ///< 0–1
-    double touch_latency_s = 0.0; ///< 0–0.15, from a tick that is sent to one that is felt
+    /// Of each output by what `touch` would remember it by: 0–0.15, from a tick that is sent to one that is felt.
+    QMap<QString, double> touch_latencies_s;
+    double touch_latency_s = 0.0; ///< of outputs that are not in it; 0: what each says of itself
     QString device; ///< serial number, or name, of the force device; "simulated": none; empty: the first
 
     bool operator==(const Choices&) const = default;
 };
+
+/// How late ticks of the output that is remembered by `key` are felt, s; `own` is its estimate of itself.
+double touch_latency_s(const Choices& choices, const QString& key, double own);
 
 /// -1 … 1, as a Voice wants it.
 double speech_rate(Choices::Rate rate);

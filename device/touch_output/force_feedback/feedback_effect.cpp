@@ -18,6 +18,8 @@ std::uint16_t whole(double value) { return static_cast<std::uint16_t>(std::lroun
 
 double shortest_feedback_s(FeedbackKind kind) { return plays_waves(kind) ? 0.001 * soft_period_ms : 0.04; }
 
+double feedback_delay_s(FeedbackKind kind) { return plays_waves(kind) ? 0.01 : 0.03; }
+
 FeedbackEffect feedback_of(const Tick& tick, FeedbackKind kind) noexcept {
     FeedbackEffect effect;
     if (tick.empty() || kind == FeedbackKind::none)

@@ -22,6 +22,9 @@ struct FeedbackEffect {
 /// Chosen, not measured on any device.
 double shortest_feedback_s(FeedbackKind kind);
 
+/// s from a tick that is told to one that is felt: a motor has to get going. An estimate.
+double feedback_delay_s(FeedbackKind kind);
+
 /// A tick as it is played. On one motor only its amplitude is felt; of two the slow one is a soft tick, the fast one a sharp
 /// tick; a wave is the higher the sharper the tick, 125 … 250 Hz.
 FeedbackEffect feedback_of(const Tick& tick, FeedbackKind kind) noexcept;

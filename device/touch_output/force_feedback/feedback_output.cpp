@@ -90,7 +90,7 @@ Result<TouchCapabilities> FeedbackOutput::open() {
     can.name = identity_.name;
     can.serial_number = identity_.serial_number;
     can.means = plays_waves(kind_) ? TouchMeans::ticks : TouchMeans::rumble;
-    can.delay = plays_waves(kind_) ? 0.01 : 0.03; // estimates
+    can.delay = feedback_delay_s(kind_);
     can.shortest_s = shortest_feedback_s(kind_);
     can.rate = 1.0 / can.shortest_s;
     return can;

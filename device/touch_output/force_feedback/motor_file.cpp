@@ -77,6 +77,7 @@ std::vector<PluggedTouchOutput> plugged_motor_file(const std::filesystem::path& 
     PluggedTouchOutput output;
     output.name = "simulated:" + file.string();
     output.about = motor_of_a_file;
+    output.delay = feedback_delay_s(FeedbackKind::sine);
     output.make = [file]() -> std::unique_ptr<TouchOutput> {
         return std::make_unique<FeedbackOutput>(FeedbackOutput::Identity{motor_of_a_file, {}},
                                                 [file] { return open_motor_file(file); });

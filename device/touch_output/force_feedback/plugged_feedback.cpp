@@ -21,6 +21,7 @@ std::vector<PluggedTouchOutput> feedback_outputs(const std::vector<FoundFeedback
         output.about = one.name;
         output.serial_number = one.serial_number;
         output.means = plays_waves(one.kind) ? TouchMeans::ticks : TouchMeans::rumble;
+        output.delay = feedback_delay_s(one.kind);
         output.make = [one]() -> std::unique_ptr<TouchOutput> {
             return std::make_unique<FeedbackOutput>(FeedbackOutput::Identity{one.name, one.serial_number},
                                                     [one] {

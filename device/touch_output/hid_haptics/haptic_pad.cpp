@@ -85,7 +85,7 @@ Result<TouchCapabilities> HapticPad::open() {
     can.name = identity_.product.empty() ? device_words : identity_.product;
     can.serial_number = identity_.serial_number;
     can.means = TouchMeans::ticks;
-    can.delay = 0.015;
+    can.delay = delay_s;
     can.rate = 50.0;
     can.shortest_s = 0.01; // how long a click is, is the pad's own choice
     if (line_->layout.pad)

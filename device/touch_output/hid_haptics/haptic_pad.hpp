@@ -22,6 +22,7 @@ namespace tp {
 class HapticPad final : public TouchOutput {
 public:
     using Opener = std::function<Result<std::unique_ptr<HapticsTransport>>()>;
+    static constexpr double delay_s = 0.015; ///< from a tick that is told to one that is felt; an estimate
     struct Identity {
         std::string product;
         std::string serial_number;

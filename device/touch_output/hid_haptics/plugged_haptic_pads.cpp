@@ -27,6 +27,7 @@ std::vector<PluggedTouchOutput> plugged_haptic_pads() {
         output.about = pad.product.empty() ? "touch pad with haptics" : pad.product;
         output.serial_number = pad.serial_number;
         output.means = TouchMeans::ticks;
+        output.delay = HapticPad::delay_s;
         output.is_pad = pad.tells_place;
         output.make = [pad] {
             return std::make_unique<HapticPad>([pad] { return open_now(pad); },

@@ -49,6 +49,7 @@ std::vector<PluggedTouchOutput> plugged_steam_pads() {
                                                                : "Steam Controller by radio: its touch pads";
         output.serial_number = first.serial_number;
         output.means = TouchMeans::ticks;
+        output.delay = SteamPad::delay_s(first.kind);
         output.is_pad = true;
         output.make = [interfaces] {
             std::vector<SteamPad::Opener> openers;

@@ -128,7 +128,7 @@ Result<TouchCapabilities> SteamPad::open() {
     can.name = name_of(kind_);
     can.serial_number = serial_number_;
     can.means = TouchMeans::ticks;
-    can.delay = kind_ == steam::Kind::receiver ? 0.020 : 0.008;
+    can.delay = delay_s(kind_);
     can.rate = kind_ == steam::Kind::receiver ? 50.0 : 125.0;
     can.shortest_s = 0.002;
     const double half = 0.5 * steam::pad_width_mm(kind_);

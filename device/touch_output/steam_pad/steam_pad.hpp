@@ -31,6 +31,9 @@ class SteamPad final : public TouchOutput {
 public:
     using Opener = std::function<Result<std::unique_ptr<SteamTransport>>()>;
 
+    /// s from a tick that is told to one that is felt: longer by radio. An estimate.
+    static double delay_s(steam::Kind kind) { return kind == steam::Kind::receiver ? 0.020 : 0.008; }
+
     /// `openers` in turn, until behind one of them a controller answers: a receiver has several.
     explicit SteamPad(std::vector<Opener> openers, std::string serial_number = {},
                       LatestWriter::Thread thread = LatestWriter::Thread::own);

@@ -160,6 +160,16 @@ private slots:
         QTRY_VERIFY(bench.in_use());
     }
 
+    void each_output_is_told_as_much_earlier_as_it_is_late() {
+        Bench bench;
+        bench.sounds.preferences.change([](Choices& choices) { choices.touch_latencies_s["A"] = 0.06; });
+        const auto latency = [&](const ListedTouchOutput& output) {
+            return bench.session->choices()->touch_settings(output).latency_s;
+        };
+        QCOMPARE(latency({"motor:A", "motor", "A", TouchMeans::rumble, false, 0.03}), 0.06);
+        QCOMPARE(latency({"motor:B", "motor", "B", TouchMeans::rumble, false, 0.03}), 0.03);
+    }
+
     void where_there_is_none_that_is_told_once_and_beeps_guide() {
         Bench bench(Choices::Guide::ticks);
         bench.begin();

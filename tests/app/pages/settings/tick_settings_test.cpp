@@ -76,8 +76,24 @@ private slots:
             bench.session.ticks()->tap();
         }
         QTRY_VERIFY(!bench.session.ticks()->measuring());
-        QVERIFY(std::abs(bench.now().touch_latency_s - (0.23 - TapTest::reaction_s)) < 1e-9);
+        QVERIFY(std::abs(bench.now().touch_latencies_s["1"] - (0.23 - TapTest::reaction_s)) < 1e-9);
         QTRY_COMPARE(bench.ticking.open(), 0);
+    }
+
+    void each_output_has_a_latency_of_its_own() {
+        SettingsBench bench;
+        TickSettings& ticks = *bench.session.ticks();
+        bench.ticking.plug_in();
+        bench.session.enter();
+        QTRY_COMPARE(ticks.current(), 0);
+        QCOMPARE(ticks.latency(), testing::TouchSocket::delay_s); // what it says of itself
+        ticks.setLatency(0.05);
+        QCOMPARE(ticks.latency(), 0.05);
+        QCOMPARE(bench.now().touch_latencies_s, (QMap<QString, double>{{"1", 0.05}}));
+        QCOMPARE(bench.now().touch_latency_s, 0.0);
+        bench.session.steps()->undo();
+        bench.preferences.change([](Choices& choices) { choices.touch_latency_s = 0.1; });
+        QCOMPARE(ticks.latency(), 0.1);
     }
 
     void escape_ends_a_test_and_a_page_that_is_left_too() {

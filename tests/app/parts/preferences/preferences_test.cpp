@@ -38,6 +38,7 @@ Choices unusual() {
     choices.touch_strength = 0.2;
     choices.touch_sharpness = 0.9;
     choices.touch_latency_s = 0.04;
+    choices.touch_latencies_s = {{"PAD-7", 0.008}, {"motor:/dev/input/event3", 0.0}};
     choices.device = "TP-1";
     return choices;
 }
@@ -66,6 +67,23 @@ private slots:
         QVERIFY(!spoilt);
         QCOMPARE(choices_from("[1, 2", unusual(), &spoilt), unusual());
         QVERIFY(spoilt);
+    }
+
+    void a_latency_that_makes_no_sense_is_not_taken_and_others_are() {
+        const Choices read = choices_from(
+            R"({"touch_latencies_s": {"A": 0.02, "B": 9, "C": -1, "D": "late", "E": [0.1]}})", unusual());
+        QCOMPARE(read.touch_latencies_s, (QMap<QString, double>{{"A", 0.02}}));
+        QCOMPARE(choices_from(R"({"touch_latencies_s": 0.1})", unusual()), unusual());
+    }
+
+    void an_output_is_as_late_as_it_was_measured_else_as_all_were_else_as_it_says() {
+        Choices choices;
+        QCOMPARE(touch_latency_s(choices, "A", 0.03), 0.03);
+        choices.touch_latency_s = 0.1; // from when there was one for all
+        QCOMPARE(touch_latency_s(choices, "A", 0.03), 0.1);
+        choices.touch_latencies_s["A"] = 0.0;
+        QCOMPARE(touch_latency_s(choices, "A", 0.03), 0.0);
+        QCOMPARE(touch_latency_s(choices, "B", 0.03), 0.1);
     }
 
     void speech_rates_rise_within_what_a_voice_takes() {

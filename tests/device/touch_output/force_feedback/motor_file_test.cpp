@@ -105,6 +105,7 @@ private slots:
         const auto can = output->open();
         QVERIFY(can.ok());
         QCOMPARE(can->means, plugged[0].means);
+        QCOMPARE(can->delay, plugged[0].delay);
         output->stop();
         bench.unplug();
         QVERIFY(plugged_motor_file(bench.path()).empty());

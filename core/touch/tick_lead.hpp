@@ -12,11 +12,12 @@ namespace tp {
 class TickLead {
 public:
     static constexpr double every_s = 0.2;   ///< from tick to tick
+    static constexpr double ahead_mm = 4.0;  ///< of a hand that follows, the place is no farther
     static constexpr double reach_mm = 12.0; ///< from here on a tick is as weak as it gets
     static constexpr double weakest = 0.1;   ///< that one, as a share of the strongest
 
     /// `way` in mm and with at least one point; it must outlive this.
-    TickLead(const Polyline& way, Vec2 finger) : tour_(way, finger) {}
+    TickLead(const Polyline& way, Vec2 finger) : tour_(way, finger, {.max_lead = ahead_mm}) {}
 
     /// `dt` seconds pass with the finger there; the tick that is due now, or an empty one.
     Tick step(Vec2 finger, double dt, const TickChoices& choices) noexcept;

@@ -6,7 +6,8 @@
 namespace tp {
 
 /// Real-time priority (SCHED_FIFO at `level`) for the calling thread, and a timer slack of 1 ns; without them
-/// it still runs, only later. True where the priority was given.
+/// it still runs, only later: where the priority is refused, Linux since 6.12 lets it on sooner than who computes for
+/// longer. True where the priority was given.
 bool prefer_real_time(int level) noexcept;
 
 /// Keeps `size` bytes from `data` on and what the calling thread may use of its stack (64 KiB) in memory, so

@@ -1,17 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/real_time.hpp"
 
+#include <cstdint>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 namespace tp {
+
+namespace {
+
+/// sched_setattr(2), for which glibc has no function before 2.41.
+struct SchedulingAttributes {
+    std::uint32_t size = sizeof(SchedulingAttributes);
+    std::uint32_t policy = SCHED_OTHER;
+    std::uint64_t flags = 0;
+    std::int32_t nice = 0;
+    std::uint32_t priority = 0;
+    std::uint64_t runtime_ns = 0;
+    std::uint64_t deadline_ns = 0;
+    std::uint64_t period_ns = 0;
+};
+
+/// Among programs of the usual priority, who wants the processor for a shorter time at once gets it sooner: since Linux 6.12, for
+/// everybody, without a permission. Before that nothing changes.
+void prefer_short_slices() noexcept {
+    constexpr std::uint64_t shortest_ns = 100'000;
+    SchedulingAttributes wish;
+    wish.nice = getpriority(PRIO_PROCESS, 0);
+    wish.runtime_ns = shortest_ns;
+    syscall(SYS_sched_setattr, 0, &wish, 0U);
+}
+
+} // namespace
 
 bool prefer_real_time(int level) noexcept {
     prctl(PR_SET_TIMERSLACK, 1UL);
     sched_param priority{};
     priority.sched_priority = level;
-    return sched_setscheduler(0, SCHED_FIFO, &priority) == 0;
+    if (sched_setscheduler(0, SCHED_FIFO, &priority) == 0)
+        return true;
+    prefer_short_slices();
+    return false;
 }
 
 bool lock_memory(const void* data, std::size_t size) noexcept {

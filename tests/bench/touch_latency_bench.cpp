@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // How long it takes from a finger's place to the motor's command: a finger that wanders over a map of many lines at 1 kHz,
-// through friction, its events, ticks, the output by force feedback and its writer's thread, to a simulated motor. The writer
-// has to be woken: on a busy computer that is what is measured.
-// touch_latency_bench [SECONDS] [MS]: so long a run, and a driver that takes so many ms over a change of its effect.
+// through friction, its events, ticks, the output by force feedback and its writer's thread, to a simulated motor. The loop and
+// the writer have to be woken: on a busy computer that is what is measured.
+// touch_latency_bench [SECONDS] [MS] [LOAD]: so long a run, a driver that takes so many ms over a change of its effect, and so
+// many threads beside it that compute without a pause.
 #include "app/figures/bench/bench_scene.hpp"
 #include "core/guidance/exact_law.hpp"
+#include "core/servo/real_time.hpp"
 #include "core/touch/tick_law.hpp"
 #include "device/touch_output/force_feedback/feedback_output.hpp"
 #include "device/touch_output/force_feedback/simulated_feedback.hpp"
@@ -72,6 +74,21 @@ void print(const char* what, const std::vector<double>& seconds) {
                 quantile_ms(seconds, 0.5), quantile_ms(seconds, 0.99), quantile_ms(seconds, 1.0));
 }
 
+/// Threads that compute until it ends.
+class Load {
+public:
+    explicit Load(int threads) {
+        for (int i = 0; i < threads; ++i)
+            threads_.emplace_back([](const std::stop_token& stop) {
+                for (volatile unsigned work = 0; !stop.stop_requested();)
+                    work = work + 1;
+            });
+    }
+
+private:
+    std::vector<std::jthread> threads_;
+};
+
 } // namespace
 
 int main(int count, char** words) {
@@ -83,6 +100,7 @@ int main(int count, char** words) {
     const FrictionLaw law(map, {});
     FrictionFinger finger(law);
 
+    const Load load(count > 3 ? std::atoi(words[3]) : 0);
     Stamps stamps;
     stamps.delays.reserve(path.size());
     FeedbackOutput output({"motor", ""}, [&]() -> Result<std::unique_ptr<FeedbackNode>> {
@@ -91,12 +109,16 @@ int main(int count, char** words) {
     if (!output.open().ok())
         return 1;
     std::vector<double> caller;
+    std::vector<double> late;
     caller.reserve(path.size());
+    late.reserve(path.size());
     std::size_t told = 0;
+    const bool real_time = prefer_real_time(19); // as the touch loop
     auto due = Steady::now();
     for (const Vec2 place : path) {
         due += std::chrono::milliseconds(1);
         std::this_thread::sleep_until(due);
+        late.push_back(std::chrono::duration<double>(Steady::now() - due).count());
         const double begun = now();
         const Tick tick = tick_of(finger.step(place, {80.0, 0.0}, exact.at(place)), {});
         if (!tick.empty()) {
@@ -107,7 +129,8 @@ int main(int count, char** words) {
         caller.push_back(now() - begun);
     }
     output.stop();
-    std::printf("%zu ticks told\n", told);
+    std::printf("%zu ticks told, real-time priority %s\n", told, real_time ? "given" : "not given");
+    print("how late the loop's periods began", late);
     print("place to the end of the loop's work", caller);
     print("place to the motor's command", stamps.delays);
     return 0;

@@ -4,9 +4,13 @@
 #include <QFile>
 #include <QTest>
 
+#include <cstdint>
+#include <linux/capability.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 using namespace tp;
@@ -31,6 +35,28 @@ bool can_lock() {
     const bool locked = mlock(probe.data(), probe.size()) == 0 && locked_kib() >= before + 256;
     munlock(probe.data(), probe.size());
     return locked;
+}
+
+/// As sched_getattr(2) has them.
+struct SchedulingAttributes {
+    std::uint32_t size = sizeof(SchedulingAttributes);
+    std::uint32_t policy = 0;
+    std::uint64_t flags = 0;
+    std::int32_t nice = 0;
+    std::uint32_t priority = 0;
+    std::uint64_t runtime_ns = 0;
+    std::uint64_t deadline_ns = 0;
+    std::uint64_t period_ns = 0;
+};
+
+/// The calling thread may do no more than an ordinary person's.
+bool give_up_priorities() {
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    __user_cap_data_struct may[2] = {};
+    if (syscall(SYS_capget, &header, may) != 0)
+        return false;
+    may[0].effective &= ~(1U << CAP_SYS_NICE);
+    return syscall(SYS_capset, &header, may) == 0;
 }
 
 } // namespace
@@ -69,6 +95,23 @@ private slots:
         }).join();
         QCOMPARE(said, possible);
         QCOMPARE(given, possible ? 3 : 0);
+    }
+
+    /// Where it does not, a thread that works shortly and often comes before those that compute for long.
+    void without_the_priority_the_shortest_slice_is_asked_for() {
+        bool refused = false, asked = false;
+        std::uint64_t slice_ns = 0;
+        std::thread([&] {
+            if (!give_up_priorities())
+                return;
+            refused = !prefer_real_time(3);
+            SchedulingAttributes now;
+            asked = syscall(SYS_sched_getattr, 0, &now, sizeof now, 0U) == 0;
+            slice_ns = now.runtime_ns;
+        }).join();
+        if (!refused || !asked || slice_ns == 0)
+            QSKIP("This system gives everybody real-time priority, or says nothing of slices.");
+        QCOMPARE(slice_ns, std::uint64_t(100'000));
     }
 
     void memory_that_is_not_there_is_not_locked() {

@@ -31,16 +31,20 @@ class Words:
     """What the pages say in a language, by what their sources say."""
 
     def __init__(self, language):
-        self.known = {}
+        self.language, self.known = language, {}
         if language == "en":
             return
-        for message in xml.etree.ElementTree.parse(os.path.join(CATALOGUES, f"touchphoto_{language}.ts")).iter("message"):
-            translation = message.find("translation")
-            forms = translation.findall("numerusform")
-            self.known.setdefault(message.find("source").text, forms[-1].text if forms else translation.text)
+        for context in xml.etree.ElementTree.parse(os.path.join(CATALOGUES, f"touchphoto_{language}.ts")).iter("context"):
+            for message in context.iter("message"):
+                source, translation = message.find("source").text, message.find("translation")
+                forms = translation.findall("numerusform")
+                text = forms[-1].text if forms else translation.text
+                self.known.setdefault(source, text)
+                self.known[context.find("name").text, source] = text
 
-    def __call__(self, source, *values):
-        text = self.known.get(source, source)
+    def __call__(self, source, *values, context=None):
+        """In the first context that has it, where none is told."""
+        text = self.known.get((context, source), self.known.get(source, source))
         for number, value in enumerate(values, 1):
             text = text.replace(f"%{number}", str(value))
         return text

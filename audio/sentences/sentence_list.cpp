@@ -581,7 +581,6 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "there is something behind its end."),
     QT_TRANSLATE_NOOP("Sentence", "they belong to a picture of another shape, %1 × %2 pixels."),
     QT_TRANSLATE_NOOP("Sentence", "they lie on different disks."),
-    QT_TRANSLATE_NOOP("Sentence", "tick %ld %ld %d"),
     QT_TRANSLATE_NOOP("Sentence", "too small"),
     QT_TRANSLATE_NOOP("Sentence", "top and bottom edges"),
     QT_TRANSLATE_NOOP("Sentence", "top edge"),

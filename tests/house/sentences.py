@@ -43,6 +43,7 @@ NOT_SAID = {  # file: what of its texts is no sentence, or none that is heard on
     "app/photo/tactile/tactile_pdf.cpp": {"DejaVu Sans"},
     "app/photo/tactile/tactile_sheet.cpp": {"orientation mark", "face %1 %2"},
     "app/photo/tactile/tactile_svg.cpp": {"Tactile sheet", "font-family:'DejaVu Sans',sans-serif;font-size:%1px;fill:%2"},
+    "device/touch_output/force_feedback/motor_file.cpp": {"tick %ld %ld %d"},
     "audio/recordings/wav_layout.cpp": {"WAVEfmt ", "fmt "},
     "core/svg/path_pieces.cpp": {"reaches beyond what can be computed with", "has more pieces than a sheet may hold",
                                  "has path data that is broken"},

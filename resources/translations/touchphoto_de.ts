@@ -435,10 +435,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Licht</translation>
     </message>
     <message>
-        <source>Point the camera at somebody and do what is said. A tone says where to move the camera: faster is nearer, high is up, and it comes from the side to move to. It rises when all is well.</source>
-        <translation>Richten Sie die Kamera auf jemanden und tun Sie, was gesagt wird. Ein Ton sagt, wohin die Kamera soll: schneller heißt näher, hoch heißt nach oben, und er kommt von der Seite, zu der sie soll. Er steigt, wenn alles stimmt.</translation>
-    </message>
-    <message>
         <source>This camera is simulated. Arrow keys turn it, Page up and Page down move it closer and back, Shift with left and right tilts it.</source>
         <translation>Diese Kamera ist simuliert. Die Pfeiltasten drehen sie, Bild auf und Bild ab bewegen sie näher und zurück, Umschalt mit links und rechts neigt sie.</translation>
     </message>
@@ -505,6 +501,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it automatically or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence.</source>
         <translation>1 bis 4: Ziel: ein Gesicht in der Mitte, eines nach der Drittelregel, Kopf und Schultern, alle. W: was zu sehen ist. S: automatisch aufnehmen oder nicht. A: mit dem Klang des Augenblicks oder ohne. C: andere Kamera. L: Licht. Escape: Ruhe.</translation>
+    </message>
+    <message>
+        <source>Point the camera at somebody and do what is said. A tone says where to move the camera: faster is nearer, high is up, and it comes from the side to move to. It rises when all is well. Where ticks are chosen as the guide, they are felt too: faster and stronger is nearer.</source>
+        <translation>Richten Sie die Kamera auf jemanden und tun Sie, was gesagt wird. Ein Ton sagt, wohin die Kamera soll: schneller heißt näher, hoch heißt nach oben, und er kommt von der Seite, zu der sie soll. Er steigt, wenn alles stimmt. Sind Ticks als Führung gewählt, werden auch sie gefühlt: schneller und stärker heißt näher.</translation>
     </message>
 </context>
 <context>
@@ -4524,6 +4524,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>dark glasses hide it</source>
         <translation>von einer Sonnenbrille verdeckt</translation>
     </message>
+    <message>
+        <source>The way after which a line is told of again must be a number of millimetres, zero or more.</source>
+        <translation>Der Weg, nach dem eine Linie wieder gemeldet wird, muss eine Zahl in Millimetern sein, null oder mehr.</translation>
+    </message>
+    <message>
+        <source>simulated motor</source>
+        <translation>simulierter Motor</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -5808,6 +5816,25 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     </message>
 </context>
 <context>
+    <name>tp::CaptureTouch</name>
+    <message>
+        <source>There is no motor here that could tick. The tone and words lead you.</source>
+        <translation>Hier ist kein Motor, der ticken könnte. Der Ton und Worte führen Sie.</translation>
+    </message>
+    <message>
+        <source>Ticks again: %1.</source>
+        <translation>Wieder Ticks: %1.</translation>
+    </message>
+    <message>
+        <source>%1 Until then the tone and words lead you.</source>
+        <translation>%1 Bis dahin führen Sie der Ton und Worte.</translation>
+    </message>
+    <message>
+        <source>No more ticks from %1: until it is there again the tone and words lead you.</source>
+        <translation>Keine Ticks mehr von %1: bis es wieder da ist, führen Sie der Ton und Worte.</translation>
+    </message>
+</context>
+<context>
     <name>tp::CareFolders</name>
     <message>
         <source>No folder was chosen.</source>
@@ -6110,6 +6137,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>%1 is gone. Beeps and words guide until it is there again.</source>
         <translation>%1 ist nicht mehr da. Pieptöne und Worte führen, bis es wieder da ist.</translation>
+    </message>
+    <message>
+        <source>%1 is gone. Until it is there again, ticks come from: %2.</source>
+        <translation>%1 ist nicht mehr da. Bis es wieder da ist, kommen die Ticks von: %2.</translation>
     </message>
 </context>
 <context>

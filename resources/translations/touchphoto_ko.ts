@@ -433,10 +433,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>조명</translation>
     </message>
     <message>
-        <source>Point the camera at somebody and do what is said. A tone says where to move the camera: faster is nearer, high is up, and it comes from the side to move to. It rises when all is well.</source>
-        <translation>카메라를 사람에게 향하고 들리는 대로 하세요. 소리가 카메라를 움직일 방향을 알려 줍니다. 빠를수록 가깝고, 높으면 위쪽이며, 움직일 쪽에서 들립니다. 모두 알맞으면 소리가 점점 높아집니다.</translation>
-    </message>
-    <message>
         <source>This camera is simulated. Arrow keys turn it, Page up and Page down move it closer and back, Shift with left and right tilts it.</source>
         <translation>이 카메라는 모의 카메라입니다. 화살표 키로 돌리고, Page Up과 Page Down으로 가까이와 뒤로 움직이며, Shift와 왼쪽이나 오른쪽 화살표 키로 기울입니다.</translation>
     </message>
@@ -503,6 +499,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>1 to 4: aim at one face in the middle, one by thirds, head and shoulders, everybody. W: what is seen. S: take it automatically or not. A: with the sound of the moment or without. C: other camera. L: light. Escape: silence.</source>
         <translation>1부터 4까지, 구도: 한 얼굴을 가운데에, 한 얼굴을 삼등분선에, 머리와 어깨, 모두. W: 보이는 것. S: 자동으로 찍기 켜기와 끄기. A: 순간의 소리와 함께 또는 소리 없이. C: 다른 카메라. L: 조명. Escape 키: 조용히.</translation>
+    </message>
+    <message>
+        <source>Point the camera at somebody and do what is said. A tone says where to move the camera: faster is nearer, high is up, and it comes from the side to move to. It rises when all is well. Where ticks are chosen as the guide, they are felt too: faster and stronger is nearer.</source>
+        <translation>카메라를 사람에게 향하고 들리는 대로 하세요. 소리가 카메라를 움직일 방향을 알려 줍니다. 빠를수록 가깝고, 높으면 위쪽이며, 움직일 쪽에서 들립니다. 모두 알맞으면 소리가 점점 높아집니다. 안내로 톡톡을 골랐다면 손으로도 느껴집니다. 빠르고 셀수록 가깝습니다.</translation>
     </message>
 </context>
 <context>
@@ -4501,6 +4501,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>dark glasses hide it</source>
         <translation>선글라스에 가려져</translation>
     </message>
+    <message>
+        <source>The way after which a line is told of again must be a number of millimetres, zero or more.</source>
+        <translation>선을 다시 알리기까지 움직일 거리는 0 이상의 밀리미터 수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>simulated motor</source>
+        <translation>모의 모터</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -5776,6 +5784,25 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
 </context>
 <context>
+    <name>tp::CaptureTouch</name>
+    <message>
+        <source>There is no motor here that could tick. The tone and words lead you.</source>
+        <translation>여기에는 톡톡 칠 수 있는 모터가 없습니다. 소리와 말로 안내합니다.</translation>
+    </message>
+    <message>
+        <source>Ticks again: %1.</source>
+        <translation>다시 톡톡: %1.</translation>
+    </message>
+    <message>
+        <source>%1 Until then the tone and words lead you.</source>
+        <translation>%1 그때까지 소리와 말로 안내합니다.</translation>
+    </message>
+    <message>
+        <source>No more ticks from %1: until it is there again the tone and words lead you.</source>
+        <translation>%1 장치에서 톡톡이 멈췄습니다. 다시 연결될 때까지 소리와 말로 안내합니다.</translation>
+    </message>
+</context>
+<context>
     <name>tp::CareFolders</name>
     <message>
         <source>No folder was chosen.</source>
@@ -6075,6 +6102,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>%1 is gone. Beeps and words guide until it is there again.</source>
         <translation>%1 장치가 없어졌습니다. 다시 연결될 때까지 삐 소리와 말로 안내합니다.</translation>
+    </message>
+    <message>
+        <source>%1 is gone. Until it is there again, ticks come from: %2.</source>
+        <translation>%1 장치가 없어졌습니다. 다시 연결될 때까지 톡톡은 %2에서 옵니다.</translation>
     </message>
 </context>
 <context>

@@ -172,6 +172,11 @@ class Page:
         for name in names:
             subprocess.run(["xdotool", "key", "--clearmodifiers", name], check=True)
 
+    def again(self, name, times):
+        """A key so often, quickly."""
+        if times > 0:
+            subprocess.run(["xdotool", "key", "--clearmodifiers", *[name] * times], check=True)
+
     def type(self, text):
         subprocess.run(["xdotool", "type", "--delay", "30", text], check=True)
 

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which programs of a finished build are made of something that is other than at some commit, or read it; which tests run
+none of these.
+
+changed.py fuzzers BUILD COMMIT         the fuzzers that are
+changed.py left-out BUILD COMMIT TURN   the tests that run none of these and whose turn it is not; TURN is a number, by which
+                                        another third of such tests is run each time
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import zlib
+
+from made_of import MadeOf
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+
+CODE = (".cpp", ".hpp", ".c", ".h", ".inc")
+COMPILED = (*CODE, ".qml", ".ts")  # and read by nothing else; all else may be read in its place too
+UNREAD = (".md", ".py")  # by what is compiled
+ELSEWHERE = ("docs/", "packaging/", ".github/", ".ci/", "tests/house/", "tests/e2e/", "cmake/House.cmake")  # the same
+
+
+def folder_that_reads(file: str, folders: set[str]) -> str:
+    """Data, or a file that says how to build, counts for all that is compiled below the next folder above it in which there
+    is code; at last for everything."""
+    folder = os.path.dirname(file)
+    while folder and folder not in folders:
+        folder = os.path.dirname(folder)
+    return folder
+
+
+def folders_of(files: set[str]) -> set[str]:
+    found = set()
+    for file in files:
+        folder = os.path.dirname(file)
+        while folder and folder not in found:
+            found.add(folder)
+            folder = os.path.dirname(folder)
+    return found
+
+
+def changed_files(root: pathlib.Path, since: str) -> set[str]:
+    """Those that came, went or are others, committed or not."""
+    shown = subprocess.run(["git", "-C", root, "diff", "--name-only", "--no-renames", "-z", since, "--"],
+                           check=True, capture_output=True, text=True)
+    return set(shown.stdout.split("\0")) - {""}
+
+
+def changed_programs(sources: dict[str, set[str]], changes: set[str]) -> set[str]:
+    """`sources`: of each program, the files that it is made of."""
+    folders = {program: folders_of({file for file in files if file.endswith(CODE)}) for program, files in sources.items()}
+    compiled_in = set().union(*folders.values())
+    data = {folder_that_reads(file, compiled_in) for file in changes
+            if not file.endswith(COMPILED + UNREAD) and not file.startswith(ELSEWHERE)}
+    return {program for program, files in sources.items()
+            if "" in data or files & changes or data & folders[program]}
+
+
+def third_of(name: str) -> int:
+    """0, 1 or 2; the same for the same name for ever."""
+    return zlib.crc32(name.encode()) % 3
+
+
+def left_out(tests: dict[str, list[str]], programs: set[str], changed: set[str], turn: int) -> list[str]:
+    """`tests`: of each, the words of its command. One that runs no program of ours is never left out."""
+    found = []
+    for name, words in tests.items():
+        runs = programs & set(words)
+        if runs and not runs & changed and third_of(name) != turn % 3:
+            found.append(name)
+    return found
+
+
+def tests_of(build: pathlib.Path) -> dict[str, list[str]]:
+    shown = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True, text=True)
+    return {test["name"]: [word.removeprefix(f"{build}/") for word in test.get("command", [])]
+            for test in json.loads(shown.stdout)["tests"]}
+
+
+def main() -> int:
+    if sys.argv[1:2] not in (["fuzzers"], ["left-out"]) or len(sys.argv) != (4 if sys.argv[1] == "fuzzers" else 5):
+        sys.exit(__doc__)
+    build = pathlib.Path(sys.argv[2]).resolve()
+    made_of = MadeOf(ROOT, build)
+    sources = {program: made_of.sources(program) for program in made_of.programs}
+    changed = changed_programs(sources, changed_files(ROOT, sys.argv[3]))
+    if sys.argv[1] == "fuzzers":
+        names = sorted(program.removeprefix("fuzz/") for program in changed if program.startswith("fuzz/"))
+    else:
+        names = left_out(tests_of(build), set(sources), changed, int(sys.argv[4]))
+    print("\n".join(names))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

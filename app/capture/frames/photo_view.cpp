@@ -24,6 +24,43 @@ HeldPose later(HeldPose pose, const HeldPose& rate, double dt) {
     return pose;
 }
 
+/// From one pose; what all pixels of a row share is computed once.
+class Gaze {
+public:
+    Gaze(double photo_aspect, const PhotoWall& wall, const HeldPose& pose, const CameraOptics& optics)
+        : wall_(wall), height_m_(wall.width_m / photo_aspect), far_m_(wall.ahead_m - pose.forward_m),
+          focal_(optics.focal(pose.zoom)), focal_down_(focal_ * optics.aspect), roll_(pose.roll_deg),
+          tilt_(pose.tilt_deg), pan_(pose.pan_deg) {}
+
+    /// The way of `projected`, backwards: roll, tilt, pan.
+    Vec2 on_photo(Vec2 in_frame) const {
+        const double seen_x = (in_frame.x - 0.5) / focal_;
+        const double seen_y = (0.5 - in_frame.y) / focal_down_;
+        const double x = seen_x * roll_.cos + seen_y * roll_.sin;
+        const double y = -seen_x * roll_.sin + seen_y * roll_.cos;
+        const double up = y * tilt_.cos + tilt_.sin;
+        const double level = -y * tilt_.sin + tilt_.cos;
+        const double right = x * pan_.cos + level * pan_.sin;
+        const double ahead = -x * pan_.sin + level * pan_.cos;
+        if (!(ahead > 1e-6) || !(far_m_ > 0.0))
+            return Vec2(std::numeric_limits<double>::quiet_NaN());
+        return {wall_.aim.x + right / ahead * far_m_ / wall_.width_m,
+                wall_.aim.y - up / ahead * far_m_ / height_m_};
+    }
+
+private:
+    struct Turn {
+        explicit Turn(double deg)
+            : sin(std::sin(deg * std::numbers::pi / 180.0)), cos(std::cos(deg * std::numbers::pi / 180.0)) {}
+        double sin, cos;
+    };
+
+    PhotoWall wall_;
+    double height_m_, far_m_;
+    double focal_, focal_down_;
+    Turn roll_, tilt_, pan_;
+};
+
 /// Each row from the pose of its own time.
 cv::Mat rows_of(const cv::Mat& photo, const PhotoWall& wall, const HeldPose& pose, const HeldPose& rate,
                 const CameraOptics& optics, const FrameTaking& taking) {
@@ -31,11 +68,10 @@ cv::Mat rows_of(const cv::Mat& photo, const PhotoWall& wall, const HeldPose& pos
     cv::Mat places(taking.size, CV_32FC2);
     for (int y = 0; y < taking.size.height; ++y) {
         const double down = (y + 0.5) / taking.size.height;
-        const HeldPose now = later(pose, rate, (down - 0.5) * taking.readout_s);
+        const Gaze now(photo_aspect, wall, later(pose, rate, (down - 0.5) * taking.readout_s), optics);
         auto* row = places.ptr<cv::Vec2f>(y);
         for (int x = 0; x < taking.size.width; ++x) {
-            const Vec2 at =
-                place_on_photo({(x + 0.5) / taking.size.width, down}, photo_aspect, wall, now, optics);
+            const Vec2 at = now.on_photo({(x + 0.5) / taking.size.width, down});
             const Vec2 px =
                 is_finite(at) ? Vec2(at.x * photo.cols - 0.5, at.y * photo.rows - 0.5) : Vec2(-1e4);
             row[x] = {static_cast<float>(std::clamp(px.x, -1e4, 1e6)),
@@ -52,24 +88,7 @@ cv::Mat rows_of(const cv::Mat& photo, const PhotoWall& wall, const HeldPose& pos
 
 Vec2 place_on_photo(Vec2 in_frame, double photo_aspect, const PhotoWall& wall, const HeldPose& pose,
                     const CameraOptics& optics) {
-    const double focal = optics.focal(pose.zoom);
-    const double seen_x = (in_frame.x - 0.5) / focal;
-    const double seen_y = (0.5 - in_frame.y) / (focal * optics.aspect);
-    // The way of `projected`, backwards: roll, tilt, pan.
-    const double roll = pose.roll_deg * std::numbers::pi / 180.0;
-    const double tilt = pose.tilt_deg * std::numbers::pi / 180.0;
-    const double pan = pose.pan_deg * std::numbers::pi / 180.0;
-    const double x = seen_x * std::cos(roll) + seen_y * std::sin(roll);
-    const double y = -seen_x * std::sin(roll) + seen_y * std::cos(roll);
-    const double up = y * std::cos(tilt) + std::sin(tilt);
-    const double level = -y * std::sin(tilt) + std::cos(tilt);
-    const double right = x * std::cos(pan) + level * std::sin(pan);
-    const double ahead = -x * std::sin(pan) + level * std::cos(pan);
-    const double far = wall.ahead_m - pose.forward_m;
-    if (!(ahead > 1e-6) || !(far > 0.0))
-        return Vec2(std::numeric_limits<double>::quiet_NaN());
-    const double height_m = wall.width_m / photo_aspect;
-    return {wall.aim.x + right / ahead * far / wall.width_m, wall.aim.y - up / ahead * far / height_m};
+    return Gaze(photo_aspect, wall, pose, optics).on_photo(in_frame);
 }
 
 cv::Mat view_of(const cv::Mat& photo, const PhotoWall& wall, const HeldPose& pose, const HeldPose& rate,

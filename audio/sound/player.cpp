@@ -89,18 +89,6 @@ void Player::previous() {
         emit list_end();
 }
 
-void Player::seek(double position_s) {
-    position_s = std::max(position_s, 0.0);
-    if (state_ != State::playing) {
-        position_s_ = duration_s_ > 0.0 ? std::min(position_s, duration_s_) : position_s;
-        emit position_changed();
-    } else if (duration_s_ > 0.0 && position_s >= duration_s_) {
-        end_current();
-    } else {
-        begin(current_, position_s, 0.0);
-    }
-}
-
 void Player::set_speed(double speed) {
     speed = std::clamp(speed, slowest_playing, fastest_playing);
     if (std::exchange(speed_, speed) != speed && state_ == State::playing)

@@ -57,9 +57,6 @@ public:
     void next();
     /// To the beginning of this one; in its first seconds to the one before.
     void previous();
-    /// To a place in the current recording; past its end to the next one.
-    void seek(double position_s);
-    void skip(double by_s) { seek(position_s() + by_s); }
     /// 0.5–2, at once; the pitch is kept.
     void set_speed(double speed);
 

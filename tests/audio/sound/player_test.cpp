@@ -178,24 +178,6 @@ private slots:
         QCOMPARE(bench.player.state(), State::playing);
     }
 
-    void skips_within_and_beyond_a_recording() {
-        Bench bench(2);
-        bench.player.play();
-        bench.pass(1.0);
-        bench.player.skip(2.0);
-        QVERIFY(near(bench.player.position_s(), 3.0));
-        bench.player.skip(-10.0);
-        QVERIFY(near(bench.player.position_s(), 0.0));
-        bench.player.skip(10.0);
-        QCOMPARE(bench.player.current(), 1u);
-        bench.player.pause();
-        bench.player.seek(3.0);
-        QCOMPARE(bench.player.state(), State::paused);
-        bench.player.play();
-        bench.pass(0.5);
-        QVERIFY(near(bench.player.position_s(), 3.5));
-    }
-
     void resumes_where_it_was_left_another_time() {
         Bench bench(2);
         std::vector<PlayItem> list = bench.player.list();
@@ -282,7 +264,6 @@ private slots:
         bench.player.play();
         bench.player.next();
         bench.player.previous();
-        bench.player.skip(10.0);
         bench.player.pause();
         QCOMPARE(bench.list_ends.size(), 3);
         QCOMPARE(bench.player.state(), State::stopped);

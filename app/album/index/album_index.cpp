@@ -180,18 +180,6 @@ std::string AlbumIndex::forget(const fs::path& missing) {
         .error();
 }
 
-std::string AlbumIndex::purge() {
-    return guarded([&] {
-               SqlTransaction all(connection());
-               connection().run("DELETE FROM photos WHERE missing = 1");
-               connection().run("DELETE FROM folders WHERE present = 0 AND NOT EXISTS "
-                                "(SELECT 1 FROM photos WHERE photos.folder = folders.id)");
-               all.commit();
-               return true;
-           })
-        .error();
-}
-
 Result<std::vector<std::vector<fs::path>>> AlbumIndex::duplicates() {
     return guarded([&] {
         std::vector<std::vector<fs::path>> groups;

@@ -55,8 +55,6 @@ public:
     Result<std::vector<std::filesystem::path>> missing();
     /// Drops one missing photograph, such as one whose move has been dealt with.
     std::string forget(const std::filesystem::path& missing);
-    /// Drops all missing photographs.
-    std::string purge();
 
     /// Groups of photographs with the same content, each by path. Links to one file are no duplicates.
     Result<std::vector<std::vector<std::filesystem::path>>> duplicates();

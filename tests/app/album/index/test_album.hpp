@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -105,6 +106,14 @@ inline std::string faults_of(AlbumIndex& index) {
     } catch (const SqlFault& fault) {
         return fault.text;
     }
+}
+
+/// Forgets every photograph that is missing, as one whose move was followed.
+inline bool forgets_missing(AlbumIndex& index) {
+    const auto missing = index.missing();
+    return missing.ok() && std::ranges::all_of(missing.value(), [&](const std::filesystem::path& gone) {
+               return index.forget(gone).empty();
+           });
 }
 
 } // namespace tp::testing

@@ -4,26 +4,17 @@
 #include "device/guard/simulated_guard.hpp"
 #include "device/hid_pid/model_joystick.hpp"
 #include "device/hid_pid/pid_transport.hpp"
+#include "device/simulated/report_cable.hpp"
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <memory>
-#include <random>
 #include <span>
 #include <vector>
 
 namespace tp {
 
-/// What can go wrong on the way between a computer and a stick. Shares are 0 … 1 of all reports from the
-/// stick.
-struct JoystickLinkTroubles {
-    double drop = 0.0;
-    double garble = 0.0; ///< some bytes are others
-    double cut = 0.0;    ///< a shorter report
-    bool mute = false;   ///< nothing comes from the stick
-    bool deaf = false;   ///< nothing reaches the stick, and nobody is told
-    bool unplugged = false;
+struct JoystickLinkTroubles : CableTroubles {
     bool no_guard = false;
     bool no_input_now = false; ///< it does not tell how it is when it is asked
     int block_load_late = 0;   ///< answers that fail before one that does not
@@ -34,7 +25,7 @@ class SimulatedJoystickLink final : public PidTransport {
 public:
     /// `delay_ms` is how many milliseconds a report takes each way.
     explicit SimulatedJoystickLink(ModelJoystick& stick, unsigned delay_ms = 0, std::uint32_t seed = 1)
-        : joystick_(stick), delay_ms_(delay_ms), random_(seed) {}
+        : joystick_(stick), cable_(delay_ms, seed) {}
 
     /// A millisecond of the stick.
     void advance();
@@ -59,21 +50,12 @@ public:
     std::vector<hid::Report> guard_leaves;     ///< and then, were the program gone
 
 private:
-    struct UnderWay {
-        std::uint64_t due = 0; ///< ms
-        std::vector<std::uint8_t> bytes;
-    };
-    bool happens(double share);
     bool is_force(std::span<const std::uint8_t> report) const;
 
     ModelJoystick& joystick_;
-    unsigned delay_ms_;
-    std::mt19937 random_;
-    std::uint64_t now_ = 0;                ///< ms
+    ReportCable cable_;
     unsigned silent_ms_ = 0;               ///< since any effect's force arrived
     std::array<unsigned, 256> lacks_ms_{}; ///< of each effect, one that was lost; 0: none
-    std::deque<UnderWay> to_joystick_;
-    std::deque<UnderWay> from_joystick_;
 };
 
 } // namespace tp

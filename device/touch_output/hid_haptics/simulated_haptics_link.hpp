@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "device/simulated/report_cable.hpp"
 #include "device/touch_output/hid_haptics/haptics_transport.hpp"
 #include "device/touch_output/hid_haptics/model_haptic_pad.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
-#include <random>
 #include <vector>
 
 namespace tp {
 
-/// What can go wrong on the way between a computer and the pad. Shares are 0 … 1 of all reports.
-struct HapticsLinkTroubles {
-    double drop = 0.0;   ///< from the pad
-    double garble = 0.0; ///< from the pad: some bytes are others
-    double cut = 0.0;    ///< from the pad: a shorter report
-    double refuse = 0.0; ///< to the pad: not taken, and that is told
-    bool mute = false;   ///< nothing comes from the pad
-    bool deaf = false;   ///< nothing reaches the pad, and nobody is told
-    bool unplugged = false;
+/// And a share, 0 … 1, of the reports to the pad that is not taken, which is told.
+struct HapticsLinkTroubles : CableTroubles {
+    double refuse = 0.0;
     std::vector<std::uint8_t> lie; ///< what the device says of its reports instead of the truth
 };
 
@@ -29,7 +22,7 @@ class SimulatedHapticsLink final : public HapticsTransport {
 public:
     /// `delay_ms` is how many milliseconds a report takes each way.
     explicit SimulatedHapticsLink(ModelHapticPad& pad, unsigned delay_ms = 0, std::uint32_t seed = 1)
-        : pad_(pad), delay_ms_(delay_ms), random_(seed) {}
+        : pad_(pad), cable_(delay_ms, seed) {}
 
     /// A millisecond of the pad.
     void advance();
@@ -43,19 +36,9 @@ public:
     HapticsLinkTroubles troubles;
 
 private:
-    struct UnderWay {
-        std::uint64_t due = 0; ///< ms
-        std::vector<std::uint8_t> bytes;
-    };
-    bool happens(double share);
-
     ModelHapticPad& pad_;
-    unsigned delay_ms_;
-    std::mt19937 random_;
-    std::uint64_t now_ = 0; ///< ms
+    ReportCable cable_;
     unsigned long sends_ = 0;
-    std::deque<UnderWay> to_pad_;
-    std::deque<UnderWay> from_pad_;
 };
 
 } // namespace tp

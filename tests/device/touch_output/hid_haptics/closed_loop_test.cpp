@@ -1,88 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // A finger walks over lines on a model pad and feels a tick at each, while everything goes wrong that can.
 #include "../../closed_loop/fault_schedules.hpp"
+#include "../walking_finger.hpp"
 #include "haptics_bench.hpp"
 
 #include <QTest>
 
-#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
 
 using namespace tp;
 using tp::testing::any_trouble;
 using tp::testing::HapticsBench;
 using tp::testing::Trouble;
-
-namespace {
-
-enum Kind { drop, garble, cut, refuse, mute, deaf, unplugged, stalled, halted, trouble_kinds };
-
-void set_trouble(HapticsBench& bench, const Trouble& trouble, bool on) {
-    const double share = on ? trouble.size : 0.0;
-    switch (trouble.kind) {
-    case drop:
-        bench.link.troubles.drop = share;
-        break;
-    case garble:
-        bench.link.troubles.garble = share;
-        break;
-    case cut:
-        bench.link.troubles.cut = share;
-        break;
-    case refuse:
-        bench.link.troubles.refuse = share;
-        break;
-    case mute:
-        bench.link.troubles.mute = on;
-        break;
-    case deaf:
-        bench.link.troubles.deaf = on;
-        break;
-    case unplugged:
-        bench.link.troubles.unplugged = on;
-        break;
-    case stalled:
-        bench.writer_stalled = on;
-        break;
-    case halted:
-        if (on)
-            bench.pad.halt();
-        break;
-    default:
-        break;
-    }
-}
-
-/// Walks to and fro on a pad; a line every 3 mm.
-struct Walker {
-    HapticsBench& bench;
-    int last = 0;
-    unsigned long asked = 0;
-    unsigned long delivered = 0;
-
-    void tick() {
-        const double x = 12.0 * std::sin(4.0 * bench.now);
-        bench.model.touch(0, {x, 3.0});
-        const unsigned long before = bench.link.sends();
-        const bool stalled = bench.writer_stalled;
-        bench.writer_stalled = true; // delivered below, so that whoever else sends is seen
-        bench.tick();
-        bench.writer_stalled = stalled;
-        if (bench.touch && bench.touch->touched) {
-            const int line = static_cast<int>(std::floor(bench.touch->place.x / 3.0));
-            if (line != last) {
-                ++asked;
-                delivered += bench.pad.tick(Tick(0.7, 0.5, 0.02)) ? 1 : 0;
-            }
-            last = line;
-        }
-        sends_outside_the_writer += bench.link.sends() - before;
-        if (!stalled)
-            bench.pad.deliver();
-    }
-    unsigned long sends_outside_the_writer = 0;
-};
-
-} // namespace
+using tp::testing::Walker;
 
 class HapticsClosedLoopTest : public QObject {
     Q_OBJECT
@@ -90,7 +22,7 @@ private slots:
     void every_line_is_felt() {
         HapticsBench bench(1);
         QCOMPARE(bench.open(), std::string());
-        Walker walker{bench};
+        Walker<HapticsBench> walker{bench};
         while (bench.now < 10.0)
             walker.tick();
         QVERIFY(walker.asked > 80);
@@ -106,11 +38,11 @@ private slots:
             std::mt19937 random(static_cast<unsigned>(number));
             HapticsBench bench(static_cast<unsigned>(number % 2), static_cast<std::uint32_t>(random()));
             QCOMPARE(bench.open(), std::string());
-            Walker walker{bench};
+            Walker<HapticsBench> walker{bench};
             constexpr int ticks = 1200;
             std::vector<Trouble> troubles(1 + random() % 4);
             for (Trouble& trouble : troubles)
-                trouble = any_trouble(random, static_cast<int>(random() % trouble_kinds), ticks);
+                trouble = any_trouble(random, static_cast<int>(random() % tp::testing::trouble_kinds), ticks);
             const int stop_at = number % 4 == 0 ? static_cast<int>(random() % ticks) : ticks;
             const QByteArray name = "schedule " + QByteArray::number(number);
             int felt_for = 0; // ms at a stretch

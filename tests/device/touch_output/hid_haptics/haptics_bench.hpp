@@ -53,6 +53,7 @@ struct HapticsBench {
             can = opened.value();
         return opened.error();
     }
+    void put_finger(Vec2 place) { model.touch(0, place); }
     /// A millisecond.
     void tick() {
         now += 0.001;

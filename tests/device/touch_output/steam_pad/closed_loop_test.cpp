@@ -1,88 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // A thumb walks over lines on model pads and feels a tick at each, while everything goes wrong that can.
 #include "../../closed_loop/fault_schedules.hpp"
+#include "../walking_finger.hpp"
 #include "steam_bench.hpp"
 
 #include <QTest>
 
-#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
 
 using namespace tp;
 using tp::testing::any_trouble;
 using tp::testing::SteamBench;
 using tp::testing::Trouble;
-
-namespace {
-
-enum Kind { drop, garble, cut, refuse, mute, deaf, unplugged, stalled, halted, trouble_kinds };
-
-void set_trouble(SteamBench& bench, const Trouble& trouble, bool on) {
-    const double share = on ? trouble.size : 0.0;
-    switch (trouble.kind) {
-    case drop:
-        bench.link.troubles.drop = share;
-        break;
-    case garble:
-        bench.link.troubles.garble = share;
-        break;
-    case cut:
-        bench.link.troubles.cut = share;
-        break;
-    case refuse:
-        bench.link.troubles.refuse = share;
-        break;
-    case mute:
-        bench.link.troubles.mute = on;
-        break;
-    case deaf:
-        bench.link.troubles.deaf = on;
-        break;
-    case unplugged:
-        bench.link.troubles.unplugged = on;
-        break;
-    case stalled:
-        bench.writer_stalled = on;
-        break;
-    case halted:
-        if (on)
-            bench.pad.halt();
-        break;
-    default:
-        break;
-    }
-}
-
-/// Walks to and fro on a pad; a line every 3 mm.
-struct Walker {
-    SteamBench& bench;
-    int last = 0;
-    unsigned long asked = 0;
-    unsigned long delivered = 0;
-
-    void tick() {
-        const double x = 12.0 * std::sin(4.0 * bench.now);
-        bench.model.touch(steam::Side::left, {x, 3.0});
-        const unsigned long before = bench.link.sends();
-        const bool stalled = bench.writer_stalled;
-        bench.writer_stalled = true; // delivered below, so that whoever else sends is seen
-        bench.tick();
-        bench.writer_stalled = stalled;
-        if (bench.touch && bench.touch->touched) {
-            const int line = static_cast<int>(std::floor(bench.touch->place.x / 3.0));
-            if (line != last) {
-                ++asked;
-                delivered += bench.pad.tick(Tick(0.7, 0.5, 0.02)) ? 1 : 0;
-            }
-            last = line;
-        }
-        sends_outside_the_writer += bench.link.sends() - before;
-        if (!stalled)
-            bench.pad.deliver();
-    }
-    unsigned long sends_outside_the_writer = 0;
-};
-
-} // namespace
+using tp::testing::Walker;
 
 class SteamClosedLoopTest : public QObject {
     Q_OBJECT
@@ -90,7 +22,7 @@ private slots:
     void every_line_is_felt() {
         for (const steam::Kind kind : {steam::Kind::deck, steam::Kind::controller, steam::Kind::receiver}) {
             SteamBench bench(kind, 1);
-            Walker walker{bench};
+            Walker<SteamBench> walker{bench};
             while (bench.now < 10.0)
                 walker.tick();
             QVERIFY(walker.asked > 80);
@@ -108,11 +40,11 @@ private slots:
             const auto kind = static_cast<steam::Kind>(number % 3);
             SteamBench bench(kind, static_cast<unsigned>(number % 2), static_cast<std::uint32_t>(random()));
             QVERIFY2(bench.error.empty(), bench.error.c_str());
-            Walker walker{bench};
+            Walker<SteamBench> walker{bench};
             constexpr int ticks = 1200;
             std::vector<Trouble> troubles(1 + random() % 4);
             for (Trouble& trouble : troubles)
-                trouble = any_trouble(random, static_cast<int>(random() % trouble_kinds), ticks);
+                trouble = any_trouble(random, static_cast<int>(random() % tp::testing::trouble_kinds), ticks);
             const int stop_at = number % 4 == 0 ? static_cast<int>(random() % ticks) : ticks;
             const QByteArray name = "schedule " + QByteArray::number(number);
             int felt_for = 0; // ms at a stretch

@@ -50,6 +50,7 @@ struct SteamBench {
             can = opened.value();
         error = opened.error();
     }
+    void put_finger(Vec2 place) { model.touch(steam::Side::left, place); }
     /// A millisecond.
     void tick() {
         now += 0.001;

@@ -56,14 +56,22 @@ public:
         return nullptr;
     }
     QAccessibleInterface* named(const QString& name) { return named(*this, name); }
-    /// Presses it as a screen reader does; false where it is not there.
-    static bool press(QQuickWindow& window, const QString& name) {
-        QAccessibleInterface* found = named(window, name);
+    /// Does it as a screen reader does; false where it is not there, or does not offer it.
+    static bool act(QAccessibleInterface* found, const QString& action) {
+        if (found == nullptr || found->actionInterface() == nullptr ||
+            !found->actionInterface()->actionNames().contains(action))
+            return false;
+        found->actionInterface()->doAction(action);
+        return true;
+    }
+    /// Presses it as a screen reader does, offered or not; false where it is not there.
+    static bool press(QAccessibleInterface* found) {
         if (found == nullptr || found->actionInterface() == nullptr)
             return false;
         found->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
         return true;
     }
+    static bool press(QQuickWindow& window, const QString& name) { return press(named(window, name)); }
     bool press(const QString& name) { return press(*this, name); }
 
     /// What can be used and lacks a name or is smaller than `least` pixels; as "role name".

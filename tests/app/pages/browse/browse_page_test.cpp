@@ -18,7 +18,6 @@
 #include <QTest>
 #include <QUrl>
 #include <QVariant>
-#include <QtGlobal>
 
 #include <algorithm>
 #include <memory>
@@ -29,14 +28,6 @@ using namespace tp::testing;
 using View = BrowseTrail::View;
 
 namespace {
-
-QStringList warnings;
-
-void remember_warnings(QtMsgType type, const QMessageLogContext&, const QString& text) {
-    const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("Using QCharRef");
-    if ((type == QtWarningMsg || type == QtCriticalMsg) && !of_the_test_machine)
-        warnings << text;
-}
 
 const QString garden_words = "Anna and Tom, May 2026, Vienna; 2 recording(s).";
 
@@ -118,57 +109,31 @@ struct Page : BrowseBench {
     }
 };
 
-/// Every interface below `root` that can be seen, in reading order.
-void collect(QAccessibleInterface* root, QList<QAccessibleInterface*>& into) {
-    if (root == nullptr || root->state().invisible)
-        return;
-    into << root;
-    for (int i = 0; i < root->childCount(); ++i)
-        collect(root->child(i), into);
-}
-
-QList<QAccessibleInterface*> interfaces(QQuickWindow& window) {
-    QList<QAccessibleInterface*> all;
-    collect(QAccessible::queryAccessibleInterface(&window), all);
-    return all;
-}
-
-QAccessibleInterface* named(QQuickWindow& window, const QString& name) {
-    for (QAccessibleInterface* one : interfaces(window))
-        if (one->text(QAccessible::Name) == name)
-            return one;
-    return nullptr;
-}
-
 bool act(QQuickWindow& window, const QString& name,
          const QString& action = QAccessibleActionInterface::pressAction()) {
-    QAccessibleInterface* one = named(window, name);
-    if (one == nullptr || one->actionInterface() == nullptr ||
-        !one->actionInterface()->actionNames().contains(action))
-        return false;
-    one->actionInterface()->doAction(action);
-    return true;
+    return PageWindow::act(PageWindow::named(window, name), action);
 }
 
 } // namespace
 
 class BrowsePageTest : public QObject {
     Q_OBJECT
+    const Warnings warnings_;
+
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        qInstallMessageHandler(remember_warnings);
+    void initTestCase() { QAccessible::setActive(true); }
+    void init() { Warnings::all().clear(); }
+    void cleanup() { // QML warnings above all
+        QVERIFY2(Warnings::all().isEmpty(), qPrintable(Warnings::all().join('\n')));
     }
-    void init() { warnings.clear(); }
-    void cleanup() { QCOMPARE(warnings, QStringList()); } // QML warnings above all
 
     void it_shows_the_photograph_and_its_words() {
         Page page;
         QVERIFY(page.ready());
         QTRY_VERIFY(!page.session->details()->picture().isNull());
-        QVERIFY(named(page.window, garden_words) != nullptr);
-        QVERIFY(named(page.window, garden_words + " 4 of 5") != nullptr);
-        QVERIFY(named(page.window, "Photograph: 4 of 5") != nullptr);
+        QVERIFY(PageWindow::named(page.window, garden_words) != nullptr);
+        QVERIFY(PageWindow::named(page.window, garden_words + " 4 of 5") != nullptr);
+        QVERIFY(PageWindow::named(page.window, "Photograph: 4 of 5") != nullptr);
         const QColor colour = page.window.grabWindow().pixelColor(page.middle());
         QVERIFY2(colour.saturation() > 60, qPrintable(colour.name())); // the picture, not the ground
     }
@@ -182,7 +147,7 @@ private slots:
         QCOMPARE(page.said(), garden_words);
         page.key(Qt::Key_Down);
         QCOMPARE(page.said(), QString("Anna"));
-        QVERIFY(named(page.window, "Detail: Anna") != nullptr);
+        QVERIFY(PageWindow::named(page.window, "Detail: Anna") != nullptr);
         page.key(Qt::Key_Up);
         QCOMPARE(page.said(), garden_words);
         page.key(Qt::Key_Home);
@@ -197,15 +162,15 @@ private slots:
         page.key(Qt::Key_Return);
         QVERIFY(page.session->playback()->playing());
         page.loudspeaker.play(0.2);
-        QVERIFY(named(page.window, "Pause") != nullptr);
-        QVERIFY(named(page.window, "memo by Tom, 0:00 of 0:01") != nullptr);
+        QVERIFY(PageWindow::named(page.window, "Pause") != nullptr);
+        QVERIFY(PageWindow::named(page.window, "memo by Tom, 0:00 of 0:01") != nullptr);
         page.key(Qt::Key_Return);
         QVERIFY(!page.session->playback()->playing());
         page.key(Qt::Key_Space);
         QVERIFY(page.session->playback()->playing());
         page.key(Qt::Key_Escape);
         QVERIFY(!page.session->playback()->playing());
-        QVERIFY(named(page.window, "Play recordings") != nullptr);
+        QVERIFY(PageWindow::named(page.window, "Play recordings") != nullptr);
     }
 
     void an_escape_that_stops_nothing_is_left_to_the_program() {
@@ -257,7 +222,7 @@ private slots:
         page.key(Qt::Key_P);
         QCOMPARE(page.session->trail()->view(), View::Names);
         QCOMPARE(page.said(), QString("Anna, 2 photograph(s)")); // the row that has the keyboard
-        QVERIFY(named(page.window, "Anna, 2 photograph(s), 1 of 3") != nullptr);
+        QVERIFY(PageWindow::named(page.window, "Anna, 2 photograph(s), 1 of 3") != nullptr);
         page.key(Qt::Key_Down);
         QCOMPARE(page.said(), QString("Ben, 1 photograph(s)"));
         page.key(Qt::Key_Up);
@@ -401,7 +366,7 @@ private slots:
         Page page;
         QVERIFY(page.ready());
         const QString photo = garden_words + " 4 of 5";
-        QAccessibleInterface* pane = named(page.window, photo);
+        QAccessibleInterface* pane = PageWindow::named(page.window, photo);
         QVERIFY(pane != nullptr);
         QCOMPARE(pane->role(), QAccessible::Graphic);
         QVERIFY(pane->state().focusable);
@@ -427,7 +392,7 @@ private slots:
         QVERIFY(act(page.window, "Back"));
         QVERIFY(act(page.window, "Back"));
         QVERIFY(act(page.window, "Search"));
-        QVERIFY(named(page.window, "A name, a place or any word") != nullptr);
+        QVERIFY(PageWindow::named(page.window, "A name, a place or any word") != nullptr);
         QVERIFY(act(page.window, "Back"));
         QVERIFY(act(page.window, "Surprise me"));
         QVERIFY(act(page.window, "Faster"));
@@ -446,12 +411,12 @@ private slots:
         QVERIFY(page.ready());
         QSignalSpy settings(page.session.get(), &BrowseSession::settingsAsked),
             import(page.session.get(), &BrowseSession::importAsked);
-        QVERIFY(named(page.window, page.session->album()->emptyText()) != nullptr);
+        QVERIFY(PageWindow::named(page.window, page.session->album()->emptyText()) != nullptr);
         QVERIFY(act(page.window, "Choose folders"));
         QVERIFY(act(page.window, "Import photographs"));
         QCOMPARE(settings.count(), 1);
         QCOMPARE(import.count(), 1);
-        QVERIFY(named(page.window, "Next") == nullptr);
+        QVERIFY(PageWindow::named(page.window, "Next") == nullptr);
     }
 
     void everything_operable_has_name_and_size_data() {
@@ -476,7 +441,7 @@ private slots:
                 page.session->lists()->openSearch();
             QCoreApplication::processEvents();
             int operable = 0;
-            for (QAccessibleInterface* one : interfaces(page.window)) {
+            for (QAccessibleInterface* one : PageWindow::everything(page.window)) {
                 auto* item = qobject_cast<QQuickItem*>(one->object());
                 const bool control =
                     one->role() == QAccessible::Button || one->role() == QAccessible::Graphic ||

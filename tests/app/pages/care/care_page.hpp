@@ -3,6 +3,7 @@
 
 #include "app/pages/care/care_module.hpp"
 #include "care_bench.hpp"
+#include "page_window.hpp"
 
 #include <QAccessible>
 #include <QList>
@@ -14,21 +15,10 @@
 #include <QSet>
 #include <QString>
 #include <QStringList>
-#include <QtGlobal>
 
 #include <memory>
 #include <string>
 #include <vector>
-
-inline QStringList warnings;
-
-inline void remember_warnings(QtMsgType type, const QMessageLogContext&, const QString& text) {
-    // The last is Qt 6.4's own, where a window closes on a busy machine while something in it is being drawn.
-    const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("Using QCharRef") ||
-                                     text.startsWith("QUnifiedTimer::stopAnimationDriver");
-    if ((type == QtWarningMsg || type == QtCriticalMsg) && !of_the_test_machine)
-        warnings << text;
-}
 
 struct Page {
     CareBench bench;
@@ -75,25 +65,10 @@ struct Page {
     }
 };
 
-inline void collect(QAccessibleInterface* root, QList<QAccessibleInterface*>& into) {
-    if (root == nullptr || root->state().invisible)
-        return;
-    into << root;
-    for (int i = 0; i < root->childCount(); ++i)
-        collect(root->child(i), into);
-}
-
-inline QList<QAccessibleInterface*> everything(Page& page) {
-    QList<QAccessibleInterface*> all;
-    collect(QAccessible::queryAccessibleInterface(&page.window), all);
-    return all;
-}
+inline QList<QAccessibleInterface*> everything(Page& page) { return PageWindow::everything(page.window); }
 
 inline QAccessibleInterface* named(Page& page, const QString& name) {
-    for (QAccessibleInterface* one : everything(page))
-        if (one->text(QAccessible::Name) == name)
-            return one;
-    return nullptr;
+    return PageWindow::named(page.window, name);
 }
 
 inline QAccessibleInterface* beginning(Page& page, const QString& name) {
@@ -103,12 +78,7 @@ inline QAccessibleInterface* beginning(Page& page, const QString& name) {
     return nullptr;
 }
 
-inline bool press(QAccessibleInterface* one) {
-    if (one == nullptr || one->actionInterface() == nullptr)
-        return false;
-    one->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
-    return true;
-}
+inline bool press(QAccessibleInterface* one) { return PageWindow::press(one); }
 
 inline bool is_operable(QAccessibleInterface* one) {
     const QStringList actions =

@@ -24,13 +24,14 @@ namespace fs = std::filesystem;
 
 class CarePageTest : public QObject {
     Q_OBJECT
+    const Warnings warnings_;
+
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        qInstallMessageHandler(remember_warnings);
+    void initTestCase() { QAccessible::setActive(true); }
+    void init() { Warnings::all().clear(); }
+    void cleanup() { // QML warnings above all
+        QVERIFY2(Warnings::all().isEmpty(), qPrintable(Warnings::all().join('\n')));
     }
-    void init() { warnings.clear(); }
-    void cleanup() { QVERIFY2(warnings.isEmpty(), qPrintable(warnings.join('\n'))); } // QML warnings above all
 
     void it_loads_with_the_photographs_and_a_word_on_what_to_do() {
         Page page;

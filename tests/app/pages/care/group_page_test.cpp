@@ -42,15 +42,14 @@ struct PeoplePage : Page {
 
 class GroupPageTest : public QObject {
     Q_OBJECT
+    const Warnings warnings_;
+
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        qInstallMessageHandler(remember_warnings);
+    void initTestCase() { QAccessible::setActive(true); }
+    void init() { Warnings::all().clear(); }
+    void cleanup() { // QML warnings above all
+        QVERIFY2(Warnings::all().isEmpty(), qPrintable(Warnings::all().join('\n')));
     }
-    void init() { warnings.clear(); }
-    void cleanup() {
-        QVERIFY2(warnings.isEmpty(), qPrintable(warnings.join('\n')));
-    } // QML warnings above all
 
     void by_keys_alone_all_are_named_and_taken_back() {
         PeoplePage page;

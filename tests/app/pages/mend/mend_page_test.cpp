@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/mend/mend_module.hpp"
 #include "mend_bench.hpp"
+#include "page_window.hpp"
 
 #include <QAccessible>
 #include <QImage>
@@ -12,21 +13,12 @@
 #include <QSet>
 #include <QTest>
 #include <QVariant>
-#include <QtGlobal>
 
 #include <memory>
 
 using namespace tp;
 
 namespace {
-
-QStringList warnings;
-
-void remember_warnings(QtMsgType type, const QMessageLogContext&, const QString& text) {
-    const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("Using QCharRef");
-    if ((type == QtWarningMsg || type == QtCriticalMsg) && !of_the_test_machine)
-        warnings << text;
-}
 
 struct MendWindow : MendBench {
     QQuickView window;
@@ -64,28 +56,9 @@ struct MendWindow : MendBench {
         QTest::keyClick(&window, key, modifiers);
     }
 
-    QAccessibleInterface* named(const QString& name) {
-        QList<QAccessibleInterface*> all;
-        collect(QAccessible::queryAccessibleInterface(&window), all);
-        for (QAccessibleInterface* one : all)
-            if (one->text(QAccessible::Name) == name)
-                return one;
-        return nullptr;
-    }
+    QAccessibleInterface* named(const QString& name) { return PageWindow::named(window, name); }
     bool act(const QString& name, const QString& action = QAccessibleActionInterface::pressAction()) {
-        QAccessibleInterface* one = named(name);
-        if (one == nullptr || one->actionInterface() == nullptr ||
-            !one->actionInterface()->actionNames().contains(action))
-            return false;
-        one->actionInterface()->doAction(action);
-        return true;
-    }
-    static void collect(QAccessibleInterface* root, QList<QAccessibleInterface*>& into) {
-        if (root == nullptr || root->state().invisible)
-            return;
-        into << root;
-        for (int i = 0; i < root->childCount(); ++i)
-            collect(root->child(i), into);
+        return PageWindow::act(named(name), action);
     }
 };
 
@@ -95,13 +68,14 @@ bool near_to(Vec2 one, Vec2 other, double within) { return length(one - other) <
 
 class MendPageTest : public QObject {
     Q_OBJECT
+    const Warnings warnings_;
+
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        qInstallMessageHandler(remember_warnings);
+    void initTestCase() { QAccessible::setActive(true); }
+    void init() { Warnings::all().clear(); }
+    void cleanup() { // QML warnings above all
+        QVERIFY2(Warnings::all().isEmpty(), qPrintable(Warnings::all().join('\n')));
     }
-    void init() { warnings.clear(); }
-    void cleanup() { QCOMPARE(warnings, QStringList()); } // QML warnings above all
 
     void it_shows_photograph_lines_and_points() {
         MendWindow page;
@@ -304,10 +278,8 @@ private slots:
     void what_can_be_operated_has_a_name_and_is_large_enough() {
         MendWindow page;
         QVERIFY(page.exposed());
-        QList<QAccessibleInterface*> all;
-        MendWindow::collect(QAccessible::queryAccessibleInterface(&page.window), all);
         int operable = 0;
-        for (QAccessibleInterface* one : all) {
+        for (QAccessibleInterface* one : PageWindow::everything(page.window)) {
             const QStringList actions =
                 one->actionInterface() != nullptr ? one->actionInterface()->actionNames() : QStringList();
             if ((!one->state().focusable && !actions.contains(QAccessibleActionInterface::pressAction())) ||

@@ -284,7 +284,9 @@ def inner(whole, program, lab, photos):
             for text_scale in (1.0, 2.0):
                 shapes = (WIDE, TALL) if whole else (SHAPES[language, text_scale],)
                 count = walk(program, album, folder, focus, language, text_scale, shapes)
-                print(f"{language}, text {text_scale:g}, {' and '.join(f'{wide}x{high}' for wide, high in shapes)}: without fault" + (f"; Tab stopped {count} times, always in sight" if count else ""))
+                seen = " and ".join(f"{wide}x{high}" for wide, high in shapes)
+                stopped = f"; Tab stopped {count} times, always in sight" if count else ""
+                print(f"{language}, text {text_scale:g}, {seen}: without fault{stopped}")
 
 
 if __name__ == "__main__":

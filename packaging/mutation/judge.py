@@ -196,7 +196,7 @@ class Judge:
                 if self._stop:
                     raise Stopped
                 process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=file, stderr=subprocess.STDOUT,
-                                           start_new_session=True, **options)
+                                           process_group=0, **options)  # a session's leader would own a terminal it opens
                 self._running.add(process)
             try:
                 status = process.wait(seconds)

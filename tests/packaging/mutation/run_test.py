@@ -176,6 +176,22 @@ int main() {
         (self.root / "build/release/tests/room/helper").symlink_to("/bin/true")
         self.assertGreater(self.counts(self.mutate("--sample", "4"))[1], 0)
 
+    def test_a_terminal_that_a_test_opens_is_not_its_own(self):
+        """Or closing it would hang up on the test."""
+        self.build("""#include "room/limit.hpp"
+#include <cstdlib>
+#include <fcntl.h>
+#include <unistd.h>
+int main() {
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    if (grantpt(terminal) != 0 || unlockpt(terminal) != 0 || open(ptsname(terminal), O_RDWR) < 0)
+        return 1;
+    close(terminal);
+    return limited(2.0) == 1.5 ? 0 : 1;
+}
+""")
+        self.assertGreater(self.counts(self.mutate("--sample", "4"))[1], 0)
+
     def test_tests_that_fail_by_themselves_are_told(self):
         self.build("int main() { return 1; }\n")
         done = subprocess.run([sys.executable, MUTATE, "--root", self.root, "room"], capture_output=True, text=True)

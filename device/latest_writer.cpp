@@ -29,12 +29,16 @@ struct LatestWriter::Mailbox {
     void write_until_quit() noexcept {
         while (!lost.load(std::memory_order_acquire)) {
             turn.wait(sent.load(std::memory_order_relaxed), std::memory_order_acquire);
+            const bool last = quit.load(std::memory_order_acquire);
             send(turn.load(std::memory_order_acquire));
-            if (quit.load(std::memory_order_acquire) &&
-                turn.load(std::memory_order_acquire) == sent.load(std::memory_order_relaxed))
+            if (last)
                 break;
         }
         ended.store(true, std::memory_order_release);
+    }
+    void wake() noexcept {
+        turn.fetch_add(1, std::memory_order_release);
+        turn.notify_one();
     }
 };
 
@@ -53,8 +57,7 @@ LatestWriter::~LatestWriter() { end(); }
 
 void LatestWriter::post(std::uint64_t message) noexcept {
     mailbox_->message.store(message, std::memory_order_release);
-    mailbox_->turn.fetch_add(1, std::memory_order_release);
-    mailbox_->turn.notify_one();
+    mailbox_->wake();
 }
 
 void LatestWriter::halt() noexcept {
@@ -84,9 +87,10 @@ void LatestWriter::deliver() noexcept {
 bool LatestWriter::end() noexcept {
     if (ended_)
         return !hangs_;
-    post(mailbox_->no_force); // before quit: a writer that sees quit has sent this, or still will
+    // Before quit: what a writer sends that has seen quit is this.
+    mailbox_->message.store(mailbox_->no_force, std::memory_order_release);
     mailbox_->quit.store(true, std::memory_order_release);
-    post(mailbox_->no_force); // wakes a writer that has sent the first and not seen quit
+    mailbox_->wake();
     if (!thread_.joinable())
         deliver();
     ended_ = true;

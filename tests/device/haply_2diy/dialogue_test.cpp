@@ -137,6 +137,24 @@ private slots:
             }
     }
 
+    /// At a port where another device is, whatever that says to each question.
+    void what_answers_like_no_2diy_is_not_opened() {
+        haply::Reply elsewhere = Script().here; // than it was just told that its arms are
+        elsewhere.angle_deg[0] += 1.5f;
+        haply::Reply other = Script().here;
+        other.device_id = 4;
+        haply::Reply nowhere = Script().here;
+        nowhere.angle_deg[1] = 1e6f;
+        for (const haply::Reply& answer : {elsewhere, other, nowhere}) {
+            Bench bench;
+            bench.script.here = answer;
+            QVERIFY(!bench.open());
+            QVERIFY2(bench.can.error().find("does not answer like") != std::string::npos,
+                     bench.can.error().c_str());
+            QVERIFY(!bench.device.write(SafeForce{}));
+        }
+    }
+
     void another_board_s_answer_is_none() {
         Bench bench;
         QVERIFY(bench.open());

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 using namespace tp;
@@ -42,6 +43,16 @@ private slots:
         QVERIFY(!begins.empty());
         QVERIFY(leaves.amplitude() > begins.amplitude());
         QVERIFY(leaves.sharpness() > begins.sharpness());
+    }
+
+    void each_kind_has_its_strength_and_its_length() {
+        QVERIFY(tick_of(event_of(LineEventKind::crossed), choices) == Tick(0.6, 0.8, 0.008));
+        QVERIFY(tick_of(event_of(LineEventKind::followed), choices) == Tick(0.3, 0.0, 0.016));
+        QVERIFY(tick_of(event_of(LineEventKind::left), choices) == Tick(0.6, 1.0, 0.016));
+        const Tick corner = tick_of(event_of(LineEventKind::corner), choices);
+        QVERIFY(std::abs(corner.amplitude() - 0.4) < 1e-12);
+        QCOMPARE(corner.sharpness(), 0.8);
+        QCOMPARE(corner.seconds(), 0.008);
     }
 
     void each_kind_is_felt_and_none_like_another() {

@@ -117,6 +117,47 @@ private slots:
         }
     }
 
+    /// However late an output says that it is.
+    void no_output_is_told_more_than_150_ms_before() {
+        TouchSettings settings;
+        settings.latency_s = 5.0;
+        Bench bench(settings);
+        QVERIFY(std::abs(bench.go(-20.0, 20.0, 20.0) + 3.0) < 0.25); // 150 ms at 20 mm/s
+    }
+
+    void a_place_that_is_no_number_is_passed_over() {
+        Bench bench;
+        bench.go(-20.0, -5.0, 100.0);
+        const Vec2 before = bench.loop->snapshot().finger();
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        for (const Vec2 nowhere : {Vec2(nan, 0.0), Vec2(0.0, nan)}) {
+            bench.loop->tell(nowhere);
+            bench.pass();
+            QVERIFY(bench.loop->snapshot().finger() == before);
+        }
+    }
+
+    void what_it_knows_of_itself() {
+        Bench bench;
+        bench.loop->tell({-5.0, 3.0});
+        bench.pass();
+        const TouchSnapshot view = bench.loop->snapshot();
+        QCOMPARE(view.time, bench.clock.now());
+        QVERIFY(view.finger() == Vec2(-5.0, 3.0));
+        QVERIFY(std::abs(view.distance - 5.0) < 1e-9);
+        QCOMPARE(view.periods, std::uint64_t(1));
+        QCOMPARE(view.scene, std::uint64_t(1));
+        QVERIFY(!view.touring && !view.tour_finished);
+        QCOMPARE(bench.loop->place_to_command().count(), std::uint64_t(1));
+        QVERIFY(std::abs(bench.loop->place_to_command().max() - bench.loop->period()) < 1e-9);
+        bench.pass(); // with nothing new
+        QCOMPARE(bench.loop->place_to_command().count(), std::uint64_t(1));
+        bench.loop->tell_lifted();
+        bench.pass();
+        QVERIFY(bench.loop->snapshot().finger() == Vec2(-5.0, 3.0));
+        QVERIFY(!bench.loop->snapshot().touched);
+    }
+
     void a_finger_set_down_elsewhere_has_crossed_nothing() {
         Bench bench;
         bench.go(-20.0, -5.0, 100.0);
@@ -155,6 +196,10 @@ private slots:
         bench.loop->feel({1.0, 1.0, 0.01});
         bench.pass();
         QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
+        bench.output.unplugged = false; // nothing comes back by itself
+        bench.go(-20.0, 20.0, 100.0);
+        QVERIFY(bench.loop->snapshot().lost);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
     }
 
     void what_the_output_refuses_is_counted() {
@@ -163,6 +208,11 @@ private slots:
         bench.go(-20.0, 20.0, 100.0);
         QCOMPARE(bench.loop->snapshot().undelivered, std::uint64_t(1));
         QCOMPARE(bench.loop->snapshot().ticks, std::uint64_t(0));
+        Bench brake({}, TouchMeans::friction);
+        brake.output.refuses = true;
+        brake.loop->tell({30.0, 0.0});
+        brake.pass();
+        QCOMPARE(brake.loop->snapshot().undelivered, std::uint64_t(1));
     }
 
     void choices_hold_at_once() {
@@ -255,6 +305,39 @@ private slots:
         QCOMPARE(bench.output.tick_count.load(), given);
     }
 
+    /// As when the machine has stood still.
+    void a_late_period_leads_nobody_far() {
+        Bench bench;
+        bench.loop->tell({0.0, -80.0});
+        bench.pass();
+        bench.loop->render(line_at(0.0, true));
+        bench.pass();
+        const Vec2 before = bench.loop->snapshot().leader();
+        bench.clock.sleep_until(bench.clock.now() + 5.0);
+        bench.loop->tick();
+        const double way = length(bench.loop->snapshot().leader() - before);
+        QVERIFY2(std::abs(way - 0.3) < 0.01, qPrintable(QString::number(way))); // of ten periods at 30 mm/s
+    }
+
+    void without_a_way_nobody_is_led() {
+        Bench bench;
+        bench.loop->tell({-5.0, 0.0});
+        auto scene = make_touch_scene(upright_line(0.0)).value();
+        scene->tour.emplace();
+        bench.loop->render(std::move(scene));
+        bench.pass();
+        QVERIFY(!bench.loop->snapshot().touring);
+        bench.loop->render(line_at(0.0, true));
+        bench.pass();
+        QVERIFY(bench.loop->snapshot().touring);
+        bench.loop->render(line_at(0.0)); // and no more
+        bench.pass();
+        QVERIFY(!bench.loop->snapshot().touring);
+        const std::size_t before = bench.output.tick_count;
+        bench.go(-5.0, 5.0, 100.0);
+        QCOMPARE(bench.output.tick_count.load(), before + 1);
+    }
+
     void nobody_is_led_while_the_finger_is_up() {
         Bench bench;
         bench.loop->tell({0.0, -80.0});
@@ -273,6 +356,8 @@ private slots:
         QCOMPARE(bench.output.level, 0.0);
         QCOMPARE(bench.output.stops, 1);
         QCOMPARE(bench.loop->snapshot().level, 0.0);
+        QVERIFY(!bench.loop->snapshot().engaged);
+        QVERIFY(bench.output.halts > 0);
     }
 
     void a_place_never_waits_longer_than_two_milliseconds() {
@@ -295,6 +380,8 @@ private slots:
         TouchLoop loop(output, output.capabilities(), clock, {});
         loop.feel({1.0, 1.0, 0.01});
         loop.start();
+        loop.start(); // goes on
+        QVERIFY(loop.running());
         QTRY_COMPARE(output.tick_count.load(), std::size_t(1));
         loop.stop();
         QVERIFY(!loop.running());

@@ -13,7 +13,6 @@ namespace {
 constexpr int most_reports = 64;           ///< that one read drains
 constexpr unsigned older_of_a_restart = 8; ///< PROTOCOL.md
 constexpr std::uint64_t motors_bit = std::uint64_t{1} << 32;
-constexpr std::uint64_t motors_stopped = 0; ///< no force, motors off
 
 std::uint64_t packed(const pad::ForceFrame& force) {
     return static_cast<std::uint16_t>(force.x_mn) |
@@ -81,7 +80,8 @@ Result<Capabilities> ForcePad::open() {
     bad_frames_.store(0);
 
     // Off first: what another program left on it ends here.
-    line_->transport->write(pad::encode(pad::ForceFrame{}));
+    constexpr pad::ForceFrame off;
+    line_->transport->write(pad::encode(off));
     const auto question = [](pad::FrameType what, std::uint8_t page = 0) {
         return pad::encode(pad::AskFrame{0, what, page});
     };
@@ -109,7 +109,7 @@ Result<Capabilities> ForcePad::open() {
     if (!open_)
         line_->transport.reset();
     else
-        writer_ = std::make_unique<LatestWriter>(line_, motors_stopped, thread_);
+        writer_ = std::make_unique<LatestWriter>(line_, packed(off), thread_);
     return made;
 }
 

@@ -145,9 +145,12 @@ std::string Trash::erase(const std::string& id) {
         return "There is nothing of the name " + quoted(fs::path(id)) + " in the trash.";
     // The list goes last, so that what a power cut leaves is still known to be in the trash.
     std::error_code error;
-    for (const auto& file : fs::directory_iterator(folder() / id, error))
+    for (const auto& file : fs::directory_iterator(folder() / id, error)) {
+        std::error_code left;
         if (file.path().filename() != list_name)
-            fs::remove_all(file.path(), error);
+            fs::remove_all(file.path(), left);
+        error = left ? left : error;
+    }
     if (!error)
         fs::remove_all(folder() / id, error);
     return error ? "The trash could not be emptied: " + reason_of(error.value()) : std::string{};

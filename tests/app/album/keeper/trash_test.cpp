@@ -73,10 +73,33 @@ private slots:
             QVERIFY(id.ok());
             ids.push_back(*id);
         }
-        QCOMPARE(trash.entries().size(), std::size_t{30});
+        const auto entries = trash.entries();
+        QCOMPARE(entries.size(), std::size_t{30});
+        for (std::size_t i = 1; i < entries.size(); ++i)
+            QVERIFY(entries[i - 1].id > entries[i].id);
+        QCOMPARE(entries.front().what, std::string("29"));
         QCOMPARE(trash.restore(ids[7]), std::string());
         QCOMPARE(album.read("a.jpg"), std::string("7"));
         QCOMPARE(trash.entries().size(), std::size_t{29});
+    }
+
+    /// Its own place may be another's by now: a recording of a photograph that has moved.
+    void one_file_comes_back_where_it_is_wanted() {
+        const AlbumFolder album;
+        Trash trash(album.path());
+        album.write("a.jpg.tags/memo.flac", "sound");
+        const auto id = trash.put({"a.jpg.tags/memo.flac"}, "x");
+        QCOMPARE(trash.restore(*id, "moved/a.jpg.tags/memo.flac"), std::string());
+        QCOMPARE(album.read("moved/a.jpg.tags/memo.flac"), std::string("sound"));
+        QVERIFY(!fs::exists(album / "a.jpg.tags/memo.flac"));
+        const auto again = trash.put({"moved/a.jpg.tags/memo.flac"}, "x");
+        QCOMPARE(trash.restore(*again, "../out"), std::string()); // not outside the album
+        QCOMPARE(album.read("moved/a.jpg.tags/memo.flac"), std::string("sound"));
+        album.write("b.jpg", "b");
+        const auto two = trash.put({"moved/a.jpg.tags/memo.flac", "b.jpg"}, "x");
+        QCOMPARE(trash.restore(*two, "elsewhere"), std::string()); // which of the two?
+        QCOMPARE(album.read("b.jpg"), std::string("b"));
+        QVERIFY(!fs::exists(album / "elsewhere"));
     }
 
     void a_place_that_is_taken_is_not_written_over() {

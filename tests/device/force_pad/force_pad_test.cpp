@@ -298,8 +298,8 @@ private slots:
             link.advance();
             until([&] { return loop.snapshot().ticks > ticks; });
         }
+        until([&] { return link.forces.load() > 10; }); // a writer that was kept waiting sends fewer
         loop.stop();
-        QVERIFY(link.forces.load() > 10);
         QVERIFY(!link.last_motors.load());
     }
 

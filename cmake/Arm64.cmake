@@ -8,7 +8,14 @@ set(CMAKE_ASM_COMPILER aarch64-linux-gnu-gcc)
 set(CMAKE_LIBRARY_ARCHITECTURE aarch64-linux-gnu)
 # That compiler does not look for mold by its name, but takes it as its linker where it is shown where one is.
 set(TOUCHPHOTO_MOLD "" CACHE FILEPATH "not asked for by name")
-set(CMAKE_EXE_LINKER_FLAGS_INIT -B/usr/libexec/mold)
+# How Debian builds its packages, hardened: what is tried is then what packaging/arm64 --package packs.
+foreach(_kind CPPFLAGS CXXFLAGS LDFLAGS)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env DEB_HOST_ARCH=arm64 DEB_BUILD_MAINT_OPTIONS=hardening=+all DEB_CXXFLAGS_STRIP=-g
+    dpkg-buildflags --get ${_kind} WORKING_DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/.. OUTPUT_VARIABLE _${_kind}
+    OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+set(CMAKE_CXX_FLAGS_INIT "${_CPPFLAGS} ${_CXXFLAGS}")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-B/usr/libexec/mold ${_LDFLAGS}")
 set(CMAKE_SYSROOT $ENV{TOUCHPHOTO_ARM64_SYSTEM})
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/decode/picture_metadata.hpp"
 
+#include "faces/exiv2/exif_orientation.hpp"
 #include "faces/exiv2/prepare_exiv2.hpp"
 
 #include <exiv2/exiv2.hpp>
@@ -20,11 +21,7 @@ PictureMetadata metadata_of(const Bytes& bytes) noexcept {
         }
         metadata.width = std::llabs(image->pixelWidth());
         metadata.height = std::llabs(image->pixelHeight());
-        const Exiv2::ExifData& exif = image->exifData();
-        const auto orientation = exif.findKey(Exiv2::ExifKey("Exif.Image.Orientation"));
-        if (orientation != exif.end() && orientation->count() > 0)
-            if (const long value = orientation->toLong(); value >= 1 && value <= 8)
-                metadata.orientation = static_cast<int>(value);
+        metadata.orientation = exif_orientation(image->exifData());
     } catch (...) { // not a kind that Exiv2 knows
     }
     return metadata;

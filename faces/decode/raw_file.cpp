@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/decode/raw_file.hpp"
 
+#include "faces/exiv2/exif_orientation.hpp"
 #include "faces/exiv2/prepare_exiv2.hpp"
 
 #include <exiv2/exiv2.hpp>
@@ -90,13 +91,8 @@ Bytes jpeg_in(const Bytes& tiff) {
 }
 
 int orientation_of(const Exiv2::ExifData& exif) {
-    for (const char* key : {"Exif.Image.Orientation", "Exif.PanasonicRaw.Orientation"}) {
-        const auto found = exif.findKey(Exiv2::ExifKey(key));
-        const long value = found != exif.end() && found->count() > 0 ? found->toLong() : 0;
-        if (value >= 1 && value <= 8)
-            return static_cast<int>(value);
-    }
-    return 1;
+    const std::optional<int> usual = exif_orientation(exif);
+    return usual ? *usual : exif_orientation(exif, "Exif.PanasonicRaw.Orientation").value_or(1);
 }
 
 /// A raw file as Exiv2 knows it; what it cannot read is not there.

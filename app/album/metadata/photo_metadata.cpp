@@ -9,6 +9,7 @@
 #include "core/base/utf8.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/open_file.hpp"
+#include "faces/exiv2/exif_orientation.hpp"
 #include "faces/exiv2/prepare_exiv2.hpp"
 
 #include <exiv2/exiv2.hpp>
@@ -55,7 +56,7 @@ std::optional<double> exif_degrees(const Exiv2::ExifData& exif, const char* key)
         return std::nullopt;
     double sum = 0.0;
     double unit = 1.0;
-    for (long i = 0; i < std::min(3L, found->count()); ++i, unit /= 60.0) {
+    for (long i = 0; i < std::min(3L, static_cast<long>(found->count())); ++i, unit /= 60.0) {
         const Exiv2::Rational part = found->toRational(i);
         if (part.second == 0 || part.first < 0 || part.second < 0)
             return std::nullopt;
@@ -158,10 +159,7 @@ void read_image(Exiv2::Image& image, std::optional<int> turned, PhotoMetadata& m
     metadata.shape.width = std::llabs(image.pixelWidth());
     metadata.shape.height = std::llabs(image.pixelHeight());
     try_to(problems, "The photograph's EXIF is damaged.", [&] {
-        const auto orientation = image.exifData().findKey(Exiv2::ExifKey("Exif.Image.Orientation"));
-        if (orientation != image.exifData().end() && orientation->count() > 0)
-            if (const long value = orientation->toLong(); value >= 1 && value <= 8)
-                metadata.shape.orientation = static_cast<int>(value);
+        metadata.shape.orientation = exif_orientation(image.exifData()).value_or(metadata.shape.orientation);
         complete(metadata.parts, parts_from_exif(image.exifData()));
     });
     metadata.shape.orientation = turned.value_or(metadata.shape.orientation);

@@ -120,9 +120,12 @@ Result<std::string> photograph_jpeg(const CodedPicture& coded, const PhotographF
         image->writeMetadata();
         Exiv2::BasicIo& file = image->io();
         file.seek(0, Exiv2::BasicIo::beg);
-        const Exiv2::DataBuf whole = file.read(static_cast<long>(file.size()));
-        return std::string(reinterpret_cast<const char*>(whole.pData_),
-                           static_cast<std::size_t>(whole.size_));
+        std::string whole(file.size(), '\0');
+        const auto read =
+            file.read(reinterpret_cast<Exiv2::byte*>(whole.data()), static_cast<long>(whole.size()));
+        if (static_cast<std::size_t>(read) != whole.size())
+            return Error{"it cannot be written."};
+        return whole;
     } catch (const std::exception&) { // Exiv2's, or no memory
         return Error{"it cannot be written."};
     }

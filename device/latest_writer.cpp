@@ -72,7 +72,7 @@ void LatestWriter::wait_until_sent() const noexcept {
         const std::uint32_t ahead = mailbox_->sent.load(std::memory_order_acquire) - turn;
         return ahead < 1u << 31;
     };
-    for (int i = 0; i < 50 && !sent() && !lost(); ++i)
+    for (int i = 0; i < 500 && !sent() && !lost(); ++i)
         std::this_thread::sleep_for(std::chrono::microseconds(100));
 }
 

@@ -37,7 +37,7 @@ public:
     /// Any thread, also from a signal handler: no lock, no allocation.
     void post(std::uint64_t message) noexcept;
     /// Posts no force. Where a signal is about to end the process (ExitGuard) it waits until that was sent,
-    /// for 5 ms at most, and nothing else is sent from then on: a force that the writer was about to send
+    /// for 50 ms at most, and nothing else is sent from then on: a force that the writer was about to send
     /// while the process died would stay. Any thread, also from a signal handler.
     void halt() noexcept;
     /// Sends what the mailbox holds, if anything is new in it; for Thread::caller.

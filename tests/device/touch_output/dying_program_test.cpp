@@ -258,8 +258,7 @@ private slots:
         if (static_cast<Way>(way) == Way::killed)
             QVERIFY(still < deaths); // it was in the middle of one
         else
-            QVERIFY(2 * still >
-                    deaths); // a busy machine may not give it the 5 ms that it waits for its writer
+            QVERIFY(still >= deaths - 1); // a very busy machine may not send it in the 50 ms that are waited
         munmap(shared, sizeof(Wire));
     }
 };

@@ -90,8 +90,8 @@ private:
     Vec2 corner_{0.0}; ///< mm, the one told last
 
     struct Crossed {
-        int contour = -1;
-        Vec2 place{0.0};
+        int contour;
+        Vec2 place;
     };
     std::array<Crossed, 4> lately_{}; ///< crossings told of, from which the finger has not been far yet
     std::size_t lately_count_ = 0;

@@ -15,21 +15,20 @@ namespace {
 
 /// sched_setattr(2), for which glibc has no function before 2.41.
 struct SchedulingAttributes {
-    std::uint32_t size = sizeof(SchedulingAttributes);
-    std::uint32_t policy = SCHED_OTHER;
-    std::uint64_t flags = 0;
-    std::int32_t nice = 0;
-    std::uint32_t priority = 0;
-    std::uint64_t runtime_ns = 0;
-    std::uint64_t deadline_ns = 0;
-    std::uint64_t period_ns = 0;
+    std::uint32_t size, policy;
+    std::uint64_t flags;
+    std::int32_t nice;
+    std::uint32_t priority;
+    std::uint64_t runtime_ns, deadline_ns, period_ns;
 };
 
-/// Among programs of the usual priority, who wants the processor for a shorter time at once gets it sooner: since Linux 6.12, for
-/// everybody, without a permission. Before that nothing changes.
+/// Among programs of the usual priority, who wants the processor for a shorter time at once gets it sooner: since
+/// Linux 6.12, for everybody, without a permission. Before that nothing changes.
 void prefer_short_slices() noexcept {
     constexpr std::uint64_t shortest_ns = 100'000;
-    SchedulingAttributes wish;
+    SchedulingAttributes wish{};
+    wish.size = sizeof wish;
+    wish.policy = SCHED_OTHER;
     wish.nice = getpriority(PRIO_PROCESS, 0);
     wish.runtime_ns = shortest_ns;
     syscall(SYS_sched_setattr, 0, &wish, 0U);

@@ -109,6 +109,48 @@ private slots:
         QVERIFY(walk.of(LineEventKind::crossed).size() >= 8);
     }
 
+    void a_finger_that_was_lifted_is_told_again_at_once() {
+        FrictionChoices choices;
+        choices.again_mm = 1.0;
+        Walk walk(line, choices);
+        walk.to({0, -0.5});
+        walk.to({0, 0.5});
+        walk.finger().lift();
+        walk.to({0, 0.5});
+        walk.to({0, -0.5});
+        QCOMPARE(walk.of(LineEventKind::crossed).size(), std::size_t(2));
+    }
+
+    void as_far_as_that_is_not_far_enough_yet() {
+        FrictionChoices choices;
+        choices.again_mm = 1.0;
+        Walk walk(line, choices);
+        walk.to({0, -1});
+        walk.to({0, 1});
+        walk.to({0, -0.5});
+        QCOMPARE(walk.of(LineEventKind::crossed).size(), std::size_t(1));
+        walk.to({0, 1.1});
+        walk.to({0, -0.5});
+        QCOMPARE(walk.of(LineEventKind::crossed).size(), std::size_t(2));
+    }
+
+    void of_many_lines_at_one_place_four_are_remembered() {
+        FrictionChoices choices;
+        choices.again_mm = 1.0;
+        FlatScene bundle;
+        for (int i = 0; i < 6; ++i) {
+            const double y = 0.05 * i;
+            bundle.names.push_back("line " + std::to_string(i));
+            bundle.lines.push_back({{{-40, y}, {40, y}}, false});
+        }
+        Walk walk(bundle, choices);
+        walk.to({0, -0.2});
+        walk.to({0, 0.4});
+        QCOMPARE(walk.of(LineEventKind::crossed).size(), std::size_t(6));
+        walk.to({0, -0.2});
+        QCOMPARE(walk.of(LineEventKind::crossed).size(), std::size_t(8));
+    }
+
     void what_was_too_slow_to_be_felt_is_told_when_it_is() {
         FrictionChoices choices;
         choices.again_mm = 1.0;

@@ -49,7 +49,8 @@ int MotorFile::open() {
 }
 
 int MotorFile::line(const char* text) noexcept {
-    const bool written = std::fprintf(file_, "%lld %s\n", std::llround(1e6 * FeedbackOutput::steady_now()), text) > 0;
+    const bool written =
+        std::fprintf(file_, "%lld %s\n", std::llround(1e6 * FeedbackOutput::steady_now()), text) > 0;
     return std::fflush(file_) == 0 && written ? 0 : EIO;
 }
 

@@ -16,7 +16,7 @@ namespace tp {
 namespace {
 
 // Inputs of the nets, px, and how much of the picture they were trained to see.
-constexpr int face_px = 128, eye_px = 64, mouth_px = 96;
+constexpr int face_px = 128, eye_px = 64, mouth_px = 96, outline_px = 96;
 constexpr double face_by_box = 1.25;    ///< window per longer side of the detected box
 constexpr double face_by_points = 1.45; ///< window per extent of the points, second pass
 constexpr double eye_by_width = 2.0, mouth_by_extent = 1.6, outline_by_extent = 1.35;
@@ -272,7 +272,7 @@ std::optional<Landmarks> ContourNets::look_closely_in(const cv::Mat& picture, co
     const auto lips_close =
         look_both_ways(mouth_, picture, mouth_frame(part(fine, lips)), mouth_px, lips.begin);
     const auto outline_close = look_both_ways(outline_, picture, face_frame(fine, felt, outline_by_extent),
-                                              outline_net_px, outline.begin);
+                                              outline_px, outline.begin);
     if (!right_eye_close || !left_eye_close || !lips_close || !outline_close)
         return std::nullopt;
     Points closest = fine;

@@ -9,8 +9,8 @@
 
 namespace tp {
 
-inline constexpr int outline_net_px = 96; ///< side of the window of nets that see the outline
-/// That window: upright along the eyes, around eyes, mouth and outline of a face with all of these.
+/// The window of nets that see the outline: upright along the eyes, around eyes, mouth and outline of a face
+/// with all of these.
 CropFrame outline_frame(const Landmarks& face);
 
 /// Our own nets: one sees the whole face and places all points, twice; then one looks closely at each eye

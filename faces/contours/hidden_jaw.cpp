@@ -13,9 +13,11 @@
 namespace tp {
 namespace {
 
+constexpr int jaw_px = 64; ///< the net's input; as faces/training/crops.py has it
+
 // A third of those from whom the net learned had a beard, and a third hair before the jaw; fewer people have.
-constexpr double least_beard = 0.5, least_hair = 2.0;
-constexpr double undecided = 2.5; ///< as near to these, the mirror is asked too
+constexpr double least_beard = 0.0, least_hair = 2.5;
+constexpr double undecided = 1.5; ///< as near to these, the mirror is asked too
 
 } // namespace
 
@@ -25,7 +27,7 @@ JawCover HiddenJaw::cover(const cv::Mat& picture, const Landmarks& face) {
         return JawCover::none;
     if (!net_)
         net_ = embedded_net(EmbeddedModel::hidden_jaw);
-    const cv::Mat pixels = take_crop(picture, frame, outline_net_px).pixels;
+    const cv::Mat pixels = take_crop(picture, frame, jaw_px).pixels;
     auto [beard, hair] = answer_to<2>(*net_, pixels);
     if (std::abs(beard - least_beard) < undecided || std::abs(hair - least_hair) < undecided) {
         cv::Mat mirrored;

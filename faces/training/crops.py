@@ -10,7 +10,7 @@ from contours import SLICES, WINDOW
 SHRINK_FROM = 1.5  # picture px per crop px, above which areas are averaged first
 
 # Inputs of the nets, px, and how much of the picture they see.
-FACE_PX, EYE_PX, MOUTH_PX, OUTLINE_PX, EYES_PX = 128, 64, 96, 96, 64
+FACE_PX, EYE_PX, MOUTH_PX, OUTLINE_PX, EYES_PX, JAW_PX = 128, 64, 96, 96, 64, 64
 FACE_BY_BOX, FACE_BY_POINTS = 1.25, 1.45
 EYE_BY_WIDTH, MOUTH_BY_EXTENT, OUTLINE_BY_EXTENT, EYES_BY_APART = 2.0, 1.6, 1.35, 1.9
 

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the net of hidden jaws is shown, and what it answers: whether a beard, and whether hair, hides the jaw.
 
-The window is that of the outline's net, whose layers it starts from. The labels are what somebody saw in the photographs
+The window is that of the outline's net, whose layers it starts from, in fewer pixels. The labels are what somebody saw in the photographs
 in the wild.
 """
 import numpy as np
 
 from augmentation import Jitter, covered, degraded, jittered, relit, turned_aside
-from crops import OUTLINE_PX, outline_frame, warp
+from crops import JAW_PX, outline_frame, warp
 from photos import ROOT
 
 KINDS = ("jaw_beard", "jaw_hair")
@@ -37,7 +37,7 @@ class JawBatches:
     def sample(self, portrait, rng):
         frame = outline_frame(portrait.points)
         frame.mirrored = bool(rng.random() < 0.5)
-        crop = warp(portrait.picture, jittered(frame.to_picture(OUTLINE_PX), OUTLINE_PX, JITTER, rng), OUTLINE_PX)
+        crop = warp(portrait.picture, jittered(frame.to_picture(JAW_PX), JAW_PX, JITTER, rng), JAW_PX)
         if rng.random() < 0.3:
             crop, _ = turned_aside(crop, np.zeros((1, 2)), rng)
         if rng.random() < 0.2:

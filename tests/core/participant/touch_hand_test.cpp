@@ -67,10 +67,12 @@ private slots:
             TouchHand hand(person_of(1, 1), area, {0, 0}, true, step_s, 1);
             std::vector<Vec2> places{{0, 0}};
             BareTouch now;
+            double gap_s = 0.0;
             for (double t = 0.0; t < 20.0; t += step_s) {
                 places.push_back(hand.step(places.back(), now));
                 const double y = std::abs(places.back().y);
-                now.friction = y < 1.0 && !(stutters && y < 0.1) ? 1.0 : 0.0;
+                gap_s = y < 0.1 ? gap_s + step_s : 0.0; // in the middle of the ridge, and never for long
+                now.friction = y < 1.0 && !(stutters && gap_s > 0.0 && gap_s < 0.025) ? 1.0 : 0.0;
             }
             return places;
         };

@@ -2,7 +2,6 @@
 #include "device/latest_writer.hpp"
 
 #include "core/servo/exit_guard.hpp"
-#include "core/servo/real_time.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -47,10 +46,7 @@ LatestWriter::LatestWriter(std::shared_ptr<Sink> sink, std::uint64_t no_force, T
     mailbox_->sink = std::move(sink);
     mailbox_->no_force = no_force;
     if (thread == Thread::own)
-        thread_ = std::thread([mailbox = mailbox_] {
-            prefer_real_time(18); // below the loops that post, above all that may keep a processor busy
-            mailbox->write_until_quit();
-        });
+        thread_ = std::thread([mailbox = mailbox_] { mailbox->write_until_quit(); });
 }
 
 LatestWriter::~LatestWriter() { end(); }

@@ -56,19 +56,27 @@ public:
 #endif
     }
     /// None where the system does not start it.
-    std::optional<pid_t> start(std::vector<std::string> words) const {
-        std::vector<char*> arguments;
-        for (std::string& word : words)
-            arguments.push_back(word.data());
+    std::optional<pid_t> start(std::vector<std::string> words, std::vector<std::string> settings) const {
+        std::vector<char*> arguments = pointers_to(words), environment = pointers_to(settings);
+        for (char** inherited = environ; *inherited != nullptr; ++inherited)
+            environment.push_back(*inherited);
         arguments.push_back(nullptr);
+        environment.push_back(nullptr);
         pid_t process = 0;
         if (posix_spawn(&process, words.front().c_str(), &actions_, &attributes_, arguments.data(),
-                        environ) != 0)
+                        environment.data()) != 0)
             return std::nullopt;
         return process;
     }
 
 private:
+    static std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+        std::vector<char*> pointers;
+        for (std::string& text : texts)
+            pointers.push_back(text.data());
+        return pointers;
+    }
+
     posix_spawn_file_actions_t actions_{};
     posix_spawnattr_t attributes_{};
 };
@@ -114,7 +122,8 @@ std::filesystem::path helper_program(const std::string& name) {
 
 std::optional<ChildProcess> ChildProcess::start(const std::filesystem::path& program,
                                                 const std::vector<std::string>& words,
-                                                std::span<const int> given, Streams streams) {
+                                                std::span<const int> given, Streams streams,
+                                                const std::vector<std::string>& settings) {
     const int after = first_given + static_cast<int>(given.size());
     SpawnPlan plan;
     if (streams == Streams::none)
@@ -129,7 +138,7 @@ std::optional<ChildProcess> ChildProcess::start(const std::filesystem::path& pro
     plan.nothing_from(after);
     std::vector<std::string> arguments{program.string()};
     arguments.insert(arguments.end(), words.begin(), words.end());
-    const std::optional<pid_t> process = plan.start(std::move(arguments));
+    const std::optional<pid_t> process = plan.start(std::move(arguments), settings);
     return process ? std::optional(ChildProcess(*process)) : std::nullopt;
 }
 

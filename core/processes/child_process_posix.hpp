@@ -27,11 +27,12 @@ enum class Streams { ours, none };
 class ChildProcess {
 public:
     /// Starts `program` with these words. Its descriptors are the standard streams and then, from 3 on,
-    /// those of `given` in their order; no other one of this process reaches it. None where the system
-    /// does not start it.
+    /// those of `given` in their order; no other one of this process reaches it. Its environment is this
+    /// one's, and before it `settings`, each as NAME=value. None where the system does not start it.
     static std::optional<ChildProcess> start(const std::filesystem::path& program,
                                              const std::vector<std::string>& words,
-                                             std::span<const int> given, Streams streams);
+                                             std::span<const int> given, Streams streams,
+                                             const std::vector<std::string>& settings = {});
     ChildProcess(ChildProcess&& other) noexcept;
     ChildProcess& operator=(ChildProcess&&) = delete;
     /// Waits until it has ended: who wants that soon tells it so, or kills it, before.

@@ -13,6 +13,10 @@ namespace {
 
 using std::chrono::milliseconds;
 
+/// Memory for pictures in pages of 2 MB: a picture of 12 megapixel takes 20 000 usual ones, and each is a
+/// fault of its own (glibc's manual, Memory Allocation Tunables). Another C library does not heed it.
+const std::vector<std::string> large_pages{"GLIBC_TUNABLES=glibc.malloc.hugetlb=1"};
+
 /// How often it is looked whether a helper still computes.
 milliseconds look_every(milliseconds still) {
     return std::clamp(still / 8, milliseconds(1), milliseconds(250));
@@ -32,7 +36,7 @@ Result<std::unique_ptr<Helper>> Helper::start(const std::filesystem::path& progr
     if (!ends)
         return cannot_start(program);
     const std::array given{ends->second.descriptor()};
-    auto process = ChildProcess::start(program, words, given, Streams::none);
+    auto process = ChildProcess::start(program, words, given, Streams::none, large_pages);
     {
         const Channel theirs = std::move(ends->second); // its alone: where it ends, this end hears of it
     }

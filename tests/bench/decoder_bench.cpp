@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What it costs to decode in another process: decoder_bench PHOTOGRAPH…. Each is decoded in this process and in
-// touchphoto-decoder, by turns, as the search for faces reads it and whole; the medians, in milliseconds of the
-// clock on the wall.
+// touchphoto-decoder, by turns, as the search for faces reads it, to fit a screen, and whole; the medians, in
+// milliseconds of the clock on the wall.
 #include "core/processes/child_process_posix.hpp"
 #include "core/processes/foreign_decoder_linux.hpp"
 #include "faces/decode/picture.hpp"
@@ -27,6 +27,7 @@ namespace {
 
 constexpr int turns = 25;
 constexpr int searched_px = 1600; ///< as FaceExtractor asks for
+const cv::Size screen{1920, 1080};
 
 double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + turns / 2, values.end());
@@ -72,6 +73,8 @@ int main(int count, char** words) {
             continue;
         }
         compare("shrunk", file, [&] { look_at(read_picture_shrunk(file, searched_px)->pixels); }, decoders);
+        compare(
+            "to fit", file, [&] { look_at(*read_picture_to_fit(file, screen)); }, decoders);
         compare("whole", file, [&] { look_at(*read_picture(file)); }, decoders);
         std::printf("%-28s %-8s %29.1f\n", file.filename().c_str(), "first", start);
     }

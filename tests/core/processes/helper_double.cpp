@@ -104,6 +104,10 @@ std::optional<Message> answer(Message& question) {
     const std::string object = order.text();
     if (word == "say")
         return MessageWriter().add(object).take();
+    if (word == "tell a setting") {
+        const char* const setting = std::getenv(object.c_str());
+        return MessageWriter().add(setting == nullptr ? "none" : setting).take();
+    }
     if (word == "try")
         return MessageWriter().add(std::int64_t{tried(object)}).take();
     if (word == "share")

@@ -67,6 +67,20 @@ private slots:
             QCOMPARE(text_in((*helper)->ask(order("say", std::to_string(i)))), std::to_string(i));
     }
 
+    void its_memory_for_pictures_lies_in_large_pages_whatever_else_is_set() {
+        qputenv("GLIBC_TUNABLES", "glibc.malloc.perturb=0");
+        qputenv("TOUCHPHOTO_TEST_SETTING", "kept");
+        HelperPool pool(double_program);
+        const auto helper = pool.lease();
+        QVERIFY2(helper.ok(), helper.error().c_str());
+        QCOMPARE(text_in((*helper)->ask(order("tell a setting", "GLIBC_TUNABLES"))),
+                 std::string("glibc.malloc.hugetlb=1"));
+        QCOMPARE(text_in((*helper)->ask(order("tell a setting", "TOUCHPHOTO_TEST_SETTING"))),
+                 std::string("kept"));
+        qunsetenv("GLIBC_TUNABLES");
+        qunsetenv("TOUCHPHOTO_TEST_SETTING");
+    }
+
     void what_is_told_is_not_answered() {
         HelperPool pool(double_program);
         const auto helper = pool.lease();

@@ -9,12 +9,19 @@ namespace tp {
 
 namespace fs = std::filesystem;
 
-Result<FollowedMoves> follow_moves(AlbumIndex& index) {
+Result<FollowedMoves> follow_moves(AlbumIndex& index, const FollowTools& tools) {
     const auto moves = index.moves();
     if (!moves)
         return Error{moves.error()};
     FollowedMoves result;
+    std::size_t done = 0;
     for (const Move& move : *moves) {
+        if (tools.stop.stop_requested()) {
+            result.stopped = true;
+            break;
+        }
+        if (tools.progress)
+            tools.progress(done++, moves->size());
         if (!companions_of(move.from).empty()) {
             if (const std::string problem = AlbumKeeper(album_around(move.to)).move_companions(move.from, move.to);
                 !problem.empty()) {

@@ -3,6 +3,9 @@
 
 #include "app/album/index/album_index.hpp"
 
+#include <cstddef>
+#include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -11,6 +14,12 @@ namespace tp {
 struct FollowedMoves {
     std::vector<Move> followed;        ///< what belonged to these is beside them again
     std::vector<std::string> problems; ///< sentences: whose recordings and words stayed where they were, and why
+    bool stopped = false;              ///< the moves that are left are told again by the next scan
+};
+
+struct FollowTools {
+    std::function<void(std::size_t done, std::size_t all)> progress; ///< before each move; may be empty
+    std::stop_token stop;
 };
 
 /// Photographs that other programs moved or renamed keep what belongs to them: for every move that the last scan
@@ -18,6 +27,6 @@ struct FollowedMoves {
 /// and the index forgets the move. Where a place is taken nothing goes, and the move is told again the next time. A
 /// move without anything left behind is only forgotten. Scan the folders of `followed` again afterwards, so that the
 /// index knows what came. An error: the database fails.
-Result<FollowedMoves> follow_moves(AlbumIndex& index);
+Result<FollowedMoves> follow_moves(AlbumIndex& index, const FollowTools& tools = {});
 
 } // namespace tp

@@ -89,12 +89,13 @@ void AlbumWorker::scan(const AlbumTask& task, const std::stop_token& stop, Album
 
 /// What belongs to moved photographs goes along, and the index learns where it is now.
 void AlbumWorker::follow(const ScanTools& tools, AlbumTaskReport& report) {
-    Result<FollowedMoves> moves = follow_moves(*index_);
+    Result<FollowedMoves> moves = follow_moves(*index_, {{}, tools.stop});
     if (!moves) {
         report.problems.push_back(moves.error());
         return;
     }
     take(report.problems, std::move(moves->problems));
+    report.stopped = moves->stopped;
     std::vector<fs::path> folders;
     for (const Move& move : moves->followed)
         folders.push_back(move.to.parent_path());

@@ -65,9 +65,14 @@ void print_for_a_person(const ScanReport& report, const FollowedMoves& moves) {
 
 /// What belongs to moved photographs goes along, and the index learns where it is now.
 FollowedMoves follow(AlbumIndex& index, ScanReport& report) {
-    auto moves = follow_moves(index);
+    LongWork::step("moving what belongs to moved photographs");
+    auto moves =
+        follow_moves(index, {[](std::size_t done, std::size_t all) {
+                                 LongWork::share(static_cast<double>(done) / static_cast<double>(all));
+                             },
+                             LongWork::stop_token()});
     if (!moves)
-        return {{}, {moves.error()}};
+        return {{}, {moves.error()}, false};
     std::vector<fs::path> folders;
     for (const Move& move : moves->followed)
         folders.push_back(move.to.parent_path());
@@ -75,6 +80,7 @@ FollowedMoves follow(AlbumIndex& index, ScanReport& report) {
         moves->problems.push_back(again.error());
     else
         report.problems.insert(report.problems.end(), again->problems.begin(), again->problems.end());
+    report.stopped = moves->stopped;
     return *std::move(moves);
 }
 

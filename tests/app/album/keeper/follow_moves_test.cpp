@@ -10,6 +10,10 @@
 
 #include <QTest>
 
+#include <stop_token>
+#include <utility>
+#include <vector>
+
 using namespace tp;
 namespace fs = std::filesystem;
 
@@ -89,6 +93,32 @@ private slots:
         const auto moves = follow_moves(*album.index);
         QVERIFY(moves && moves->followed.empty() && moves->problems.empty());
         QVERIFY(album.index->missing()->empty());
+    }
+
+    void who_stops_it_finds_each_move_whole_or_not_begun() {
+        Album album;
+        const fs::path second = a_photo(album.folder, "2026/IMG_2.jpg", 2);
+        QVERIFY(album.keeper.add_recording(second, album.sound, {RecordingKind::memo, "Ben", {}, {}, {}, {}})
+                    .ok());
+        album.scan();
+        album.move_to("garden/IMG_1.jpg");
+        fs::rename(second, album.folder / "garden/IMG_2.jpg");
+        album.scan();
+        std::stop_source stop;
+        std::vector<std::pair<std::size_t, std::size_t>> told;
+        const auto first = follow_moves(*album.index, {[&](std::size_t done, std::size_t all) {
+                                                           told.emplace_back(done, all);
+                                                           stop.request_stop();
+                                                       },
+                                                       stop.get_token()});
+        QVERIFY(first && first->stopped);
+        QCOMPARE(first->followed.size(), std::size_t{1});
+        QCOMPARE(told, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 2}}));
+        QCOMPARE(companions_of(album.photo).size() + companions_of(second).size(), std::size_t{2});
+        const auto rest = follow_moves(*album.index);
+        QVERIFY(rest && !rest->stopped);
+        QCOMPARE(rest->followed.size(), std::size_t{1});
+        QVERIFY(companions_of(album.photo).empty() && companions_of(second).empty());
     }
 
     void a_copy_whose_first_photograph_stays_takes_nothing() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "svg_mutants.hpp" // Seed, corpus
+#include "corpus.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,38 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "corpus.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace tp::test {
-
-/// A text that is known to reach somewhere.
-struct Seed {
-    std::string name;
-    std::string text;
-};
-
-/// The files of a folder, in the order of their names.
-inline std::vector<Seed> corpus(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-        files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    std::vector<Seed> seeds;
-    for (const auto& file : files) {
-        std::ifstream stream(file, std::ios::binary);
-        seeds.push_back({file.filename().string(), {std::istreambuf_iterator<char>(stream), {}}});
-    }
-    return seeds;
-}
 
 /// What a blind change of bytes would take long to hit upon.
 inline constexpr std::array<std::string_view, 44> words = {"<path d=\"M0 0L1 1Z\"/>",

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "calibration_check.hpp"
+#include "corpus.hpp"
 #include "device/calibration_file.hpp"
 #include "places.hpp"
 
-#include <QDir>
-#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -72,14 +71,10 @@ private slots:
     }
 
     void the_corpus_and_its_broken_copies_hold_what_the_fuzzer_asks() {
-        QDir corpus(tp::test::in_source("tests/device/calibration/corpus"));
-        const QStringList files = corpus.entryList(QDir::Files);
-        QVERIFY(files.size() >= 3);
+        const auto seeds = tp::test::corpus(tp::test::in_source("tests/device/calibration/corpus"));
+        QVERIFY(seeds.size() >= 3);
         std::mt19937 random(7);
-        for (const QString& name : files) {
-            QFile file(corpus.filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const std::string bytes = file.readAll().toStdString();
+        for (const auto& [name, bytes] : seeds) {
             QCOMPARE(test::complaint_about_calibrations(bytes), std::string());
             QCOMPARE(calibrations_in(bytes).size(), std::size_t(name == "two" ? 2 : 0));
             for (int i = 0; i < 500; ++i) {

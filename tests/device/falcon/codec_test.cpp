@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "corpus.hpp"
 #include "device/falcon/falcon_frame.hpp"
 #include "device/falcon/ftdi.hpp"
 #include "falcon_check.hpp"
 #include "places.hpp"
 
-#include <QDir>
-#include <QFile>
 #include <QTest>
 
 #include <cmath>
@@ -156,17 +155,10 @@ private slots:
     }
 
     void hostile_bytes_of_the_fuzzer() {
-        const QDir corpus(QString(tp::test::in_source("tests/device/falcon/corpus")));
-        const QStringList names = corpus.entryList(QDir::Files);
-        QVERIFY(names.size() >= 6);
-        for (const QString& name : names) {
-            QFile file(corpus.filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const QByteArray bytes = file.readAll();
-            const std::string complaint = tp::test::complaint_about_falcon_bytes(
-                {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-            QVERIFY2(complaint.empty(), (name.toStdString() + ": " + complaint).c_str());
-        }
+        const auto seeds = tp::test::corpus(tp::test::in_source("tests/device/falcon/corpus"));
+        QVERIFY(seeds.size() >= 6);
+        for (const tp::test::Seed& seed : seeds)
+            QCOMPARE(seed.name + ": " + tp::test::complaint_about_falcon_bytes(seed.text), seed.name + ": ");
     }
 };
 

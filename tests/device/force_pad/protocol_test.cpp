@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "corpus.hpp"
 #include "device/force_pad/protocol/frame.hpp"
 #include "device/force_pad/protocol/usb.hpp"
 #include "frame_check.hpp"
 #include "places.hpp"
 
-#include <QDir>
-#include <QFile>
 #include <QTest>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <random>
+#include <string>
 
 using namespace tp::pad;
 
@@ -22,13 +24,13 @@ QByteArray hex(const Frame& frame) {
 
 /// The frame of PROTOCOL.md with its CRC, made there by another program.
 QByteArray golden(const char* start) {
-    QFile page(QString(tp::test::in_source("device/force_pad/PROTOCOL.md")));
-    if (!page.open(QIODevice::ReadOnly))
-        return {};
-    const QList<QByteArray> lines = page.readAll().split('\n');
-    for (qsizetype i = 0; i + 1 < lines.size(); ++i)
-        if (lines[i].trimmed().startsWith(start))
-            return (lines[i].trimmed() + ' ' + lines[i + 1].trimmed());
+    std::ifstream page(tp::test::in_source("device/force_pad/PROTOCOL.md"));
+    const auto without_indent = [](const std::string& line) {
+        return line.substr(std::min(line.find_first_not_of(' '), line.size()));
+    };
+    for (std::string line, next; std::getline(page, line);)
+        if (without_indent(line).starts_with(start) && std::getline(page, next))
+            return QByteArray::fromStdString(without_indent(line) + ' ' + without_indent(next));
     return {};
 }
 
@@ -330,17 +332,10 @@ private slots:
     }
 
     void the_fuzzers_inputs_hold() {
-        const QDir corpus(QString(tp::test::in_source("tests/device/force_pad/corpus")));
-        const QStringList names = corpus.entryList(QDir::Files);
-        QVERIFY(names.size() >= 5);
-        for (const QString& name : names) {
-            QFile file(corpus.filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const QByteArray bytes = file.readAll();
-            const std::string words =
-                tp::test::complaint_about_frames({bytes.constData(), static_cast<std::size_t>(bytes.size())});
-            QVERIFY2(words.empty(), qPrintable(name + ": " + QString::fromStdString(words)));
-        }
+        const auto seeds = tp::test::corpus(tp::test::in_source("tests/device/force_pad/corpus"));
+        QVERIFY(seeds.size() >= 5);
+        for (const tp::test::Seed& seed : seeds)
+            QCOMPARE(seed.name + ": " + tp::test::complaint_about_frames(seed.text), seed.name + ": ");
     }
 };
 

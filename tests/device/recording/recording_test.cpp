@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "corpus.hpp"
 #include "device/recording/recording_device.hpp"
 #include "device/recording/replay_device.hpp"
 #include "device/simulated/simulated_device.hpp"
 #include "places.hpp"
 #include "recording_check.hpp"
 
-#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -164,13 +164,10 @@ private slots:
     }
 
     void the_fuzzers_inputs_hold() {
-        const QDir corpus(QString(tp::test::in_source("tests/device/recording/corpus")));
-        const QStringList names = corpus.entryList(QDir::Files);
-        QVERIFY(names.size() >= 4);
-        for (const QString& name : names) {
-            const std::string words = tp::test::complaint_about_recording(bytes_of(corpus.filePath(name)));
-            QVERIFY2(words.empty(), qPrintable(name + ": " + QString::fromStdString(words)));
-        }
+        const auto seeds = tp::test::corpus(tp::test::in_source("tests/device/recording/corpus"));
+        QVERIFY(seeds.size() >= 4);
+        for (const tp::test::Seed& seed : seeds)
+            QCOMPARE(seed.name + ": " + tp::test::complaint_about_recording(seed.text), seed.name + ": ");
     }
 };
 

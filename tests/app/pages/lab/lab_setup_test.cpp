@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/lab/lab_setup.hpp"
 #include "app/pages/lab/sample_scenes.hpp"
+#include "corpus.hpp"
 #include "lab_setup_check.hpp"
 #include "places.hpp"
 
-#include <QDir>
-#include <QFile>
 #include <QTest>
 
 #include <random>
@@ -69,17 +68,13 @@ private slots:
     }
 
     void the_corpus_and_its_broken_copies_hold_what_the_fuzzer_asks() {
-        QDir corpus(tp::test::in_source("tests/app/pages/lab/corpus"));
-        const QStringList files = corpus.entryList(QDir::Files);
-        QVERIFY(files.size() >= 4);
+        const auto seeds = tp::test::corpus(tp::test::in_source("tests/app/pages/lab/corpus"));
+        QVERIFY(seeds.size() >= 4);
         std::mt19937 random(7);
-        for (const QString& name : files) {
-            QFile file(corpus.filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const std::string bytes = file.readAll().toStdString();
-            QCOMPARE(test::complaint_about_setup(bytes), std::string());
+        for (const test::Seed& seed : seeds) {
+            QCOMPARE(test::complaint_about_setup(seed.text), std::string());
             for (int i = 0; i < 300; ++i) {
-                std::string broken = bytes;
+                std::string broken = seed.text;
                 for (unsigned k = 0; k < 1 + random() % 3; ++k)
                     broken[random() % broken.size()] = static_cast<char>(32 + random() % 95);
                 QCOMPARE(test::complaint_about_setup(broken), std::string());

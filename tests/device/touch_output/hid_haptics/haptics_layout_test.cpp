@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "corpus.hpp"
 #include "device/touch_output/hid_haptics/haptics_reports.hpp"
 #include "device/touch_output/hid_haptics/model_haptic_pad.hpp"
 #include "layout_check.hpp"
 #include "places.hpp"
 
-#include <QDir>
-#include <QFile>
 #include <QTest>
 
 #include <algorithm>
@@ -161,15 +160,11 @@ private slots:
             const std::string complaint = test::complaint_about_haptics(bytes);
             QVERIFY2(complaint.empty(), complaint.c_str());
         }
-        const QDir corpus(test::in_source("tests/device/touch_output/hid_haptics/corpus"));
-        const QStringList names = corpus.entryList(QDir::Files);
-        QVERIFY(names.size() >= 4);
-        for (const QString& name : names) {
-            QFile file(corpus.filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            QCOMPARE(QString::fromStdString(test::complaint_about_haptics(file.readAll().toStdString())),
-                     QString());
-        }
+        const auto seeds =
+            tp::test::corpus(tp::test::in_source("tests/device/touch_output/hid_haptics/corpus"));
+        QVERIFY(seeds.size() >= 4);
+        for (const tp::test::Seed& seed : seeds)
+            QCOMPARE(seed.name + ": " + test::complaint_about_haptics(seed.text), seed.name + ": ");
     }
 };
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "corpus.hpp"
 #include "device/touch_output/steam_pad/model_steam_pad.hpp"
 #include "device/touch_output/steam_pad/steam_reports.hpp"
 #include "places.hpp"
 #include "report_check.hpp"
 
-#include <QDir>
-#include <QFile>
 #include <QTest>
 
 #include <cstdint>
@@ -151,15 +150,11 @@ private slots:
                 bytes.replace(0, 3, {1, 0, static_cast<char>(random() % 10)});
             QCOMPARE(QString::fromStdString(test::complaint_about_steam_report(bytes)), QString());
         }
-        const QDir corpus(test::in_source("tests/device/touch_output/steam_pad/corpus"));
-        const QStringList names = corpus.entryList(QDir::Files);
-        QVERIFY(names.size() >= 4);
-        for (const QString& name : names) {
-            QFile file(corpus.filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            QCOMPARE(QString::fromStdString(test::complaint_about_steam_report(file.readAll().toStdString())),
-                     QString());
-        }
+        const auto seeds =
+            tp::test::corpus(tp::test::in_source("tests/device/touch_output/steam_pad/corpus"));
+        QVERIFY(seeds.size() >= 4);
+        for (const tp::test::Seed& seed : seeds)
+            QCOMPARE(seed.name + ": " + test::complaint_about_steam_report(seed.text), seed.name + ": ");
     }
 };
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "board_check.hpp"
+#include "corpus.hpp"
 #include "device/haply_2diy/model_board.hpp"
 #include "device/haply_2diy/pantograph.hpp"
 #include "device/haply_2diy/protocol/board_frames.hpp"
 #include "places.hpp"
 
-#include <QDir>
-#include <QFile>
 #include <QTest>
 
 #include <bit>
@@ -242,17 +241,10 @@ private slots:
     }
 
     void the_fuzzers_inputs_hold() {
-        const QDir corpus(QString(tp::test::in_source("tests/device/haply_2diy/corpus")));
-        const QStringList names = corpus.entryList(QDir::Files);
-        QVERIFY(names.size() >= 5);
-        for (const QString& name : names) {
-            QFile file(corpus.filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const QByteArray bytes = file.readAll();
-            const std::string words = tp::test::complaint_about_board_bytes(
-                {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-            QVERIFY2(words.empty(), qPrintable(name + ": " + QString::fromStdString(words)));
-        }
+        const auto seeds = tp::test::corpus(tp::test::in_source("tests/device/haply_2diy/corpus"));
+        QVERIFY(seeds.size() >= 5);
+        for (const tp::test::Seed& seed : seeds)
+            QCOMPARE(seed.name + ": " + tp::test::complaint_about_board_bytes(seed.text), seed.name + ": ");
     }
 
     void any_bytes_leave_a_board_that_can_be_brought_back() {

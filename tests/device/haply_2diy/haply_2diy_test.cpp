@@ -7,8 +7,6 @@
 #include <QTest>
 
 #include <cerrno>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,11 +22,6 @@ Haply2diy::Opener over(SerialLine& line, GuardDiary& guard, const HomedNote& not
         return Haply2diy::Board{std::make_unique<tp::testing::BorrowedLine>(line),
                                 std::make_unique<SimulatedGuard>(guard), note, "X"};
     };
-}
-
-void put(const std::filesystem::path& file, const std::string& words) {
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file) << words << '\n';
 }
 
 } // namespace
@@ -188,33 +181,6 @@ private slots:
         bench.run(0.5);
         QVERIFY(bench.device.lost());
         QCOMPARE(bench.loop->snapshot().fault, Fault::device_lost);
-    }
-
-    /// A folder as the kernel's, with two boards of Arduino's vendors among what is none.
-    void boards_are_found_by_their_usb_vendor() {
-        const QTemporaryDir folder;
-        const std::filesystem::path root = folder.path().toStdString();
-        const auto add = [&root](const char* tty, const char* usb, const char* vendor, const char* serial) {
-            const std::filesystem::path device = root / "devices" / usb;
-            const std::filesystem::path interface = device / (std::string(usb) + ":1.0");
-            std::filesystem::create_directories(interface);
-            put(device / "idVendor", vendor);
-            if (*serial != '\0')
-                put(device / "serial", serial);
-            std::filesystem::create_directories(root / "tty" / tty);
-            std::filesystem::create_directory_symlink(interface, root / "tty" / tty / "device");
-        };
-        add("ttyACM1", "1-2", "2341", "7523031393535120A0D1");
-        add("ttyACM0", "1-3", "2a03", "");
-        add("ttyUSB0", "1-4", "0403", "A900");
-        std::filesystem::create_directories(root / "tty" / "tty0"); // a console
-        const std::vector<FoundBoard> found = find_boards_below(root / "tty", "/dev");
-        QCOMPARE(found.size(), std::size_t(2));
-        QCOMPARE(found[0].path, std::string("/dev/ttyACM0"));
-        QCOMPARE(found[0].serial_number, std::string());
-        QCOMPARE(found[1].path, std::string("/dev/ttyACM1"));
-        QCOMPARE(found[1].serial_number, std::string("7523031393535120A0D1"));
-        QVERIFY(find_boards_below(root / "none", "/dev").empty());
     }
 
     void boards_are_known_by_what_windows_calls_them() {

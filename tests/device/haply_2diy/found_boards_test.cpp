@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/haply_2diy/found_boards.hpp"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace tp;
+
+namespace {
+
+void put(const std::filesystem::path& file, const std::string& words) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << words << '\n';
+}
+
+} // namespace
+
+class FoundBoardsTest : public QObject {
+    Q_OBJECT
+private slots:
+    /// A folder as the kernel's, with two boards of Arduino's vendors among what is none.
+    void boards_are_found_by_their_usb_vendor() {
+        const QTemporaryDir folder;
+        const std::filesystem::path root = folder.path().toStdString();
+        const auto add = [&root](const char* tty, const char* usb, const char* vendor, const char* serial) {
+            const std::filesystem::path device = root / "devices" / usb;
+            const std::filesystem::path interface = device / (std::string(usb) + ":1.0");
+            std::filesystem::create_directories(interface);
+            put(device / "idVendor", vendor);
+            if (*serial != '\0')
+                put(device / "serial", serial);
+            std::filesystem::create_directories(root / "tty" / tty);
+            std::filesystem::create_directory_symlink(interface, root / "tty" / tty / "device");
+        };
+        add("ttyACM1", "1-2", "2341", "7523031393535120A0D1");
+        add("ttyACM0", "1-3", "2a03", "");
+        add("ttyUSB0", "1-4", "0403", "A900");
+        std::filesystem::create_directories(root / "tty" / "tty0"); // a console
+        const std::vector<FoundBoard> found = find_boards_below(root / "tty", "/dev");
+        QCOMPARE(found.size(), std::size_t(2));
+        QCOMPARE(found[0].path, std::string("/dev/ttyACM0"));
+        QCOMPARE(found[0].serial_number, std::string());
+        QCOMPARE(found[1].path, std::string("/dev/ttyACM1"));
+        QCOMPARE(found[1].serial_number, std::string("7523031393535120A0D1"));
+        QVERIFY(find_boards_below(root / "none", "/dev").empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(FoundBoardsTest)
+#include "found_boards_test.moc"

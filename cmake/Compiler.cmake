@@ -29,6 +29,12 @@ if(NOT MSVC AND NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
   add_compile_options(-ffp-contract=off)
 endif()
 
+# GCC for Windows keeps values in registers across a call of a template's function whose body it sees, although the linker may
+# take that function from another file, where it uses other registers (seen with GCC 12: the angle of a force pad's arm lost).
+if(MINGW)
+  add_compile_options(-fno-ipa-ra)
+endif()
+
 # Two hundred programs are linked; mold needs a fraction of the time of the usual linker. Its 1.10 of Debian 12 lets what
 # is made read-only begin at the first thread_local variable, where one byte before a page's end belongs to nothing: then
 # the program cannot be started. A variable that is aligned like a cache line never lies there, so each of ours is.

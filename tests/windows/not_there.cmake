@@ -12,6 +12,6 @@ set(not_there
   core.servo.snapshot          # the same
   core.servo.real_time         # the same
   core.servo.exit_guard        # ends processes by signals
-  core.servo.allocation        # needs device, which is not built for Windows as a whole
-  core.study.exploring_finger  # the same
+  device.haply_2diy.found_boards # reads folders as Linux's; windows.found_boards is Windows's own
+  device.haply_2diy.board_guard  # runs here, on programs for Windows: windows.board_guard
   core.statistics.r_agrees)    # needs R

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "QtGlobal"
 #include "text.hpp"
 
 #include <algorithm>
@@ -255,6 +256,9 @@ inline void qSleep(int ms) { qWait(ms); }
         tp_stand_in::wait_until([&] { return tp_stand_in::alike(one, other); }, ms);                         \
         QCOMPARE(one, other);                                                                                \
     } while (false)
+
+#define QTRY_COMPARE(one, other) QTRY_COMPARE_WITH_TIMEOUT(one, other, 5000)
+#define QTRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, 5000)
 
 #define QTEST_APPLESS_MAIN(type)                                                                             \
     int main() {                                                                                             \

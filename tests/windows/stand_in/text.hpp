@@ -22,6 +22,28 @@ public:
     }
     const char* constData() const { return c_str(); }
     bool contains(const std::string& part) const { return find(part) != npos; }
+    int count(const std::string& part) const {
+        int times = 0;
+        for (std::size_t at = find(part); at != npos; at = find(part, at + 1))
+            ++times;
+        return times;
+    }
+    bool isEmpty() const { return empty(); }
+    bool isNull() const { return empty(); }
+    QByteArray mid(std::size_t at, std::size_t count = npos) const { return QByteArray(substr(at, count)); }
+    std::string toStdString() const { return *this; }
+    /// Two digits a byte, with `between` between two of them.
+    QByteArray toHex(char between) const {
+        QByteArray hex;
+        for (const char byte : *this) {
+            char digits[4];
+            std::snprintf(digits, sizeof digits, "%02x", static_cast<unsigned char>(byte));
+            if (!hex.empty())
+                hex += between;
+            hex += digits;
+        }
+        return hex;
+    }
 };
 
 /// Text, in UTF-8.
@@ -45,7 +67,10 @@ public:
         std::snprintf(text, sizeof text, format, values...);
         return QString(text);
     }
+    static QString fromLatin1(const char* ascii) { return QString(ascii); }
+    bool contains(const std::string& part) const { return find(part) != npos; }
     bool endsWith(char end) const { return ends_with(end); }
+    bool isEmpty() const { return empty(); }
 
     /// The lowest of %1, %2, … becomes the value.
     template <typename Value>
@@ -84,6 +109,8 @@ private:
         }
     }
 };
+
+using QLatin1String = std::string;
 
 template <typename... Values>
 void qInfo(const char* format, Values... values) {

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from clang.cindex import Cursor, CursorKind, Index, TypeKind
 
@@ -36,10 +37,21 @@ def mutants_of(path: str, name: str, content: bytes, flags: list[str]) -> list[M
     """All mutants of the file at `path`, which is called `name`, by their place. `flags` as for a compiler."""
     unit = Index.create().parse(path, args=["-x", "c++", "-w", *flags])
     finder = _Finder(name, content)
-    for cursor in unit.cursor.get_children():
+    for cursor in _children(unit.cursor):
         if cursor.location.file and cursor.location.file.name == path:
             finder.visit(cursor, None, None)
     return sorted(set(finder.found))
+
+
+def _children(cursor: Cursor) -> Iterator[Cursor]:
+    """Where Python's libclang knows no name of what is there, such as __builtin_bit_cast, what that holds."""
+    for child in cursor.get_children():
+        try:
+            child.kind
+        except ValueError:
+            yield from _children(child)
+        else:
+            yield child
 
 
 class _Finder:
@@ -53,7 +65,7 @@ class _Finder:
             return
         if cursor.kind in _FUNCTIONS or cursor.kind == CursorKind.LAMBDA_EXPR:
             function = cursor
-        children = list(cursor.get_children())
+        children = list(_children(cursor))
         kind = cursor.kind
         if kind in (CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR):
             self._between(cursor, children)
@@ -174,7 +186,7 @@ class _Finder:
             return True
         if parent.kind not in _BODIES:
             return False
-        children = list(parent.get_children())
+        children = list(_children(parent))
         if parent.kind == CursorKind.DO_STMT:
             return cursor == children[0]
         if parent.kind == CursorKind.IF_STMT:

@@ -33,6 +33,9 @@ class Places(unittest.TestCase):
         self.in_function("boundary", "c = d >= /* > */ 2.0;", "c = d > /* > */ 2.0;")
         self.in_function("boundary", "c = a == b;", "c = a != b;")
 
+    def test_within_what_libclang_has_no_name_for(self):
+        self.in_function("arithmetic", "d = __builtin_bit_cast(double, 1L + a);", "d = __builtin_bit_cast(double, 1L - a);")
+
     def test_signs_of_arithmetic(self):
         self.in_function("arithmetic", "a = (a + b) * a;", "a = (a - b) * a;", "a = (a + b) / a;")
         self.in_function("arithmetic", "a %= b; a <<= b;", "a %= b; a >>= b;")

@@ -129,15 +129,7 @@ Result<Capabilities> Falcon::open() {
     writer_.reset();
     line_ = std::make_shared<Line>();
     line_->link = std::move(opened).value();
-    stream_ = {};
-    reply_.reset();
-    place_ = middle;
-    jacobian_.reset();
-    pane_.forget();
-    armed_ = false;
-    unanswered_ = 0;
-    leaps_ = 0;
-    state_ = {};
+    touch_ = {};
     homed_.store(false);
     unguarded_.store(false);
     bad_readings_.store(0);
@@ -193,10 +185,10 @@ std::optional<Reply> Falcon::exchange(const Command& command) {
                 return std::nullopt;
             if (got == UsbGot::nothing)
                 break;
-            reply_.reset();
+            touch_.reply.reset();
             take(packet);
-            if (reply_)
-                return reply_;
+            if (touch_.reply)
+                return touch_.reply;
         }
     }
     return std::nullopt;
@@ -223,44 +215,45 @@ Result<bool> Falcon::home() {
 }
 
 void Falcon::take(const UsbPacket& packet) noexcept {
-    const std::uint64_t strays = stream_.strays();
+    const std::uint64_t strays = touch_.stream.strays();
     for (const std::uint8_t byte : ftdi::received(packet.content()).payload) {
-        const std::optional<Packet> whole = stream_.push(byte);
+        const std::optional<Packet> whole = touch_.stream.push(byte);
         const std::optional<Reply> reply = whole ? decode_reply(*whole) : std::nullopt;
         if (reply)
-            reply_ = reply;
+            touch_.reply = reply;
         else if (whole)
             bad_readings_.fetch_add(1, std::memory_order_relaxed);
     }
-    bad_readings_.fetch_add(stream_.strays() - strays, std::memory_order_relaxed);
+    bad_readings_.fetch_add(touch_.stream.strays() - strays, std::memory_order_relaxed);
 }
 
 bool Falcon::locate(const Reply& reply, double now) noexcept {
     Angles angles;
     for (std::size_t i = 0; i < reply.encoders.size(); ++i)
         angles[static_cast<int>(i)] = angle_of(reply.encoders[i]);
-    std::optional<Place> place = place_of(angles, place_);
+    std::optional<Place> place = place_of(angles, touch_.place);
     if (!place)
         place = place_of(angles, middle);
     const std::optional<glm::dmat3> slope = place ? jacobian(*place, angles) : std::nullopt;
-    const bool leaps = slope && jacobian_ && glm::length(*place - place_) > quickest * (1 + unanswered_);
-    if (!slope || (leaps && ++leaps_ < leaps_of_a_new_place)) {
+    const bool leaps =
+        slope && touch_.jacobian && glm::length(*place - touch_.place) > quickest * (1 + touch_.unanswered);
+    if (!slope || (leaps && ++touch_.leaps < leaps_of_a_new_place)) {
         bad_readings_.fetch_add(1, std::memory_order_relaxed);
         return false;
     }
-    leaps_ = 0;
-    place_ = *place;
-    jacobian_ = slope;
-    unanswered_ = 0;
-    pane_.feed(now, place_.z);
-    state_.position = {1000.0 * place_.x, 1000.0 * place_.y};
+    touch_.leaps = 0;
+    touch_.place = *place;
+    touch_.jacobian = slope;
+    touch_.unanswered = 0;
+    touch_.pane.feed(now, touch_.place.z);
+    touch_.state.position = {1000.0 * touch_.place.x, 1000.0 * touch_.place.y};
     return true;
 }
 
 std::optional<DeviceState> Falcon::read(double now) noexcept {
     if (!open_)
         return std::nullopt;
-    reply_.reset();
+    touch_.reply.reset();
     for (int i = 0; i < most_packets_a_read && !lost(); ++i) {
         UsbPacket packet;
         const UsbGot got = line_->link->read(packet, 0);
@@ -271,17 +264,17 @@ std::optional<DeviceState> Falcon::read(double now) noexcept {
         else
             take(packet);
     }
-    if (!reply_)
+    if (!touch_.reply)
         return std::nullopt;
-    const bool knows = reply_->homed == 7;
+    const bool knows = touch_.reply->homed == 7;
     homed_.store(knows, std::memory_order_relaxed);
     if (!knows)
-        jacobian_.reset();
-    else if (!locate(*reply_, now))
+        touch_.jacobian.reset();
+    else if (!locate(*touch_.reply, now))
         return std::nullopt;
-    state_.buttons = buttons_of(reply_->buttons);
-    state_.time = now;
-    return state_;
+    touch_.state.buttons = buttons_of(touch_.reply->buttons);
+    touch_.state.time = now;
+    return touch_.state;
 }
 
 bool Falcon::write(const SafeForce& force) noexcept {
@@ -289,19 +282,19 @@ bool Falcon::write(const SafeForce& force) noexcept {
         return false;
     unguarded_.store(line_->pull->unguarded(), std::memory_order_relaxed);
     if (!homed() || unguarded_.load(std::memory_order_relaxed))
-        armed_ = false;
+        touch_.armed = false;
     else if (force.newtons() == Vec2(0.0) && force.share() == 0.0)
-        armed_ = true;
+        touch_.armed = true;
     else if (line_->pull->let_go())
-        armed_ = false;
+        touch_.armed = false;
     Command command;
     command.homing = !homed();
-    command.leds = armed_ ? led::green : led::red;
-    unanswered_ = std::min(unanswered_ + 1, most_unanswered + 1);
-    const bool knows = armed_ && jacobian_ && unanswered_ <= most_unanswered;
-    const double off_the_pane = pane_.force(knows ? force.share() : 0.0);
+    command.leds = touch_.armed ? led::green : led::red;
+    touch_.unanswered = std::min(touch_.unanswered + 1, most_unanswered + 1);
+    const bool knows = touch_.armed && touch_.jacobian && touch_.unanswered <= most_unanswered;
+    const double off_the_pane = touch_.pane.force(knows ? force.share() : 0.0);
     if (knows)
-        command.motors = motors_for(*jacobian_, {force.newtons().x, force.newtons().y, off_the_pane});
+        command.motors = motors_for(*touch_.jacobian, {force.newtons().x, force.newtons().y, off_the_pane});
     writer_->post(message_of(command));
     return true;
 }
@@ -330,7 +323,7 @@ void Falcon::stop() noexcept {
 
 bool Falcon::lost() const noexcept { return writer_ && writer_->lost(); }
 
-bool Falcon::motors_off() const noexcept { return open_ && !armed_; }
+bool Falcon::motors_off() const noexcept { return open_ && !touch_.armed; }
 
 std::string Falcon::complaint() const {
     if (unguarded_.load(std::memory_order_relaxed))

@@ -93,16 +93,19 @@ private:
     std::atomic<bool> unguarded_{false};
     std::atomic<std::uint64_t> bad_readings_{0};
 
-    // Only the servo's thread.
-    falcon::PacketStream stream_;
-    std::optional<falcon::Reply> reply_; ///< the newest of this read
-    falcon::Place place_ = falcon::middle;
-    std::optional<glm::dmat3> jacobian_; ///< where place_ is known
-    falcon::Pane pane_;
-    bool armed_ = false;
-    int unanswered_ = 0; ///< writes since the last place
-    int leaps_ = 0;      ///< places in a row that were too far
-    DeviceState state_;
+    /// What has been heard and sent since it was opened. Only the servo's thread.
+    struct Touch {
+        falcon::PacketStream stream;
+        std::optional<falcon::Reply> reply; ///< the newest of this read
+        falcon::Place place = falcon::middle;
+        std::optional<glm::dmat3> jacobian; ///< where the place is known
+        falcon::Pane pane;
+        bool armed = false;
+        int unanswered = 0; ///< writes since the last place
+        int leaps = 0;      ///< places in a row that were too far
+        DeviceState state;
+    };
+    Touch touch_;
 };
 
 } // namespace tp

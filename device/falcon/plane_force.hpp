@@ -37,8 +37,6 @@ public:
     void feed(double time, double z) noexcept;
     /// N towards the person, 0 … most, of which `share` (0 … 1) is let in. Falls at once, rises by most_rise.
     double force(double share) noexcept;
-    /// Nothing is known, and no force.
-    void forget() noexcept { *this = Pane(); }
 
 private:
     bool known_ = false;

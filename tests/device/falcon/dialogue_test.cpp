@@ -43,6 +43,9 @@ struct Script final : FalconLink {
     std::deque<UsbPacket> to_say;
     std::vector<Command> commands;
     GuardDiary diary;
+    std::size_t falls_silent_after = SIZE_MAX; ///< commands
+    bool reads_fail = false;
+    bool writes_fail = false;
     int reads = 0;
     int waited_ms = 0;
 
@@ -58,6 +61,8 @@ struct Script final : FalconLink {
     UsbGot read(UsbPacket& packet, int wait_ms) noexcept override {
         ++reads;
         waited_ms += wait_ms;
+        if (reads_fail)
+            return UsbGot::lost;
         if (to_say.empty())
             return UsbGot::nothing;
         packet = to_say.front();
@@ -65,17 +70,26 @@ struct Script final : FalconLink {
         return UsbGot::packet;
     }
     bool write(std::span<const std::uint8_t> bytes) noexcept override {
+        if (writes_fail)
+            return false;
         Packet packet{};
         std::copy_n(bytes.begin(), std::min(bytes.size(), packet_size), packet.begin());
         if (const std::optional<Command> command = decode_command(packet))
             commands.push_back(*command);
-        if (answers)
+        if (answers && commands.size() <= falls_silent_after)
             say(encode(*answers));
         return true;
     }
     Result<std::unique_ptr<ForceGuard>> guard(std::span<const std::uint8_t>) override {
         return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(diary));
     }
+};
+
+/// Says whether it is still held.
+struct CountedLink final : BorrowedFalconLink {
+    int& held;
+    CountedLink(FalconLink& lent, int& count) : BorrowedFalconLink(lent), held(count) { ++held; }
+    ~CountedLink() override { --held; }
 };
 
 struct Bench {
@@ -208,6 +222,145 @@ private slots:
         bench.write(SafeForce{});
         bench.write(safe({1.0, 0.0}));
         QVERIFY(bench.pulls());
+    }
+
+    /// Its pane may push then, and that is a force too.
+    void a_share_that_is_let_in_is_no_word_of_no_force() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        QVERIFY(bench.hear(reply_at(falcon_place({0.0, 0.0}, -4.0))));
+        bench.write(safe({0.0, 0.0}));
+        QVERIFY(bench.device.motors_off());
+        QVERIFY(!bench.pulls());
+        bench.write(SafeForce{});
+        bench.write(safe({0.0, 0.0}));
+        QVERIFY(bench.pulls());
+    }
+
+    void where_its_marks_are_found_again_it_is_believed_at_once() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        QVERIFY(bench.hear(reply_at(middle)));
+        Reply lost = reply_at(middle);
+        lost.homed = 0;
+        QVERIFY(bench.hear(lost));
+        const std::optional<DeviceState> state = bench.hear(reply_at(falcon_place({30.0, 0.0})));
+        QVERIFY(state);
+        QVERIFY(length(state->position - Vec2(30.0, 0.0)) < 0.1);
+    }
+
+    /// Where it was, what it heard and what it pulled belong to what was before.
+    void opened_again_it_lets_go_and_begins_as_new() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        bench.now = 100.0;
+        QVERIFY(bench.hear(reply_at(middle)));
+        bench.write(SafeForce{});
+        bench.write(safe({1.0, 0.0}));
+        QVERIFY(bench.pulls());
+        bench.script.say(encode(reply_at(middle)));
+        bench.script.to_say.back().size = 9; // the rest of it never comes
+        QVERIFY(!bench.device.read(bench.now));
+        bench.script.answers = reply_at(middle);
+        QVERIFY(bench.open().ok());
+        QCOMPARE(bench.script.diary.dismissals, 1);
+        QCOMPARE(bench.script.diary.ends, 1);
+        QCOMPARE(bench.device.bad_readings(), std::uint64_t(0));
+        bench.now = 0.0;
+        const std::optional<DeviceState> state = bench.hear(reply_at(falcon_place({30.0, 0.0}, -4.0)));
+        QVERIFY(state);
+        QVERIFY(length(state->position - Vec2(30.0, 0.0)) < 0.1);
+        QVERIFY(bench.device.motors_off());
+        bench.write(safe({1.0, 0.0}));
+        QVERIFY(!bench.pulls());
+        bench.write(SafeForce{});
+        bench.write(safe({0.0, 0.0})); // only the pane
+        QVERIFY(bench.pulls());
+    }
+
+    void what_was_unplugged_is_free_and_said_so_at_once() {
+        Script script;
+        int held = 0;
+        Falcon device(
+            [&]() -> Result<std::unique_ptr<FalconLink>> {
+                return std::unique_ptr<FalconLink>(std::make_unique<CountedLink>(script, held));
+            },
+            [] { return falcon_image(); }, "F-1", LatestWriter::Thread::caller);
+        device.halt(); // of nothing
+        QVERIFY(device.open().ok());
+        QCOMPARE(held, 1);
+        QVERIFY(device.motors_off());
+        QVERIFY(!device.lost());
+        script.reads_fail = true;
+        QVERIFY(!device.read(0.001));
+        QVERIFY(device.lost());
+        device.stop();
+        QCOMPARE(held, 0);
+        QVERIFY(!device.motors_off());
+        script.reads = 0;
+        QVERIFY(device.open().error().find("unplugged") != std::string::npos);
+        QCOMPARE(script.reads, 1);
+        QCOMPARE(held, 0);
+        QVERIFY(!device.lost());
+        script.reads_fail = false;
+        script.writes_fail = true;
+        script.reads = 0;
+        QVERIFY(device.open().error().find("unplugged") != std::string::npos);
+        QCOMPARE(script.reads, 0);
+        script.writes_fail = false;
+        script.to_say.clear();
+        script.commands.clear();
+        script.falls_silent_after = 1; // its firmware was found
+        QVERIFY(device.open().error().find("does not answer") != std::string::npos);
+        QCOMPARE(held, 0);
+        script.falls_silent_after = SIZE_MAX;
+        QVERIFY(device.open().ok());
+        script.reads_fail = true; // while a person homes it
+        script.reads = 0;
+        QVERIFY(device.home().error().find("does not answer") != std::string::npos);
+        QCOMPARE(script.reads, 1);
+        script.writes_fail = true;
+        QVERIFY(!device.home().ok());
+        QCOMPARE(script.reads, 1);
+    }
+
+    void halted_it_lets_go() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        QVERIFY(bench.hear(reply_at(middle)));
+        bench.write(SafeForce{});
+        bench.write(safe({1.0, 0.0}));
+        QVERIFY(bench.pulls());
+        bench.device.halt();
+        bench.device.deliver();
+        QVERIFY(!bench.pulls());
+    }
+
+    void a_person_has_twenty_thousand_replies_to_home_it() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        bench.script.commands.clear();
+        bench.script.answers = reply_at(middle);
+        bench.script.answers->homed = 3;
+        QVERIFY(!bench.device.home().ok());
+        QCOMPARE(bench.script.commands.size(), std::size_t(20000));
+        bench.script.answers->homed = 7;
+        QVERIFY(bench.device.home().ok());
+        QVERIFY(bench.script.commands.back() == Command{}); // its light goes out
+    }
+
+    void nineteen_packets_with_nothing_in_them_are_waited_through() {
+        for (const std::size_t empty : {19, 20}) {
+            Bench bench;
+            QVERIFY(bench.open().ok());
+            bench.script.commands.clear();
+            UsbPacket nothing;
+            nothing.size = 2;
+            bench.script.to_say.assign(empty, nothing);
+            bench.script.answers = reply_at(middle);
+            QVERIFY(bench.device.home().ok());
+            QCOMPARE(bench.script.commands.size(), std::size_t(empty == 19 ? 2 : 3));
+        }
     }
 
     void after_fifty_writes_without_a_place_its_motors_are_off() {
@@ -456,8 +609,6 @@ private slots:
             QVERIFY(std::abs(pane.force(1.0) - 0.3 * depth_mm) < 1e-12);
             QVERIFY(std::abs(pane.force(9.0) - 0.3 * depth_mm) < 1e-12); // all is all
             QVERIFY(std::abs(pane.force(0.5) - 0.15 * depth_mm) < 1e-12);
-            pane.forget();
-            QCOMPARE(pane.force(1.0), 0.0);
         }
     }
 

@@ -289,7 +289,7 @@ private slots:
             QVERIFY(force - last <= falcon::Pane::most_rise + 1e-12);
             last = force;
         }
-        QCOMPARE(last, falcon::Pane::most);
+        QCOMPARE(last, 1.5); // N, however far behind it the hand is
         QVERIFY(std::abs(pane.force(0.5) - 0.5 * falcon::Pane::most) < 1e-12);
         QCOMPARE(pane.force(0.0), 0.0);
         pane.feed(time += 0.001, std::nan(""));

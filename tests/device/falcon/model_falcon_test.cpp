@@ -332,6 +332,23 @@ private slots:
         QVERIFY(fresh.firmware_runs());
     }
 
+    void its_loader_greets_with_a_zero_before_it_or_without() {
+        for (const bool zero : {false, true}) {
+            ModelFalcon model(falcon_image());
+            model.troubles.eager_zero = zero;
+            model.control(ftdi::latency(1));
+            model.control(ftdi::baud_9600);
+            model.control(ftdi::dtr_high);
+            model.send(std::array<std::uint8_t, 3>{0x0A, 0x43, 0x0D});
+            for (int ms = 0; ms < 20; ++ms)
+                model.step();
+            std::vector<std::uint8_t> greeting{0x0A, 0x44, 0x2C, 0x0D};
+            if (zero)
+                greeting.insert(greeting.begin(), 0);
+            QVERIFY(said(model) == greeting);
+        }
+    }
+
     void what_is_purged_never_arrives() {
         Quick quick;
         quick.model.send(encode(Command{}));

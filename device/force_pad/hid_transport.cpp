@@ -19,8 +19,8 @@ public:
     explicit HidTransport(HidHandles handles) : handles_(std::move(handles)) {}
 
     Got read(pad::Frame& frame, int wait_ms) noexcept override {
-        std::array<std::uint8_t, 64> bytes{};
-        const int count = hid_read_timeout(handles_.reader.get(), bytes.data(), pad::frame_size, wait_ms);
+        std::array<std::uint8_t, pad::frame_size> bytes{};
+        const int count = hid_read_timeout(handles_.reader.get(), bytes.data(), bytes.size(), wait_ms);
         if (count < 0)
             return Got::lost;
         if (count == 0)

@@ -191,7 +191,8 @@ private slots:
         Bench bench;
         QVERIFY(!bench.device.home().ok()); // not open
         QVERIFY(bench.open());
-        QVERIFY(bench.device.home().ok());
+        const Result<bool> homed = bench.device.home();
+        QVERIFY(homed.ok() && *homed);
         bench.script.homes = false;
         QVERIFY(bench.device.home().error().find("could not be homed") != std::string::npos);
     }
@@ -264,7 +265,11 @@ private slots:
         Bench bench;
         QVERIFY(bench.open());
         QVERIFY(!bench.device.lost());
+        bench.script.say(5000, 0, 0, 0, pad::status::hot);
         bench.script.say(1);
+        QVERIFY(bench.device.read(0.0));
+        QCOMPARE(bench.device.bad_frames(), std::uint64_t(1));
+        QVERIFY(bench.device.motors_off());
         bench.script.gone = true;
         QVERIFY(!bench.device.read(0.0));
         QVERIFY(bench.device.lost());
@@ -274,9 +279,20 @@ private slots:
         QCOMPARE(bench.script.reads, before); // it is not asked any more
         bench.script.gone = false;
         bench.script.to_say.clear();
-        QVERIFY(bench.open()); // plugged in again
+        QVERIFY(bench.open()); // plugged in again: nothing of before is believed
+        QVERIFY(!bench.device.lost());
+        QVERIFY(!bench.device.motors_off());
+        QVERIFY(bench.device.complaint().find("too hot") == std::string::npos);
         bench.script.say(1, 1000);
         QVERIFY(bench.device.read(0.2));
+        for (std::uint16_t i = 0; i < 7; ++i) // as states that come late over a bad line
+            bench.script.say(1, 2000);
+        QVERIFY(!bench.device.read(0.3));
+        QCOMPARE(bench.device.bad_frames(), std::uint64_t(7));
+        bench.script.say(1, 2000); // the eighth: it began anew
+        QVERIFY(bench.device.read(0.4));
+        bench.device.stop();
+        QVERIFY(bench.open());
         QCOMPARE(bench.device.bad_frames(), std::uint64_t(0));
     }
 

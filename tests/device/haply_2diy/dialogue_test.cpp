@@ -33,6 +33,8 @@ struct Script final : SerialLine {
     const Pantograph arms{HaplyGeneration::third};
     haply::Reply here = arms.reply_of(arms.reference_deg());
     bool answers = true;
+    bool reads_fail = false;
+    bool writes_fail = false;
     std::deque<std::uint8_t> to_say;
     std::vector<std::vector<std::uint8_t>> sent;
 
@@ -41,12 +43,16 @@ struct Script final : SerialLine {
             to_say.push_back(byte);
     }
     int read(std::span<std::uint8_t> into, int) noexcept override {
+        if (reads_fail)
+            return -1;
         const std::size_t count = std::min(into.size(), to_say.size());
         std::copy_n(to_say.begin(), count, into.begin());
         to_say.erase(to_say.begin(), to_say.begin() + static_cast<std::ptrdiff_t>(count));
         return static_cast<int>(count);
     }
     bool write(std::span<const std::uint8_t> bytes) noexcept override {
+        if (writes_fail)
+            return false;
         sent.emplace_back(bytes.begin(), bytes.end());
         if (answers)
             say(here);
@@ -90,6 +96,12 @@ struct Bench {
         script.to_say.clear();
         script.sent.clear();
         return homed;
+    }
+    /// Until its encoders are not believed any more.
+    bool falls_out_of_step() {
+        for (int i = 0; i < 25; ++i)
+            tick({0.5, 0.5});
+        return device.complaint().find("lost count") != std::string::npos;
     }
     std::optional<DeviceState> tick(Vec2 newtons, double dt = 0.001) {
         const std::optional<DeviceState> state = device.read(now += dt);
@@ -248,6 +260,112 @@ private slots:
         bench.tick({0.5, 0.5});
         QVERIFY(bench.script.last_command() &&
                 bench.script.last_command()->torque == (std::array<float, 2>{}));
+    }
+
+    /// What came, what waited and where it was belong to what was before.
+    void opened_again_it_begins_as_new() {
+        Bench bench;
+        QVERIFY(bench.open());
+        bench.script.say(bench.turned(0.0));
+        QVERIFY(bench.tick({0.5, 0.5}));
+        QVERIFY(bench.falls_out_of_step());
+        bench.guard.word = ForceGuard::Word::stepped_in;
+        const auto bytes = haply::encode(bench.turned(0.0));
+        bench.script.to_say.assign(bytes.begin(), bytes.begin() + 4); // the rest of it never comes
+        bench.tick({0.5, 0.5});
+        bench.guard.word = ForceGuard::Word::here;
+        bench.script.answers = true;
+        QVERIFY(bench.device.open().ok());
+        bench.script.answers = false;
+        bench.script.to_say.clear();
+        bench.script.sent.clear();
+        QCOMPARE(bench.device.bad_answers(), std::uint64_t(0));
+        QVERIFY2(bench.device.complaint().find("does not know where its arms are") != std::string::npos,
+                 bench.device.complaint().c_str());
+        bench.now += 1.0;
+        QVERIFY(!bench.tick({0.5, 0.5}));
+        QCOMPARE(bench.script.sent.size(), std::size_t(1)); // not homed: no torque
+        QVERIFY(bench.script.last_command()->torque == (std::array<float, 2>{}));
+        bench.script.say(bench.turned(-30.0));
+        QVERIFY(bench.tick({0.5, 0.5}));
+        QCOMPARE(bench.device.bad_answers(), std::uint64_t(0));
+    }
+
+    void homed_again_it_pulls_and_believes_at_once() {
+        Bench bench;
+        QVERIFY(bench.open());
+        bench.script.say(bench.turned(0.0));
+        QVERIFY(bench.tick({0.5, 0.5}));
+        QVERIFY(bench.falls_out_of_step());
+        bench.script.answers = true;
+        const Result<bool> homed = bench.device.home();
+        QVERIFY(homed.ok() && *homed);
+        bench.script.answers = false;
+        bench.script.sent.clear();
+        QCOMPARE(bench.device.complaint(), std::string());
+        QVERIFY(!bench.device.motors_off());
+        bench.script.say(bench.turned(-20.0));
+        QVERIFY(bench.tick({0.5, 0.5}));
+        bench.tick({0.5, 0.5});
+        QVERIFY(!bench.script.sent.empty());
+        QVERIFY(bench.script.last_command()->torque != (std::array<float, 2>{}));
+    }
+
+    /// A second long, each time with another number of bytes; then it is taken for gone.
+    void a_board_that_stays_silent_is_brought_back_fifty_times() {
+        Bench bench;
+        QVERIFY(bench.open());
+        std::vector<std::size_t> sizes;
+        int ticks = 0;
+        for (; !bench.device.lost() && ticks < 3000; ++ticks) {
+            bench.tick({0.5, 0.5});
+            for (const auto& bytes : bench.script.sent)
+                if (bytes.size() > 500)
+                    sizes.push_back(bytes.size());
+            bench.script.sent.clear();
+        }
+        QCOMPARE(sizes.size(), std::size_t(50));
+        QVERIFY2(ticks > 1000 && ticks < 1150, qPrintable(QString::number(ticks)));
+        for (std::size_t i = 1; i < sizes.size(); ++i)
+            QCOMPARE(sizes[i], sizes[0] + (i % 2 == 0 ? 0 : sizes[1] - sizes[0]));
+        QVERIFY(sizes[1] != sizes[0]);
+    }
+
+    void one_that_is_gone_is_said_so() {
+        for (const bool by_reading : {true, false}) {
+            Bench bench;
+            bench.device.halt(); // of nothing
+            bench.script.reads_fail = by_reading;
+            bench.script.writes_fail = !by_reading;
+            QVERIFY(!bench.open());
+            QVERIFY(!bench.device.lost());
+            QCOMPARE(bench.device.complaint(), std::string());
+            bench.script.reads_fail = bench.script.writes_fail = false;
+            bench.script.answers = true;
+            QVERIFY(bench.open());
+            bench.script.reads_fail = by_reading;
+            bench.script.writes_fail = !by_reading;
+            bench.tick({0.5, 0.5});
+            QVERIFY(bench.device.lost());
+            QVERIFY(!bench.device.write(SafeForce{}));
+            QVERIFY(!bench.device.read(bench.now));
+            bench.device.stop();
+            QCOMPARE(bench.guard.dismissals, 0); // nobody knows what it pulls
+            QCOMPARE(bench.guard.ends, 2);
+        }
+    }
+
+    void halted_it_lets_go() {
+        Bench bench;
+        QVERIFY(bench.open());
+        bench.tick({0.5, 0.5});
+        QVERIFY(bench.script.last_command()->torque != (std::array<float, 2>{}));
+        bench.device.halt();
+        bench.device.deliver();
+        QVERIFY(bench.script.last_command()->torque == (std::array<float, 2>{}));
+        bench.device.stop();
+        QCOMPARE(bench.guard.dismissals, 1);
+        QCOMPARE(bench.guard.ends, 1);
     }
 
     void places_go_on_as_fast_as_arms_turn_and_no_faster() {

@@ -4,7 +4,12 @@
 
 #include <QTest>
 
+#include <atomic>
+#include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
 
 using namespace tp;
 using tp::testing::TouchOutputDouble;
@@ -137,6 +142,24 @@ private slots:
         }
     }
 
+    void before_a_finger_comes_nothing_is_known() {
+        Bench bench;
+        bench.loop->disengage();
+        bench.pass();
+        const TouchSnapshot view = bench.loop->snapshot();
+        QVERIFY(view.finger() == Vec2(0.0) && view.leader() == Vec2(0.0));
+        QVERIFY(view.distance == 0.0 && view.level == 0.0);
+        QVERIFY(view.tick_time == 0.0 && view.tick_amplitude == 0.0 && view.tour_progress == 0.0);
+        QVERIFY(view.periods == 1 && view.ticks == 0 && view.undelivered == 0 && view.events == 0);
+        QVERIFY(view.scene == 1 && view.buttons == 0 && view.event_contour == -1);
+        QVERIFY(!view.touched && !view.engaged && !view.lost && !view.touring && !view.tour_finished);
+        const TouchCapabilities
+            can; // an output that says nothing of itself is taken for one that is never late
+        QVERIFY(can.delay == 0.0 && can.rate == 0.0 && can.shortest_s == 0.0 && !can.pad);
+        const PadTouch touch;
+        QVERIFY(touch.time == 0.0 && !touch.touched && touch.place == Vec2(0.0) && touch.buttons == 0);
+    }
+
     void what_it_knows_of_itself() {
         Bench bench;
         bench.loop->tell({-5.0, 3.0});
@@ -147,6 +170,7 @@ private slots:
         QVERIFY(std::abs(view.distance - 5.0) < 1e-9);
         QCOMPARE(view.periods, std::uint64_t(1));
         QCOMPARE(view.scene, std::uint64_t(1));
+        QCOMPARE(view.events, std::uint64_t(0));
         QVERIFY(!view.touring && !view.tour_finished);
         QCOMPARE(bench.loop->place_to_command().count(), std::uint64_t(1));
         QVERIFY(std::abs(bench.loop->place_to_command().max() - bench.loop->period()) < 1e-9);
@@ -372,6 +396,32 @@ private slots:
         FrictionChoices choices;
         choices.width_mm = -1.0;
         QVERIFY(!make_touch_scene(upright_line(0.0), choices));
+    }
+
+    /// What was missed is not made up for in a burst.
+    void after_a_late_period_its_thread_goes_on_in_step() {
+        TouchOutputDouble output;
+        VirtualClock clock;
+        std::vector<double> times;
+        std::atomic<bool> seen{false};
+        output.pad = [&](double now) {
+            if (times.size() < 40)
+                times.push_back(now);
+            else
+                seen.store(true);
+            if (times.size() == 10)
+                clock.sleep_until(now + 2.65 * (times[1] - times[0]));
+            return std::optional<PadTouch>();
+        };
+        TouchLoop loop(output, output.capabilities(), clock, {});
+        loop.start();
+        QTRY_VERIFY(seen.load());
+        loop.stop();
+        for (std::size_t i = 1; i < times.size(); ++i)
+            QVERIFY2(std::abs(times[i] - times[i - 1] - (i == 10 ? 3.0 : 1.0) * loop.period()) < 1e-9,
+                     qPrintable(QString::number(static_cast<int>(i))));
+        QVERIFY(loop.lateness().count() >= 40);
+        QVERIFY(loop.lateness().max() < 1e-9);
     }
 
     void its_own_thread_ticks_until_it_is_stopped() {

@@ -3,6 +3,11 @@
 
 #include <QTest>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
 using namespace tp;
 using tp::testing::HapticsBench;
 
@@ -43,6 +48,47 @@ private slots:
         QCOMPARE(bench.model.waveform(), 0x1008);
         QVERIFY(std::abs(bench.model.felt() - 0.3) < 0.01);
         QCOMPARE(bench.model.ticks(), 2ul);
+    }
+
+    void it_says_how_late_and_how_often_it_ticks() {
+        HapticsBench bench;
+        QCOMPARE(bench.open(), std::string());
+        QCOMPARE(bench.can.rate, 50.0);
+        QCOMPARE(bench.can.shortest_s, 0.01);
+        QCOMPARE(bench.can.delay, HapticPad::delay_s);
+        QVERIFY(std::abs(bench.can.pad->min.x + 50.0) < 1e-9 && std::abs(bench.can.pad->min.y + 30.0) < 1e-9);
+    }
+
+    /// Its number of ticks runs round.
+    void each_of_many_ticks_is_felt_once() {
+        HapticsBench bench;
+        QCOMPARE(bench.open(), std::string());
+        for (int i = 0; i < 300; ++i) {
+            QVERIFY(bench.pad.tick(click));
+            bench.run(0.002);
+            bench.pad.deliver();
+        }
+        bench.run(0.01);
+        QCOMPARE(bench.model.ticks(), 300ul);
+        QVERIFY(bench.pad.tick(Tick{}));
+        bench.run(0.01);
+        QCOMPARE(bench.model.ticks(), 300ul);
+    }
+
+    void opened_again_no_finger_is_there() {
+        HapticsBench bench;
+        QCOMPARE(bench.open(), std::string());
+        bench.model.touch(1, {10.0, 5.0}, true);
+        bench.run(0.02);
+        QVERIFY(bench.touch && bench.touch->touched);
+        QCOMPARE(bench.open(), std::string());
+        bench.model.lift(1);
+        bench.run(0.02);
+        QVERIFY(!bench.touch->touched);
+        QCOMPARE(bench.touch->buttons, 0u);
+        QVERIFY(bench.now - bench.touch->time < 0.02);
+        bench.pad.stop();
+        QVERIFY(!bench.pad.read(bench.now));
     }
 
     void a_second_finger_does_not_take_over_before_the_first_is_lifted() {

@@ -113,7 +113,7 @@ private slots:
         settings.latency_s = 5.0;
         Bench bench(settings);
         const double first = bench.go(-60.0, 20.0, 300.0);
-        QVERIFY(first > -TouchSettings::farthest_ahead_mm - 0.5 && first < -9.0);
+        QVERIFY(first > -10.5 && first < -9.0); // mm
         for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
             bench.loop->set_latency(wrong);
             bench.loop->tell_lifted();
@@ -329,6 +329,18 @@ private slots:
         QCOMPARE(bench.output.tick_count.load(), given);
     }
 
+    void what_leads_is_told_with_both_of_its_coordinates() {
+        Bench bench;
+        bench.loop->tell({5.0, -80.0});
+        bench.pass();
+        QVERIFY(bench.loop->snapshot().leader() == Vec2(0.0)); // nothing leads
+        bench.loop->render(line_at(5.0, true));
+        bench.pass();
+        const Vec2 leader = bench.loop->snapshot().leader();
+        QCOMPARE(leader.x, 5.0);
+        QVERIFY(leader.y >= -80.0 && leader.y < -79.0);
+    }
+
     /// As when the machine has stood still.
     void a_late_period_leads_nobody_far() {
         Bench bench;
@@ -382,6 +394,15 @@ private slots:
         QCOMPARE(bench.loop->snapshot().level, 0.0);
         QVERIFY(!bench.loop->snapshot().engaged);
         QVERIFY(bench.output.halts > 0);
+    }
+
+    void one_that_goes_away_leaves_nothing_to_be_felt() {
+        Bench bench({}, TouchMeans::friction);
+        bench.go(-20.0, 0.0, 100.0);
+        QVERIFY(bench.output.level > 0.5);
+        bench.loop.reset();
+        QCOMPARE(bench.output.level, 0.0);
+        QCOMPARE(bench.output.stops, 1);
     }
 
     void a_place_never_waits_longer_than_two_milliseconds() {

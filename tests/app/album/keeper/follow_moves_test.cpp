@@ -121,6 +121,21 @@ private slots:
         QVERIFY(companions_of(album.photo).empty() && companions_of(second).empty());
     }
 
+    /// What moved is not known, or cannot be forgotten: it is said, and nothing is taken for done.
+    void an_index_that_cannot_be_read_or_written_is_told() {
+        for (const char* broken :
+             {"DROP TABLE photos",
+              "CREATE TRIGGER stuck BEFORE DELETE ON photos BEGIN SELECT RAISE(ABORT, 'stuck'); END"}) {
+            Album album;
+            album.scan();
+            album.move_to("garden/Anna.jpg");
+            album.scan();
+            album.index->connection().run_once(broken);
+            const auto moves = follow_moves(*album.index);
+            QVERIFY2(!moves.ok() && moves.error().ends_with('.'), broken);
+        }
+    }
+
     void a_copy_whose_first_photograph_stays_takes_nothing() {
         Album album;
         album.scan();

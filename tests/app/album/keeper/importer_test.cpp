@@ -10,6 +10,7 @@
 
 #include <QTest>
 
+#include <chrono>
 #include <csignal>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -83,6 +84,32 @@ private slots:
         struct stat about {};
         QCOMPARE(::stat((album / "Summer/100/IMG_1.JPG.tags/2026-memo.flac").c_str(), &about), 0);
         QCOMPARE(about.st_mode & 0777u, 0600u);
+    }
+
+    /// In its first second nobody can tell how long the rest takes.
+    void how_long_the_rest_takes_is_not_guessed_at_once() {
+        const AlbumFolder card, album;
+        for (int i = 0; i < 4; ++i)
+            card.write(std::to_string(i) + ".jpg", std::to_string(i));
+        const auto begun = std::chrono::steady_clock::now();
+        std::vector<fs::path> done;
+        bool guessed = false;
+        ImportTools tools;
+        tools.progress = [&](const ImportProgress& p) {
+            guessed |= p.done == 0 && p.seconds_left.has_value();
+            if (std::chrono::steady_clock::now() - begun < std::chrono::seconds(1))
+                guessed |= p.done < 4 && p.seconds_left.has_value();
+            if (p.done == 4)
+                QCOMPARE(*p.seconds_left, 0.0);
+            QCOMPARE(p.current.empty(), p.done == 4);
+            QCOMPARE(p.bytes_done, std::uintmax_t(p.done));
+            QCOMPARE(p.bytes_total, std::uintmax_t(4));
+            QCOMPARE(p.total, std::size_t{4});
+        };
+        tools.done = [&](const ImportedPhoto& photo) { done.push_back(photo.source.filename()); };
+        QVERIFY(import_photos(album.path(), {}, {card.path()}, tools).ok());
+        QVERIFY(!guessed);
+        QCOMPARE(done, (std::vector<fs::path>{"0.jpg", "1.jpg", "2.jpg", "3.jpg"}));
     }
 
     void the_same_bytes_come_once() {

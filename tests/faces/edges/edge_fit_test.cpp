@@ -196,6 +196,17 @@ private slots:
             QVERIFY(length(found[i] - line[i]) < 1e-9);
         QVERIFY(report.moved_percent < 1e-9 && std::abs(report.clarity) < 1e-9);
     }
+    void how_far_a_line_moved_is_told() {
+        const Height edge = arch(20.0, 60.0, 45.0, 0.0);
+        EdgeReport report;
+        on_edge(painted({100, 80}, edge, step), along(edge, 20.0, 80.0, 6.0), down, 200.0, step_look,
+                &report);
+        QVERIFY2(std::abs(report.moved_percent - 3.0) < 0.1,
+                 qPrintable(QString::number(report.moved_percent)));
+        const EdgeReports::Pair lips{{0.0, 1.0}, {0.0, 3.0}};
+        QCOMPARE(lips.clearest(), 3.0);
+        QCOMPARE(lips.faintest(), 1.0);
+    }
     void a_covered_part_is_bridged() {
         const Height edge = arch(20.0, 60.0, 45.4, 8.0);
         cv::Mat picture = painted({100, 80}, edge, step);
@@ -289,25 +300,69 @@ private slots:
         QVERIFY(on_edges(picture, tiny).right_eye.lower == tiny.right_eye.lower);
     }
 
+    /// Below 24 px between the eyes a percent is a quarter of a pixel.
+    void a_face_is_looked_at_from_24_px_on() {
+        const cv::Mat picture = painted({60, 60}, arch(0.0, 60.0, 10.0, 3.0), step, 0.0, 30.0);
+        for (const double unit : {23.7, 24.3}) {
+            FaceLines face = plain_face();
+            for (Opening* opening : {&face.right_eye, &face.left_eye, &face.outer_lip, &face.inner_lip})
+                for (Points* edge : {&opening->lower, &opening->upper})
+                    for (Vec2& p : *edge)
+                        p *= unit / 150.0;
+            EdgeReports seen;
+            on_edges(picture, face, &seen);
+            QCOMPARE(seen.right_eye.lower.clarity != 0.0, unit > 24.0);
+        }
+    }
+    /// Shut lips are moved onto their line, those far apart onto their two edges, and those between stay.
+    void lips_move_by_how_far_they_are_apart_data() {
+        QTest::addColumn<double>("gap_percent");
+        QTest::addColumn<bool>("moved");
+        QTest::newRow("as good as shut") << 1.45 << true;
+        QTest::newRow("hardly open") << 1.55 << false;
+        QTest::newRow("not yet open") << 3.9 << false;
+        QTest::newRow("open") << 4.1 << true;
+        QTest::newRow("wide open") << 8.5 << true;
+    }
+    void lips_move_by_how_far_they_are_apart() {
+        QFETCH(double, gap_percent);
+        QFETCH(bool, moved);
+        const cv::Mat picture = painted({200, 160}, arch(0.0, 200.0, 80.0, 9.0), step, 0.0, 20.0);
+        FaceLines lines = plain_face();
+        lines.inner_lip = plain_opening(70.0, 130.0, 100.0, 3.0);
+        const double open_px = 3.0 * gap_percent / (100.0 * lines.inner_lip.mean_gap() / 150.0);
+        lines.inner_lip = plain_opening(70.0, 130.0, 100.0, open_px);
+        EdgeReports seen;
+        const FaceLines found = on_edges(picture, lines, &seen);
+        QCOMPARE(found.inner_lip.lower != lines.inner_lip.lower, moved);
+        QCOMPARE(found.inner_lip.upper != lines.inner_lip.upper, moved);
+        QVERIFY(seen.inner_lip.lower.clarity != 0.0 && seen.inner_lip.upper.clarity != 0.0);
+        for (const Opening* opening :
+             {&found.right_eye, &found.left_eye, &found.outer_lip, &found.inner_lip}) {
+            QCOMPARE(opening->lower.front(), opening->upper.front()); // corners are of both edges
+            QCOMPARE(opening->lower.back(), opening->upper.back());
+        }
+    }
+
 private:
+    static Opening plain_opening(double from, double to, double middle, double open) {
+        const Height flat = [=](double) { return middle; };
+        Opening result{along(flat, from, to, 0.0), along(flat, from, to, 0.0)};
+        for (std::size_t i = 0; i < edge_points; ++i) {
+            const double t = static_cast<double>(i) / static_cast<double>(edge_points - 1);
+            const double gap = open * std::sin(std::numbers::pi * t);
+            result.lower[i].y += 0.5 * gap;
+            result.upper[i].y -= 0.5 * gap;
+        }
+        return result;
+    }
     /// Eyes 150 px apart, a mouth between them that is about 3 px open.
     static FaceLines plain_face() {
-        const auto opening = [](double from, double to, double middle, double open) {
-            const Height flat = [=](double) { return middle; };
-            Opening result{along(flat, from, to, 0.0), along(flat, from, to, 0.0)};
-            for (std::size_t i = 0; i < edge_points; ++i) {
-                const double t = static_cast<double>(i) / static_cast<double>(edge_points - 1);
-                const double gap = open * std::sin(std::numbers::pi * t);
-                result.lower[i].y += 0.5 * gap;
-                result.upper[i].y -= 0.5 * gap;
-            }
-            return result;
-        };
         FaceLines lines;
-        lines.right_eye = opening(25.0, 70.0, 40.0, 12.0);
-        lines.left_eye = opening(175.0, 130.0, 40.0, 12.0);
-        lines.outer_lip = opening(65.0, 135.0, 100.0, 24.0);
-        lines.inner_lip = opening(70.0, 130.0, 100.0, 3.0);
+        lines.right_eye = plain_opening(25.0, 70.0, 40.0, 12.0);
+        lines.left_eye = plain_opening(175.0, 130.0, 40.0, 12.0);
+        lines.outer_lip = plain_opening(65.0, 135.0, 100.0, 24.0);
+        lines.inner_lip = plain_opening(70.0, 130.0, 100.0, 3.0);
         lines.outline = {{10, 40}, {30, 120}, {100, 155}, {170, 120}, {190, 40}};
         return lines;
     }

@@ -120,6 +120,17 @@ private slots:
         QCOMPARE(snapped(parabolas({1.0}, 1.0), 1.0, 1.0).size(), std::size_t{1});
         QCOMPARE(clarity({}, {}), 0.0);
     }
+    /// By how much likelier the line is there than anywhere, as a logarithm, in the mean over its points.
+    void clarity_is_how_much_likelier_the_line_is_there() {
+        const Evidence evidence{2, 5, 0.5, {0.0, 1.0, 4.0, 2.0, 0.0, 3.0, 3.0, 3.0, 3.0, 5.0}};
+        const double first = -std::log((2.0 * std::exp(-4.0) + std::exp(-3.0) + 1.0 + std::exp(-2.0)) / 5.0);
+        const double at_last = -std::log((4.0 * std::exp(-2.0) + 1.0) / 5.0);
+        QVERIFY(std::abs(clarity(evidence, {0.0, 1.0}) - 0.5 * (first + at_last)) < 1e-12);
+        QVERIFY(std::abs(clarity(evidence, {0.2, 9.0}) - 0.5 * (first + at_last)) <
+                1e-12); // the nearest offset
+        const double at_first = -std::log((4.0 + std::exp(2.0)) / 5.0);
+        QVERIFY(std::abs(clarity(evidence, {0.0, -9.0}) - 0.5 * (first + at_first)) < 1e-12);
+    }
     void clearer_evidence_has_more_clarity() {
         const std::vector<double> centres(9, 1.0);
         double last = 0.0;

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <system_error>
 
 namespace tp {
 
@@ -269,15 +270,20 @@ Result<Tag> AlbumKeeper::trim_recording(const fs::path& photo, const std::string
     const auto part = tp::trim_recording(tags_folder(photo) / file, frame(begin_s), frame(end_s));
     if (!part)
         return Error{quoted(tags_folder(photo) / file) + " cannot be trimmed: " + part.error()};
+    const auto left_whole = [&](const std::string& problem) { // the part is of no use beside the whole one
+        std::error_code error;
+        fs::remove(*part, error);
+        return Error{problem};
+    };
     auto tag = recording_facts(*part);
     if (!tag)
-        return tag;
+        return left_whole(tag.error());
     tag->order = whole->order;
-    if (std::string problem = list(photo, *tag); !problem.empty())
-        return Error{problem};
+    if (const std::string problem = list(photo, *tag); !problem.empty())
+        return left_whole(problem);
     const auto put = put_recording(photo, *whole);
     if (!put)
-        return Error{put.error()};
+        return unlist(photo, tag->file).empty() ? left_whole(put.error()) : Error{put.error()};
     auto whole_id = std::make_shared<std::string>(*put), part_id = std::make_shared<std::string>();
     const auto exchange = [this, photo](const Tag& away, std::string& away_id, const std::string& back_id) {
         if (std::string problem = restore(back_id); !problem.empty())

@@ -8,9 +8,14 @@
 #include <QDir>
 #include <QTest>
 
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <ctime>
 #include <iterator>
 #include <random>
 #include <set>
+#include <sys/resource.h>
 
 using namespace tp;
 using namespace tp::test;
@@ -46,6 +51,61 @@ private slots:
         const AlbumFolder unpacked;
         QCOMPARE(unpack_bundle(bundle, unpacked.path()), std::string());
         QVERIFY(unpacked.files() == packed);
+    }
+
+    /// As other programs unpack it: with the time of each file, for its owner only, and as it was.
+    void a_bundle_says_when_each_file_was_written() {
+        const AlbumFolder album, place;
+        const auto photo = album.write("a.jpg", std::string(50'000, 'p'));
+        album.write("a.jpg.xmp", "sidecar");
+        constexpr std::time_t then = 1'600'000'000;
+        for (const auto& file : {photo, album / "a.jpg.xmp"})
+            fs::last_write_time(file, std::chrono::file_clock::from_sys(std::chrono::sys_seconds(
+                                          std::chrono::seconds(then))));
+        QCOMPARE(write_bundle(place / "b", album.path(), {photo}), std::string());
+        archive* zip = archive_read_new();
+        archive_read_support_format_zip_seekable(zip);
+        QCOMPARE(archive_read_open_filename(zip, (place / "b").c_str(), 1 << 16), ARCHIVE_OK);
+        archive_entry* entry = nullptr;
+        int entries = 0;
+        for (; archive_read_next_header(zip, &entry) == ARCHIVE_OK; ++entries) {
+            QVERIFY(std::abs(archive_entry_mtime(entry) - then) <= 2); // ZIP counts in two seconds
+            QCOMPARE(archive_entry_perm(entry) & 0777u, 0600u);
+            QVERIFY(std::string(archive_format_name(zip)).ends_with("(uncompressed)"));
+        }
+        archive_read_free(zip);
+        QCOMPARE(entries, 2);
+    }
+
+    void a_disk_that_is_full_leaves_no_half_bundle_and_no_half_photograph() {
+        const AlbumFolder album, place;
+        const auto photo = album.write("a.jpg", std::string(200'000, 'p'));
+        QCOMPARE(write_bundle(place / "whole", album.path(), {photo}), std::string());
+        const auto previous = std::signal(SIGXFSZ, SIG_IGN);
+        struct rlimit before {};
+        QCOMPARE(::getrlimit(RLIMIT_FSIZE, &before), 0);
+        const struct rlimit small { 100'000, before.rlim_max };
+        QCOMPARE(::setrlimit(RLIMIT_FSIZE, &small), 0);
+        const std::string packed = write_bundle(place / "b", album.path(), {photo});
+        const std::string unpacked = unpack_bundle(place / "whole", place / "out");
+        ::setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, previous);
+        QVERIFY2(packed.starts_with("The bundle " + quoted(place / "b") + " was not written: ") &&
+                     packed.ends_with('.'),
+                 packed.c_str());
+        QVERIFY2(unpacked.starts_with("The bundle " + quoted(place / "whole") + " cannot be used: \"a.jpg\": ") &&
+                     unpacked.ends_with('.'),
+                 unpacked.c_str());
+        QVERIFY(fs::is_empty(place / "out"));
+        QCOMPARE(place.files().size(), std::size_t{1});
+    }
+
+    void what_is_locked_with_a_password_is_said() {
+        const AlbumFolder place;
+        write_zip(place / "b", {{"a.jpg"}}, "zip:encryption=zipcrypt", "secret");
+        QCOMPARE(unpack_bundle(place / "b", place / "out"),
+                 "The bundle " + quoted(place / "b") + " cannot be used: it is locked with a password.");
+        QVERIFY(fs::is_empty(place / "out"));
     }
 
     void hostile_bundles_are_refused_data() {

@@ -20,10 +20,12 @@ struct ZipEntry {
 
 /// A zip file of these entries, as a foreign program would write it.
 inline void write_zip(const std::filesystem::path& file, const std::vector<ZipEntry>& entries,
-                      const char* options = "zip:compression=deflate") {
+                      const char* options = "zip:compression=deflate", const char* password = nullptr) {
     archive* zip = archive_write_new();
     archive_write_set_format_zip(zip);
     archive_write_set_options(zip, options);
+    if (password)
+        archive_write_set_passphrase(zip, password);
     if (archive_write_open_filename(zip, file.c_str()) != ARCHIVE_OK)
         qFatal("%s", archive_error_string(zip));
     for (const ZipEntry& one : entries) {

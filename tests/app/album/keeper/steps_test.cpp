@@ -11,10 +11,13 @@
 #include <QTest>
 
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <sys/resource.h>
+#include <tuple>
 #include <vector>
 
 using namespace tp;
@@ -223,7 +226,58 @@ private slots:
         QVERIFY(fs::exists(tags_folder(photo) / one) && fs::exists(tags_folder(photo) / two));
         QCOMPARE(album.read("a.jpg.xmp"), before.at("a.jpg.xmp"));
         QVERIFY(keeper.trash().entries().empty());
+        // Those two, and the one that was said to be kept.
+        QCOMPARE(std::distance(fs::directory_iterator(tags_folder(photo)), {}), 3);
         QCOMPARE(keeper.order_recordings(photo, {two, one}), std::string()); // with room again
+    }
+
+    void a_recording_keeps_what_it_says_of_itself() {
+        const AlbumFolder album, other;
+        const fs::path photo = a_photo(album, "a.jpg", 1), elsewhere = a_photo(other, "b.jpg", 2);
+        AlbumKeeper keeper(album.path()), there(other.path());
+        const RecordingLabel label{RecordingKind::story, "Anna", "Tom", "de", "2020-02-03T04:05:06+01:00", "Text"};
+        const auto first = there.add_recording(elsewhere, a_sound(other, "s.wav", 0.5, 300.0), label);
+        const fs::path flac = tags_folder(elsewhere) / first->tag.file;
+        RecordingNotes notes = about_recording(flac)->notes;
+        notes.chapters = {{0.0, "in the garden"}, {0.2, "in the house"}};
+        QCOMPARE(relabel_recording(flac, notes), std::string());
+        const auto added = keeper.add_recording(photo, flac, label);
+        QVERIFY2(added.ok(), added.error().c_str());
+        const fs::path file = tags_folder(photo) / added->tag.file;
+        QVERIFY(about_recording(file)->notes == notes);
+        RecordingLabel other_label = label;
+        other_label.person = "Eva";
+        QCOMPARE(keeper.label_recording(photo, added->tag.file, other_label), std::string());
+        QVERIFY(about_recording(file)->notes.chapters == notes.chapters);
+        // What lies there already is listed by its own words.
+        QCOMPARE(keeper.history().undo(), std::string());
+        QCOMPARE(keeper.history().undo(), std::string());
+        fs::copy_file(flac, tags_folder(photo) / "2020.flac");
+        QVERIFY(keeper.list_recording(photo, "2020.flac")->label == label);
+        QCOMPARE(record_of(photo).tags.size(), std::size_t{1});
+        fs::remove(tags_folder(photo) / "2020.flac");
+        QCOMPARE(keeper.forget_recording(photo, "2020.flac"), std::string());
+        QVERIFY(record_of(photo).tags.empty());
+        QVERIFY(!keeper.list_recording(photo, "2020.flac").ok());
+    }
+
+    /// Its part from the first sample on, or up to the last; what lies beyond is none.
+    void a_recording_is_trimmed_to_the_sample() {
+        const AlbumFolder album;
+        const fs::path photo = a_photo(album, "a.jpg", 1), sound = a_sound(album, "s.wav", 0.5, 300.0);
+        AlbumKeeper keeper(album.path());
+        for (const auto& [begin, end, left] :
+             {std::tuple{0.0, 0.2, 0.2}, std::tuple{0.3, 99.0, 0.2}, std::tuple{0.1, 0.4, 0.3}}) {
+            const auto added = keeper.add_recording(photo, sound, {});
+            const auto part = keeper.trim_recording(photo, added->tag.file, begin, end);
+            QVERIFY2(part.ok(), part.error().c_str());
+            QCOMPARE(about_recording(tags_folder(photo) / part->file)->frames, std::uint64_t(48'000 * left + 0.5));
+        }
+        const auto added = keeper.add_recording(photo, sound, {});
+        QVERIFY(!keeper.trim_recording(photo, added->tag.file, 0.2, 0.2).ok());
+        QVERIFY(!keeper.trim_recording(photo, added->tag.file, -0.1, 0.2).ok());
+        QVERIFY(keeper.trim_recording(photo, added->tag.file, 0.4, 0.1).error().ends_with(
+            " cannot be trimmed: the part must begin before it ends."));
     }
 
     void a_step_is_called_by_what_was_done_data() {

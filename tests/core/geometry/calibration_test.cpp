@@ -224,6 +224,29 @@ private slots:
         QVERIFY(farthest_apart(found->device_to_surface, {}) < 1e-9);
     }
 
+    /// Whichever they are, and however few there are in all.
+    void a_fifth_of_few_marks_may_be_wrong() {
+        for (const std::size_t count : {std::size_t(5), std::size_t(10), std::size_t(15)}) {
+            test::RandomPoints random(17 + count);
+            for (int time = 0; time < 20; ++time) {
+                const Affine truth = frame(18.0 * time, time % 2 == 0);
+                std::vector<FramePair> pairs;
+                for (std::size_t i = 0; i < count; ++i) {
+                    const double angle =
+                        6.283185307179586 * static_cast<double>(i) / static_cast<double>(count);
+                    const Vec2 place(60.0 * std::cos(angle), 40.0 * std::sin(angle));
+                    pairs.push_back({place, truth(place)});
+                }
+                for (std::size_t i = 0; i < count / 5; ++i)
+                    pairs[5 * i + random.below(5)].surface += Vec2(30.0, -40.0);
+                const auto found = calibrate(pairs);
+                QVERIFY2(found.ok(), found.error().c_str());
+                QCOMPARE(found->used, count - count / 5);
+                QVERIFY(farthest_apart(found->device_to_surface, truth) < 1e-9);
+            }
+        }
+    }
+
     void every_frame_is_found_through_noise_and_a_fifth_of_bad_pairs() {
         test::RandomPoints random(10);
         for (const bool mirrored : {false, true})

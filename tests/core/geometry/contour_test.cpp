@@ -26,6 +26,13 @@ private slots:
         QVERIFY(point_at(Cubic{a, c, Vec2(8, 8), b}, 0.5) == 0.125 * (a + 3.0 * c + 3.0 * Vec2(8, 8) + b));
     }
 
+    void a_piece_that_was_given_no_points_is_one_at_the_origin() {
+        for (const Piece& piece : {Piece(Line{}), Piece(Quadratic{}), Piece(Cubic{})})
+            for (const double t : {0.0, 0.3, 0.7, 1.0})
+                QVERIFY(point_at(piece, t) == Vec2(0.0));
+        QVERIFY(!Contour{}.closed);
+    }
+
     void not_finite_in_any_point() {
         for (const double bad :
              {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),

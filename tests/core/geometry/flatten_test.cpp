@@ -254,6 +254,20 @@ private slots:
         QCOMPARE(flatten(curve(piece), {100.0, 2.0, 12}).segment_count() == 1, one);
     }
 
+    /// Just what is allowed is not too much: a corner of 90 degrees, in one turn or in two halves, and a handle
+    /// that leaves the chord by twice the tolerance.
+    void a_bound_itself_is_kept() {
+        QCOMPARE(flatten(curve(Quadratic{{0, 0}, {10, 0}, {10, 10}}), {100.0, 90.0, 12}).segment_count(),
+                 std::size_t{1});
+        QCOMPARE(
+            flatten(curve(Cubic{{0, 0}, {10, 0}, {20, 10}, {20, 20}}), {100.0, 90.0, 12}).segment_count(),
+            std::size_t{1});
+        QCOMPARE(flatten(curve(Quadratic{{0, 0}, {5, 1}, {10, 0}}), {0.5, 180.0, 12}).segment_count(),
+                 std::size_t{1});
+        QCOMPARE(flatten(curve(Cubic{{0, 0}, {3, 1}, {7, -1}, {10, 0}}), {0.75, 360.0, 12}).segment_count(),
+                 std::size_t{1});
+    }
+
     /// A quarter of a circle as drawing programs make it: 90 degrees in steps of two are 45, and halving
     /// makes 64.
     void a_quarter_circle_is_no_more_segments_than_it_needs() {

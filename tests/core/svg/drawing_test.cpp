@@ -172,6 +172,12 @@ private slots:
                                  "translate(10px)",
                                  "5",
                                  "scale(2) rotate",
+                                 "rotate(45",
+                                 "scale(2) rotate(45",
+                                 "1)rotate(45)",
+                                 "matrix(1e400 0 0 1 0 0)",
+                                 "matrix(1 0 0 1e400 0 0)",
+                                 "matrix(1 0 0 1 0 1e400)",
                                  "scale(1e300) scale(1e300)"})
             QTest::newRow(text) << QByteArray(text);
     }

@@ -62,7 +62,8 @@ private slots:
     }
 
     void ends_that_almost_meet_are_joined() {
-        for (const char* data : {"M0 0L5 0L5 5L1e-10 1e-10Z", "m0 0l5 0 0 5 -5 -4.9999999999z"}) {
+        for (const char* data : {"M0 0L5 0L5 5L1e-10 1e-10Z", "m0 0l5 0 0 5 -5 -4.9999999999z",
+                                 "M40 30L45 30L45 35L40.0000000001 30Z"}) {
             const Contour contour = path(data);
             QVERIFY(contour.closed);
             QCOMPARE(contour.pieces.size(), std::size_t{3});

@@ -90,6 +90,7 @@ private slots:
         row("left_ey", "left eye", "left_ey");
         row("mouth", "left eye", "mouth");
         row("mouth_alone", "", "mouth_alone");
+        row("_12", "", "_12");
         row(" ", "left eye", "");
         row("", "left eye", "");
         row("a_", "a%09", "a\t"); // what was written for a tab at the end

@@ -6,22 +6,52 @@
 #include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "app/album/metadata/write_sidecar.hpp"
 #include "audio/recordings/recording_file.hpp"
 
 #include <QTest>
 
+#include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <tuple>
+#include <unistd.h>
+#include <utility>
 #include <vector>
 
 using namespace tp;
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Another program holds every folder, and each look at its lock takes so long that patience ends.
+bool somebody_works = false;
+std::time_t waited_s = 0;
+
+} // namespace
+
+extern "C" int flock(int folder, int operation) noexcept {
+    if (!somebody_works)
+        return static_cast<int>(::syscall(SYS_flock, folder, operation));
+    waited_s += 11;
+    errno = EWOULDBLOCK;
+    return -1;
+}
+
+extern "C" int clock_gettime(clockid_t clock, timespec* now) noexcept {
+    const int failed = static_cast<int>(::syscall(SYS_clock_gettime, clock, now));
+    now->tv_sec += waited_s;
+    return failed;
+}
 
 namespace {
 
@@ -231,11 +261,58 @@ private slots:
         QCOMPARE(keeper.order_recordings(photo, {two, one}), std::string()); // with room again
     }
 
+    void what_another_program_works_on_is_left_alone() {
+        const AlbumFolder album;
+        const fs::path photo = a_photo(album, "a.jpg", 1), moved = a_photo(album, "moved/b.jpg", 1);
+        AlbumKeeper keeper(album.path());
+        QCOMPARE(keeper.describe(photo, "de", "Garten", ""), std::string());
+        const auto before = album.files();
+        somebody_works = true;
+        const std::vector<std::string> said{keeper.add_photo(album / "new.jpg", "new", {}).error(),
+                                            keeper.delete_photo(photo), keeper.move_companions(photo, moved),
+                                            keeper.describe(photo, "de", "Haus", "")};
+        somebody_works = false;
+        for (const std::string& problem : said)
+            QVERIFY2(problem.find("nother program is ") != std::string::npos, problem.c_str());
+        QVERIFY(album.files() == before);
+        QCOMPARE(keeper.history().steps(), std::size_t{1});
+        QCOMPARE(keeper.delete_photo(photo), std::string()); // later
+    }
+
+    /// As other programs list who is on a photograph, without a place.
+    void a_person_without_a_face_is_renamed_and_back() {
+        const AlbumFolder album;
+        const fs::path photo = a_photo(album, "a.jpg", 1);
+        SidecarChanges listed;
+        listed.persons = std::vector<std::string>{"Anna", "Tom"};
+        QCOMPARE(write_sidecar(photo, listed), std::string());
+        AlbumKeeper keeper(album.path());
+        QCOMPARE(keeper.rename_person({photo}, "Anna", "Eva").value(), std::size_t{1});
+        const auto persons = [&] {
+            auto names = record_of(photo).persons;
+            std::sort(names.begin(), names.end());
+            return names;
+        };
+        QCOMPARE(persons(), (std::vector<std::string>{"Eva", "Tom"}));
+        QCOMPARE(keeper.history().next_undo(), std::string("Anna became Eva"));
+        back_and_forth(keeper.history(), [&] {
+            return persons() == std::vector<std::string>{"Anna", "Tom"};
+        });
+        QCOMPARE(persons(), (std::vector<std::string>{"Eva", "Tom"}));
+        QCOMPARE(keeper.rename_person({photo}, "Eva", "Tom").value(), std::size_t{1}); // two become one
+        QCOMPARE(persons(), std::vector<std::string>{"Tom"});
+        QCOMPARE(keeper.history().undo(), std::string());
+        QCOMPARE(persons(), (std::vector<std::string>{"Eva", "Tom"}));
+        for (const auto& [from, to] : {std::pair{"", "x"}, std::pair{"Tom", ""}, std::pair{"Tom", "Tom"}})
+            QVERIFY(!keeper.rename_person({photo}, from, to).ok());
+    }
+
     void a_recording_keeps_what_it_says_of_itself() {
         const AlbumFolder album, other;
         const fs::path photo = a_photo(album, "a.jpg", 1), elsewhere = a_photo(other, "b.jpg", 2);
         AlbumKeeper keeper(album.path()), there(other.path());
-        const RecordingLabel label{RecordingKind::story, "Anna", "Tom", "de", "2020-02-03T04:05:06+01:00", "Text"};
+        const RecordingLabel label{RecordingKind::story,        "Anna", "Tom", "de",
+                                   "2020-02-03T04:05:06+01:00", "Text"};
         const auto first = there.add_recording(elsewhere, a_sound(other, "s.wav", 0.5, 300.0), label);
         const fs::path flac = tags_folder(elsewhere) / first->tag.file;
         RecordingNotes notes = about_recording(flac)->notes;
@@ -271,13 +348,15 @@ private slots:
             const auto added = keeper.add_recording(photo, sound, {});
             const auto part = keeper.trim_recording(photo, added->tag.file, begin, end);
             QVERIFY2(part.ok(), part.error().c_str());
-            QCOMPARE(about_recording(tags_folder(photo) / part->file)->frames, std::uint64_t(48'000 * left + 0.5));
+            QCOMPARE(about_recording(tags_folder(photo) / part->file)->frames,
+                     std::uint64_t(48'000 * left + 0.5));
         }
         const auto added = keeper.add_recording(photo, sound, {});
         QVERIFY(!keeper.trim_recording(photo, added->tag.file, 0.2, 0.2).ok());
         QVERIFY(!keeper.trim_recording(photo, added->tag.file, -0.1, 0.2).ok());
-        QVERIFY(keeper.trim_recording(photo, added->tag.file, 0.4, 0.1).error().ends_with(
-            " cannot be trimmed: the part must begin before it ends."));
+        QVERIFY(keeper.trim_recording(photo, added->tag.file, 0.4, 0.1)
+                    .error()
+                    .ends_with(" cannot be trimmed: the part must begin before it ends."));
     }
 
     void a_step_is_called_by_what_was_done_data() {

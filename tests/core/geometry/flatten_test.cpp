@@ -245,6 +245,14 @@ private slots:
         row("cubic_there_and_back", Cubic{{0, 0}, at, at + bend(1.01), at + bend(1.01) + bend(0.0)}, false);
         row("cubic_of_one_handle_within", Cubic{{0, 0}, at, at, at + bend(1.98)}, true);
         row("cubic_of_one_handle_beyond", Cubic{{0, 0}, at, at, at + bend(2.02)}, false);
+        const Vec2 far(-30, 70);
+        row("cubic_of_one_handle_elsewhere_within", Cubic{far, far + at, far + at, far + at + bend(1.98)},
+            true);
+        row("cubic_of_one_handle_elsewhere_beyond", Cubic{far, far + at, far + at, far + at + bend(2.02)},
+            false);
+        row("quadratic_elsewhere_within", Quadratic{far, far + at, far + at + bend(1.98)}, true);
+        row("cubic_elsewhere_within",
+            Cubic{far, far + at, far + at + bend(0.99), far + at + bend(0.99) + bend(1.98)}, true);
         row("cubic_that_turns_at_its_start_alone", Cubic{{0, 0}, at, at + bend(1.98), at + 2.0 * bend(1.98)},
             true);
     }

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <opencv2/core.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -39,9 +39,11 @@ private:
     std::vector<Segment> segments_;
 };
 
+/// As it is listed, with nothing passed over.
 class PublishedScan final : public LoopingMethod<PublishedScan> {
 public:
-    explicit PublishedScan(const FlatScene& scene) : law_(scene, TentProfile{}) {
+    explicit PublishedScan(const FlatScene& scene)
+        : law_(scene, TentProfile{}, std::numeric_limits<std::size_t>::max()) {
         for (const Polyline& line : scene.lines)
             vertices_ += line.points.size();
     }

@@ -73,6 +73,23 @@ private slots:
         }
     }
 
+    void what_it_passes_over_changes_no_answer() {
+        std::mt19937 random(8);
+        const FlatScene scene = with_vertex_spacing(face_scene(2000), 1.0);
+        std::vector<Vec2> vertices;
+        for (const Polyline& line : scene.lines)
+            vertices.insert(vertices.end(), line.points.begin(), line.points.end());
+        for (const std::size_t together : {1U, 7U, 16U, 100'000U}) {
+            const PublishedLaw law(scene, {}, together);
+            for (int k = 0; k < 2000; ++k) {
+                const Vec2 hip =
+                    k % 2 == 0 ? random_point(random, 100.0) : vertices[random() % vertices.size()];
+                const Vec2 listed = published_algorithm_1(vertices, {}, hip);
+                QVERIFY(law.at(hip).force == (is_finite(listed) ? listed : Vec2(0.0)));
+            }
+        }
+    }
+
     void finger_exactly_on_line_divides_by_zero_and_the_law_withholds_it() {
         const Vec2 raw = published_algorithm_1(corner, {}, {3, 0});
         QVERIFY(std::isnan(raw.x) && std::isnan(raw.y));

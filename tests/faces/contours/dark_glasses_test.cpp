@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/flatten.hpp"
+#include "effort.hpp"
 #include "faces/contours/dark_glasses.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
 #include "portraits.hpp"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <vector>
 
 using namespace tp;
 
@@ -63,7 +65,10 @@ private slots:
         NEEDS_PORTRAITS();
         DarkGlasses glasses;
         int people = 0, dark = 0, plain = 0, clear = 0, shut = 0, one = 0;
-        for (const portraits::Portrait& person : portraits::held_out()) {
+        std::vector<portraits::Portrait> held_out = portraits::held_out();
+        QCOMPARE(held_out.size(), std::size_t{34});
+        held_out.resize(tp::test::tried_of(held_out.size()));
+        for (const portraits::Portrait& person : held_out) {
             const cv::Mat picture = *read_picture(person.photo);
             const Landmarks eyes = eyes_of(person.truth);
             ++people;
@@ -79,8 +84,7 @@ private slots:
             "told of %d people: %d with dark lenses, %d as they are, %d with clear ones, %d with shut eyes, "
             "%d with one dark lens",
             people, dark, plain, clear, shut, one);
-        QCOMPARE(people, 34);
-        QVERIFY(dark >= 32);
+        QVERIFY(dark >= people - 2);
         QVERIFY(plain + clear + shut + one <= 2);
     }
     void a_mirror_changes_nothing() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Places of faces, and shut eyes, as fast as a camera is aimed.
+#include "effort.hpp"
 #include "faces/evaluation/closed_eyes.hpp"
 #include "faces/extract/quick_faces.hpp"
 #include "portraits.hpp"
@@ -47,7 +48,7 @@ private slots:
         NEEDS_PORTRAITS();
         QuickFaces faces;
         const auto people = portraits::held_out();
-        for (std::size_t i = 0; i < 12; ++i) {
+        for (std::size_t i = 0; i < tp::test::tried_of(12); ++i) {
             cv::Mat scene(180, 320, CV_8UC3, cv::Scalar(128, 128, 128));
             const cv::Mat small = shrunk(*read_picture(people[i].photo), 45);
             small.copyTo(scene(cv::Rect({140, 60}, small.size())));
@@ -59,7 +60,7 @@ private slots:
         NEEDS_PORTRAITS();
         QuickFaces faces;
         const auto people = portraits::held_out();
-        for (std::size_t i = 0; i < 12; ++i) {
+        for (std::size_t i = 0; i < tp::test::tried_of(12); ++i) {
             const cv::Mat open = *read_picture(people[i].photo);
             const cv::Mat shut =
                 with_closed_eyes(open, people[i].truth, 1.0, static_cast<unsigned>(i)).picture;

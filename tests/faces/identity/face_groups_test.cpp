@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawn_people.hpp"
+#include "effort.hpp"
 #include "faces/identity/face_groups.hpp"
 
 #include <QTest>
@@ -14,6 +15,7 @@
 #include <vector>
 
 using namespace tp;
+using test::tried_of;
 
 namespace {
 
@@ -145,7 +147,7 @@ private slots:
         std::vector<Photo> photos = album(people, 12, 120, 1.0);
         const Partition first = partition_of(grouped(photos));
         QCOMPARE(first.size(), std::size_t{12});
-        for (int round = 0; round < 10; ++round) {
+        for (std::size_t round = 0; round < tried_of(10); ++round) {
             std::ranges::shuffle(photos, people.random());
             for (Photo& photo : photos)
                 std::ranges::shuffle(photo, people.random());
@@ -156,7 +158,7 @@ private slots:
     /// of the photographs; neither the order of faces in one nor any number, nor the moment.
     void nothing_else_decides() {
         drawn::People people(5);
-        for (int round = 0; round < 10; ++round) {
+        for (std::size_t round = 0; round < tried_of(10); ++round) {
             std::vector<Photo> photos = album(people, 8, 80, 1.7);
             const FaceGroups first = grouped(photos);
             const Partition partition = partition_of(first);
@@ -255,7 +257,7 @@ private slots:
     /// those from whom it was taken, and the state holds together.
     void what_people_said_always_holds() {
         drawn::People people(10);
-        for (int round = 0; round < 20; ++round) {
+        for (std::size_t round = 0; round < tried_of(20); ++round) {
             FaceGroups groups;
             std::map<FaceId, std::set<FaceId>> apart;
             FaceId id = 0;
@@ -294,7 +296,7 @@ private slots:
     }
     void undo_restores_exactly() {
         drawn::People people(11);
-        for (int round = 0; round < 60; ++round) {
+        for (std::size_t round = 0; round < tried_of(60); ++round) {
             FaceGroups groups = grouped(album(people, 6, 25, 1.6));
             std::vector<std::pair<GroupsState, GroupsChange>> done;
             for (int step = 0; step < 12; ++step) {
@@ -405,7 +407,8 @@ private slots:
         FaceGroups groups;
         std::map<FaceId, std::size_t> who;
         FaceId id = 0;
-        for (PhotoId photo = 1; photo <= 10'000; ++photo) {
+        const auto photos = static_cast<PhotoId>(tried_of(10'000));
+        for (PhotoId photo = 1; photo <= photos; ++photo) {
             const std::size_t one = people.below(200), other = photo % 5 == 0
                                                                    ? 200 + static_cast<std::size_t>(photo)
                                                                    : (one + 1 + people.below(199)) % 200;
@@ -416,12 +419,12 @@ private slots:
             }
             QVERIFY(groups.add(faces));
         }
-        QCOMPARE(groups.face_count(), std::size_t{20'000});
+        QCOMPARE(groups.face_count(), static_cast<std::size_t>(2 * photos));
         const auto all = groups.groups();
         for (const FaceGroup& group : all)
             QVERIFY(std::ranges::all_of(group.faces,
                                         [&](FaceId face) { return who[face] == who[group.faces[0]]; }));
-        QCOMPARE(all.size(), std::size_t{200 + 2000});
+        QCOMPARE(all.size(), static_cast<std::size_t>(200 + photos / 5));
     }
 };
 

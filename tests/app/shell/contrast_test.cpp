@@ -92,7 +92,7 @@ public:
             QTRY_COMPARE_WITH_TIMEOUT(whole.program->mend().photo()->state(), MendedPhoto::State::Ready, 60000);
         if (page == "print")
             QTRY_VERIFY_WITH_TIMEOUT(whole.program->print().sheet()->ready(), 60000);
-        QTest::qWait(300); // what fades in has done so
+        QTest::qWait(20); // nothing fades in: it is there
         picture = whole.window->grabWindow().convertToFormat(QImage::Format_RGB32);
         if (const QString folder = qEnvironmentVariable("TP_PICTURES"); !folder.isEmpty()) // to look at
             picture.save(QString("%1/%2-%3-%4.png").arg(folder, page, QTest::currentDataTag()).arg(picture.width()));
@@ -274,6 +274,7 @@ private:
         Choices choices = WholeProgram::asked();
         choices.theme = static_cast<Choices::Theme>(theme);
         choices.text_scale = text;
+        choices.motion = false;
         return choices;
     }
     static void show(WholeProgram& whole, QSize size) {

@@ -83,9 +83,9 @@ private slots:
         SimulatedBench late;
         late.rate_hz = 250.0;
         late.delay_ticks = 16;
-        QVERIFY(follow("circle", "0.3 N/mm", "6 mm", late).done > 0);
-        QVERIFY(follow("circle", "0.3 N/mm", "6 mm", late).error_mm !=
-                follow("circle", "0.3 N/mm", "6 mm").error_mm);
+        const Means means = follow("circle", "0.3 N/mm", "6 mm", late);
+        QVERIFY(means.done > 0);
+        QVERIFY(means.error_mm != follow("circle", "0.3 N/mm", "6 mm").error_mm);
     }
     void large_shapes_are_named_rightly() {
         const Experiment experiment =

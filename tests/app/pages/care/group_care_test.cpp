@@ -18,6 +18,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+const QStringList nobody_named{"Who is this? 3 photograph(s)", "Who is this? 2 photograph(s)"};
+const QStringList anna_named{"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"};
+
 /// Person 1 is on three photographs, person 2 on two, person 3 on one.
 struct Bench : CareParts {
     Bench() : CareParts({"a.jpg", "b.jpg", "c.jpg"}) {
@@ -50,7 +53,7 @@ struct Bench : CareParts {
     }
     void show() {
         care.show();
-        QVERIFY(tells({"Who is this? 3 photograph(s)", "Who is this? 2 photograph(s)"})); // all are grouped
+        QVERIFY(tells(nobody_named)); // all are grouped
     }
     /// Every name that a file has while it is being written is taken, or free again.
     void let_nothing_be_written(bool nothing) const {
@@ -71,6 +74,20 @@ struct Bench : CareParts {
     }
 };
 
+/// All people are shown.
+struct ShownBench : Bench {
+    ShownBench() { show(); }
+};
+
+/// The first of them has been named.
+struct NamedBench : ShownBench {
+    NamedBench() {
+        care.choose(0);
+        care.nameAll("Anna");
+        QVERIFY(tells(anna_named));
+    }
+};
+
 } // namespace
 
 class GroupCareTest : public QObject {
@@ -80,7 +97,7 @@ private slots:
         Bench bench;
         CARE_TRY_VERIFY(bench.rests() && !bench.groups->grouping()); // what is told is told once
         bench.show();
-        QVERIFY(bench.tells({"Who is this? 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QVERIFY(bench.tells(nobody_named));
         QCOMPARE(bench.care.summary(),
                  QString("2 person(s) without a name. 1 face(s) on one photograph only."));
         CARE_TRY_VERIFY(bench.voice.said().contains(bench.care.summary()));
@@ -88,8 +105,7 @@ private slots:
     }
 
     void one_name_names_them_all_and_the_next_one_is_asked_for() {
-        Bench bench;
-        bench.show();
+        ShownBench bench;
         QSignalSpy chosen(&bench.care, &GroupCare::personChosen);
         bench.care.choose(0);
         QCOMPARE(bench.last_said(), QString("Who is this? 3 photograph(s)."));
@@ -98,8 +114,7 @@ private slots:
                          QString("Saved: Anna, on 3 photograph(s). Who is the next? 2 photograph(s)."));
         QCOMPARE(chosen.size(), 2);
         QVERIFY(bench.sounded(Earcon::saved));
-        QVERIFY(bench.tells(
-            {"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"})); // rows stay where they are
+        QVERIFY(bench.tells(anna_named)); // rows stay where they are
         QCOMPARE(bench.care.row(), 1);
         QCOMPARE(bench.names("a.jpg"), QStringList{"Anna"});
         QCOMPARE(bench.names("b.jpg"), QStringList{"Anna"});
@@ -113,33 +128,21 @@ private slots:
     }
 
     void one_undo_takes_all_of_it_back() {
-        Bench bench;
-        bench.show();
-        bench.care.choose(0);
-        bench.care.nameAll("Anna");
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        NamedBench bench;
         bench.history.undo();
         CARE_TRY_COMPARE(bench.last_said(), QString("Undone: 3 faces were named Anna."));
-        QVERIFY(bench.tells({"Who is this? 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QVERIFY(bench.tells(nobody_named));
         QCOMPARE(bench.names("a.jpg"), QStringList());
     }
 
     void two_groups_with_one_name_are_one_person() {
-        Bench bench;
-        bench.show();
-        bench.care.choose(0);
-        bench.care.nameAll("Anna");
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        NamedBench bench;
         bench.care.nameAll("Anna");
         QVERIFY(bench.tells({"Anna 3 photograph(s)"})); // on a and b twice
     }
 
     void a_new_photograph_is_to_be_confirmed_with_one_word() {
-        Bench bench;
-        bench.show();
-        bench.care.choose(0);
-        bench.care.nameAll("Anna");
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        NamedBench bench;
         a_photo(bench.folder, "album/d.jpg", 9);
         bench.album->rescan();
         CARE_TRY_VERIFY(!bench.album->scanning());
@@ -176,8 +179,7 @@ private slots:
     }
 
     void who_is_like_somebody_with_a_name_is_offered_it() {
-        Bench bench;
-        bench.show();
+        ShownBench bench;
         bench.care.choose(1);
         QCOMPARE(bench.care.offer(), QString());
         bench.care.confirm(); // there is nobody to confirm
@@ -186,11 +188,7 @@ private slots:
     }
 
     void a_face_of_somebody_else_goes_and_comes_back() {
-        Bench bench;
-        bench.show();
-        bench.care.choose(0);
-        bench.care.nameAll("Anna");
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        NamedBench bench;
         bench.care.choose(0);
         bench.care.notThisPerson(-1); // none is selected
         bench.care.select(2);
@@ -203,13 +201,12 @@ private slots:
         QVERIFY(!bench.names(name).contains("Anna"));
         bench.history.undo();
         CARE_TRY_COMPARE(bench.last_said(), QString("Undone: a face is not that of Anna."));
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QVERIFY(bench.tells(anna_named));
         QVERIFY(bench.names(name).contains("Anna"));
     }
 
     void a_guess_that_is_wrong_is_put_right_without_a_name() {
-        Bench bench;
-        bench.show();
+        ShownBench bench;
         bench.care.choose(0);
         bench.care.select(1);
         const fs::path selected = bench.care.faces()->face(1)->photo;
@@ -219,7 +216,7 @@ private slots:
         QCOMPARE(bench.care.selected(), 0); // what is selected stays so
         QCOMPARE(bench.care.faces()->face(0)->photo, selected);
         bench.history.undo();
-        QVERIFY(bench.tells({"Who is this? 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QVERIFY(bench.tells(nobody_named));
         bench.history.redo();
         QVERIFY(bench.tells({"Who is this? 2 photograph(s)", "Who is this? 2 photograph(s)"}));
         bench.care.select(0);
@@ -229,14 +226,13 @@ private slots:
     }
 
     void another_name_renames_the_person_everywhere() {
-        Bench bench;
-        bench.show();
+        ShownBench bench;
         bench.care.choose(0);
         bench.care.nameAll("Ana");
         QVERIFY(bench.tells({"Ana 3 photograph(s)", "Who is this? 2 photograph(s)"}));
         bench.care.choose(0);
         bench.care.nameAll("Anna");
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QVERIFY(bench.tells(anna_named));
         QCOMPARE(bench.record("b.jpg").persons, std::vector<std::string>{"Anna"});
     }
 
@@ -249,7 +245,7 @@ private slots:
         bench.show();
         bench.care.choose(0);
         bench.care.nameAll("Anna");
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QVERIFY(bench.tells(anna_named));
         QCOMPARE(bench.record("a.jpg").faces.size(), std::size_t{1});
         QCOMPARE(bench.record("a.jpg").faces[0].width, 0.24);
     }
@@ -269,12 +265,11 @@ private slots:
         CARE_TRY_VERIFY(bench.rests());
         fs::remove(bench.photo("b.jpg").string() + ".xmp");
         bench.care.nameAll("Anna");
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QVERIFY(bench.tells(anna_named));
     }
 
     void who_types_on_while_a_name_is_written_names_the_next_one() {
-        Bench bench;
-        bench.show();
+        ShownBench bench;
         bench.care.choose(0);
         bench.care.nameAll("Anna");
         bench.care.nameAll("Bert");
@@ -283,16 +278,12 @@ private slots:
         QCOMPARE(bench.last_said(),
                  QString("Saved: Bert, on 2 photograph(s). Nobody is left without a name."));
         bench.history.undo();
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QVERIFY(bench.tells(anna_named));
         QCOMPARE(bench.names("b.jpg"), QStringList{"Anna"});
     }
 
     void a_face_whose_sidecar_cannot_be_written_stays_and_that_is_said_once() {
-        Bench bench;
-        bench.show();
-        bench.care.choose(0);
-        bench.care.nameAll("Anna");
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        NamedBench bench;
         bench.care.choose(0);
         const std::string name = bench.care.faces()->face(1)->photo.filename().string();
         QVERIFY(bench.sounded(Earcon::saved));
@@ -304,7 +295,7 @@ private slots:
         QVERIFY(bench.last_said().contains(QString::fromStdString(name)));
         QVERIFY(bench.sounded(Earcon::error));
         QCOMPARE(bench.voice.said().size(), said + 1);
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QVERIFY(bench.tells(anna_named));
         QCOMPARE(bench.care.faces()->rowCount(), 3);
         QVERIFY(bench.names(name).contains("Anna"));
         QCOMPARE(bench.history.undoText(), QString("3 faces were named Anna")); // nothing else was done
@@ -312,13 +303,12 @@ private slots:
         CARE_TRY_COMPARE(bench.last_said(), QString("This face is not that of Anna."));
         QVERIFY(bench.tells({"Anna 2 photograph(s)", "Who is this? 2 photograph(s)"}));
         bench.history.undo();
-        QVERIFY(bench.tells({"Anna 3 photograph(s)", "Who is this? 2 photograph(s)"}));
+        QVERIFY(bench.tells(anna_named));
         QVERIFY(bench.names(name).contains("Anna"));
     }
 
     void a_photograph_that_is_not_there_keeps_nobody_from_a_name() {
-        Bench bench;
-        bench.show();
+        ShownBench bench;
         bench.care.choose(0);
         fs::remove(bench.photo("b.jpg")); // a stick was pulled out; the list does not know yet
         bench.care.nameAll("Anna");
@@ -341,8 +331,7 @@ private slots:
     }
 
     void a_face_leads_to_its_photograph() {
-        Bench bench;
-        bench.show();
+        ShownBench bench;
         QSignalSpy asked(&bench.care, &GroupCare::photoAsked);
         bench.care.choose(0);
         bench.care.openPhoto(); // none is selected

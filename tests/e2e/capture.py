@@ -129,7 +129,6 @@ class Photographer:
 def album_is_looked_at(program, album, folder):
     """Until the program knows whose face it is that has a name."""
     environment = preferences(folder, asked=True, voice="off", language="en", album_folders=[album.folder])
-    environment["QT_QUICK_BACKEND"] = "software"
     running = subprocess.Popen([program, "--page", "care"], env=environment)
     try:
         page = desk.Page()
@@ -145,7 +144,6 @@ def journey(program, album, face, folder, language, voice, listener):
     desk.SAID = words("Last sentence") + ": "  # the listener knows it by that
     environment = preferences(folder, asked=True, voice="screen_reader", language=language, capture_told=True,
                               album_folders=[album.folder])
-    environment["QT_QUICK_BACKEND"] = "software"
     running = subprocess.Popen([program, "--camera", "simulated:" + face], env=environment)
     try:
         person = Photographer(desk.Page(), listener, words, album)

@@ -28,8 +28,9 @@ def what_is_missing(*more_tools):
     return None
 
 
-def at_a_desk(script, *more_tools, size="1400x900", seconds=280):
-    """Runs `script` with its arguments once more, at a desk; its exit status, 77 where something is not installed."""
+def at_a_desk(script, *more_tools, size="1400x900", seconds=280, opengl=False):
+    """Runs `script` with its arguments once more, at a desk; its exit status, 77 where something is not installed. Such a
+    display has no GPU: OpenGL's pictures cost most of the time there, so some journeys alone are drawn by it."""
     missing = what_is_missing(*more_tools)
     if missing:
         print(f"SKIP: {missing} is not installed")
@@ -37,6 +38,8 @@ def at_a_desk(script, *more_tools, size="1400x900", seconds=280):
     environment = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", LC_ALL="C.UTF-8",
                        **{INNER: "1"})
     environment.pop("WAYLAND_DISPLAY", None)
+    if not opengl:
+        environment["QT_QUICK_BACKEND"] = "software"
     # -noreset: the first client that comes and goes would throw out whoever comes just then.
     command = ["xvfb-run", "-a", "-s", f"-screen 0 {size}x24 -noreset", "dbus-run-session", "--", sys.executable, script]
     with tempfile.NamedTemporaryFile("r") as status:
@@ -182,15 +185,16 @@ class Page:
 
 
 class Listener:
-    """Everything that the program says, in order: the words in its bar at the bottom, as they change."""
+    """Everything that the program says, in order: the words in its bar at the bottom, as they change. A quick one goes on
+    as soon as it hears what it awaits, as people do who know what comes next."""
 
-    def __init__(self):
+    def __init__(self, quick=False):
         import gi
 
         gi.require_version("Atspi", "2.0")
         from gi.repository import Atspi, GLib
 
-        self.heard = []
+        self.heard, self.quick = [], quick
         self.context = GLib.MainContext.default()
         self.listener = Atspi.EventListener.new(self.note)
         self.listener.register("object:property-change:accessible-name")
@@ -203,9 +207,10 @@ class Listener:
         if name.startswith(SAID):
             self.heard.append(name[len(SAID):])
 
-    def listen(self, seconds=0.2):
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
+    def listen(self, seconds=0.2, for_one=False):
+        """For so long; `for_one` sentence more at most."""
+        end, before = time.monotonic() + seconds, len(self.heard)
+        while time.monotonic() < end and not (for_one and len(self.heard) > before):
             while self.context.iteration(False):
                 pass
             time.sleep(0.01)
@@ -222,4 +227,4 @@ class Listener:
                     break
                 if time.monotonic() > end:
                     raise AssertionError(f"\"{sentence}\" was never said; heard since: {self.heard}")
-                self.listen()
+                self.listen(for_one=self.quick)

@@ -250,7 +250,6 @@ def walk(program, album, folder, focus, language, text_scale, shapes):
     for first, names in (("mend", ("mend", "start", *BY_NUMBER)), ("print", ("print",))):
         environment = preferences(folder, asked=True, voice="screen_reader", language=language, text_scale=text_scale,
                                   album_folders=[album.folder], last_photo=album.photos[0])
-        environment["QT_QUICK_BACKEND"] = "software"  # where no GPU is, OpenGL's pictures cost most of the time, and nobody looks
         with open(complaints, "w", encoding="utf-8") as file:
             running = subprocess.Popen([program, "--page", first, "--camera", "simulated:" + album.photos[0], "--size", "x".join(map(str, shapes[0]))], env=environment, stderr=file)
         try:

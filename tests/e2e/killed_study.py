@@ -100,7 +100,7 @@ def names_shapes(page, running, moment):
 
 
 def journey(program, lab, folder, moments):
-    listener, study = desk.Listener(), Study(lab, folder)
+    listener, study = desk.Listener(quick=True), Study(lab, folder)
     environment = preferences(folder, asked=True, voice="screen_reader", language="en")
     chance, lost, told_lost = random.Random(20261126), False, 0
     for number in range(moments + 1):

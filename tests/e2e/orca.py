@@ -102,8 +102,7 @@ def beside(program, folder, environment, *options):
         orca = Orca(folder)
         desk_of_both.callback(orca.end)
         orca.says("Screen reader on.")
-        # Where no GPU is, OpenGL keeps Orca's questions waiting for pictures.
-        running = subprocess.Popen([program, *options], env=dict(os.environ | environment, QT_QUICK_BACKEND="software"))
+        running = subprocess.Popen([program, *options], env=os.environ | environment)
         desk_of_both.callback(running.wait, timeout=20)
         desk_of_both.callback(running.terminate)
         yield orca

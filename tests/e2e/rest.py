@@ -110,7 +110,6 @@ def inner(program, lab, photos):
         album = Album(lab, photos, folder)
         environment = preferences(folder, asked=True, voice="screen_reader", language="en", album_folders=[album.folder],
                                   last_photo=album.photos[0])
-        environment["QT_QUICK_BACKEND"] = "software"
         visit(program, environment, "explore", after_a_face_was_felt)
         for name in ("mend", "print"):
             visit(program, environment, name, lambda process, page: (page.await_name("Home"), resting(process, name)))

@@ -98,7 +98,6 @@ def inner(program, lab, photos):
             album, focus = Album(lab, photos, folder), Focus()
             for name in PAGES:
                 environment = preferences(folder, asked=True, voice="screen_reader", language="en", album_folders=[album.folder])
-                environment["QT_QUICK_BACKEND"] = "software"
                 running = subprocess.Popen([program] + ([] if name is None else ["--page", name]), env=environment)
                 try:
                     page = desk.Page()

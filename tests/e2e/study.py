@@ -169,7 +169,6 @@ def researcher_asks(sitting):
 
 def start(program, folder, language):
     environment = preferences(folder, asked=True, voice="screen_reader", language=language)
-    environment["QT_QUICK_BACKEND"] = "software"
     return subprocess.Popen([program], env=environment)
 
 
@@ -235,7 +234,7 @@ def journey(program, lab, folder, language, listener, screen):
 
 def inner(program, lab):
     with desk.Desk():
-        listener, screen = desk.Listener(), Screen()
+        listener, screen = desk.Listener(quick=True), Screen()
         for language in LANGUAGES:
             with tempfile.TemporaryDirectory() as folder:
                 journey(program, lab, folder, language, listener, screen)

@@ -74,7 +74,7 @@ def inner(program, lab, draw):
     with tempfile.TemporaryDirectory() as folder, desk.Desk():
         crowd = os.path.join(folder, "Faces")
         subprocess.run([sys.executable, draw, "--crowd", "4", "--seed", "5", "--contours-only", "--out", crowd], check=True)
-        listener = desk.Listener()
+        listener = desk.Listener(quick=True)
         running = start(program, folder, "en")
         try:
             sitting = Sitting(desk.Page(), listener, folder)

@@ -239,7 +239,6 @@ def journey(program, album, folder, language, listener, screen):
     motor.plug_in()
     desk.SAID = words("Last sentence") + ": "  # the listener knows it by that
     environment = preferences(folder, asked=True, voice="screen_reader", language=language, album_folders=[album.folder])
-    environment["QT_QUICK_BACKEND"] = "software"
     running = subprocess.Popen([program, "--touch", motor.name], env=environment)
     try:
         person = Person(desk.Page(), listener, words, motor, screen, os.environ.get("TP_PICTURES"))

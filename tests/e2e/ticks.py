@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A blind person feels a face by ticks under a bare finger, by keys, pointer and what the program says: ticks are chosen, tried
 and measured in the settings; in Explore they come at the output where a line is crossed, lead on a tour, give way to the drawn
-finger when the output is unplugged, and come back with it. What reaches the output is read from it. In each language.
+finger when the output is unplugged, and come back with it. What reaches the output is read from it. What is said, in each
+language; what the finger feels, in the first.
 
 ticks.py PROGRAM LAB PHOTO    ends in 77 where something is missing; TP_PICTURES=FOLDER keeps what was on the screen
 """
@@ -26,7 +27,7 @@ NEAR_MM = 2.0  # a tick to the line that it tells of, with what the finger went 
 CHEEK_MM = 35  # below an eye, from where there is no line on the way to it
 ASIDE_MM = 8  # away from the place that leads
 REACTION_S = 0.3  # of the person, who is no faster than people are
-TESTS = 3  # by taps, at most: a busy machine may be too late for one
+TESTS = 3  # at most: a busy machine may be too late for one
 
 
 class Motor:
@@ -143,8 +144,13 @@ class Person:
         self.hears(self.words("Ticks: %1.", self.words("simulated motor")))
 
     def place_of(self, name, role):
-        place = self.page.await_name(name, role).queryComponent().getExtents(self.page.atspi.DESKTOP_COORDS)
-        return place.x, place.y, place.width, place.height
+        """Once it stays where it is: other words below may take other lines, and all above moves."""
+        thing, places = self.page.await_name(name, role).queryComponent(), [None]
+        while len(places) < 2 or places[-1] != places[-2]:
+            time.sleep(0.5)
+            place = thing.getExtents(self.page.atspi.DESKTOP_COORDS)
+            places.append((place.x, place.y, place.width, place.height))
+        return places[-1]
 
     def moves_to(self, x, y):
         subprocess.run(["xdotool", "mousemove", str(round(x)), str(round(y))], check=True)
@@ -174,10 +180,12 @@ class Person:
         """Over the upper lid of an eye: nothing above it, and a tick on it."""
         x, y, width, _ = self.place_of(self.eye(), self.page.atspi.ROLE_PUSH_BUTTON)
         near = NEAR_MM * self.pixels_per_mm()
-        places = self.sweeps(x + width / 2, y - 5 * near, y + 2 * near)
-        print("ticks at", [place - y for place in places], "px from the lid,", round(near), "are near")
-        assert places, "no tick where a line was crossed"
-        assert all(abs(place - y) <= near for place in places), "it ticks where there is no line"
+        for _ in range(TESTS):
+            places = self.sweeps(x + width / 2, y - 5 * near, y + 2 * near)
+            print("ticks at", [place - y for place in places], "px from the lid,", round(near), "are near")
+            if places and all(abs(place - y) <= near for place in places):
+                return
+        raise AssertionError("it does not tick where a line is crossed, and there alone")
 
     def eye(self):
         return self.words("left eye", context="tp::FeatureLabels")
@@ -193,29 +201,37 @@ class Person:
         time.sleep(seconds)
         return self.motor.ticks()[before:]
 
-    def follows_a_tour(self):
-        words = self.words
+    def hears_of_a_tour(self):
+        self.page.press(self.words("Guided tour"))
+        self.hears(self.words("Tour round the %1. Follow the ticks: they grow toward the line.", self.eye()))
+
+    def ends_the_tour(self):
+        self.keep_picture("tour")
+        self.page.press(self.words("End the tour"))
+        self.listener.listen(0.5)
+
+    def goes_to_the_cheek(self):
+        """Below the eye, which is chosen; where the eye ends, px."""
         x, y, width, height = self.place_of(self.eye(), self.page.atspi.ROLE_PUSH_BUTTON)
-        scale, column = self.pixels_per_mm(), x + width / 2
         self.page.press(self.eye())
-        self.moves_to(column, y + height + CHEEK_MM * scale)
+        self.moves_to(x + width / 2, y + height + CHEEK_MM * self.pixels_per_mm())
         self.rests()
+        return x + width / 2, y + height
+
+    def follows_a_tour(self):
+        scale, (column, end) = self.pixels_per_mm(), self.goes_to_the_cheek()
         before = len(self.motor.ticks())
-        self.page.press(words("Guided tour"))
-        self.hears(words("Tour round the %1. Follow the ticks: they grow toward the line.", self.eye()))
+        self.hears_of_a_tour()
         self.motor.awaits_tick(before)
         time.sleep(1.0)  # the place that leads is as far ahead as it goes, and waits
-        self.moves_to(column, y + height + (CHEEK_MM + ASIDE_MM) * scale)
+        self.moves_to(column, end + (CHEEK_MM + ASIDE_MM) * scale)
         away = self.ticks_in(1.5)
         for left in range(CHEEK_MM + ASIDE_MM, 4, -1):  # of the way
-            self.moves_to(column, y + height + left * scale)
+            self.moves_to(column, end + left * scale)
             time.sleep(STEP_S)
         toward = self.ticks_in(1.0)
         print("ticks of a hand that goes away:", away, "that comes after:", toward)
         assert away and toward and min(toward) > 1.5 * max(away), "they do not grow toward the place that leads"
-        self.keep_picture("tour")
-        self.page.press(words("End the tour"))
-        self.listener.listen(0.5)
 
     def loses_it_and_finds_it_again(self):
         words = self.words
@@ -225,13 +241,13 @@ class Person:
         name, drawn = words("simulated motor"), words("drawn finger")
         gone = words("%1 is gone. Until it is there again, ticks come from: %2.", name[0].upper() + name[1:], drawn)
         self.listener.listen(4.0)
-        assert self.listener.heard == [gone], f"not \"{gone}\" alone, but {self.listener.heard}"
+        heard = [sentence for sentence in self.listener.heard if sentence != self.eye()]  # where the finger lies
+        assert heard == [gone], f"not \"{gone}\" alone, but {self.listener.heard}"
         print("heard:", gone)
         self.page.keys("w")
         desk.awaited(lambda: self.listener.listen() or len(self.listener.heard) > 1)  # words go on
         self.motor.plug_in()
         self.hears(words("Ticks: %1.", name))
-        self.crosses_the_lids()
 
 
 def journey(program, album, folder, language, listener, screen):
@@ -247,10 +263,17 @@ def journey(program, album, folder, language, listener, screen):
         person.feels_one_tick()
         person.measures(os.path.join(environment["XDG_CONFIG_HOME"], "touchphoto", "preferences.json"))
         person.feels()
-        person.crosses_the_lids()
         person.keep_picture("explore")
-        person.follows_a_tour()
+        if language == LANGUAGES[0]:
+            person.crosses_the_lids()
+            person.follows_a_tour()
+        else:
+            person.goes_to_the_cheek()
+            person.hears_of_a_tour()
+        person.ends_the_tour()
         person.loses_it_and_finds_it_again()
+        if language == LANGUAGES[0]:
+            person.crosses_the_lids()
         assert running.poll() is None, "the program has ended"
     finally:
         running.terminate()

@@ -6,7 +6,6 @@ accessibility.py PROGRAM PHOTO starts a display, a session bus, the accessibilit
 own, then the program, and does what a screen reader would do. Exits 77, with a line that says why, where something
 it needs is not installed.
 """
-import subprocess
 import sys
 import time
 
@@ -73,13 +72,8 @@ def check(page, listener):
 def inner(program, photo):
     with desk.Desk():
         listener = desk.Listener()
-        running = subprocess.Popen([program, "--voice", "off", photo])
-        try:
+        with desk.started([program, "--voice", "off", photo]):
             check(desk.Page(), listener)
-            assert running.poll() is None, "the program has ended"
-        finally:
-            running.terminate()
-            running.wait(timeout=20)
 
 
 if __name__ == "__main__":

@@ -129,14 +129,10 @@ class Photographer:
 def album_is_looked_at(program, album, folder):
     """Until the program knows whose face it is that has a name."""
     environment = preferences(folder, asked=True, voice="off", language="en", album_folders=[album.folder])
-    running = subprocess.Popen([program, "--page", "care"], env=environment)
-    try:
+    with desk.started([program, "--page", "care"], env=environment):
         page = desk.Page()
         page.press("People…")
         page.await_name(NAME + ", 1 photograph…", page.atspi.ROLE_LIST_ITEM, 3 * desk.PATIENCE)
-    finally:
-        running.terminate()
-        running.wait(timeout=20)
 
 
 def journey(program, album, face, folder, language, voice, listener):
@@ -144,8 +140,7 @@ def journey(program, album, face, folder, language, voice, listener):
     desk.SAID = words("Last sentence") + ": "  # the listener knows it by that
     environment = preferences(folder, asked=True, voice="screen_reader", language=language, capture_told=True,
                               album_folders=[album.folder])
-    running = subprocess.Popen([program, "--camera", "simulated:" + face], env=environment)
-    try:
+    with desk.started([program, "--camera", "simulated:" + face], env=environment):
         person = Photographer(desk.Page(), listener, words, album)
         before = person.photographs()
         person.page.await_name("6: " + words("Take a photograph") + "…")
@@ -161,25 +156,17 @@ def journey(program, album, face, folder, language, voice, listener):
         tags = album.tags(taken)
         assert [tag["kind"] for tag in tags] == ["memo"], tags
         person.finds_it_and_feels_it(len(before) + 1)
-        assert running.poll() is None, "the program has ended"
-    finally:
-        running.terminate()
-        running.wait(timeout=20)
 
 
 def inner(program, lab, face, photos):
-    with tempfile.TemporaryDirectory() as folder, desk.Desk():
-        server = sound_server.Server(folder)
-        try:
-            album = Album(lab, [*photos, face], folder)
-            album.names_the_face(face, NAME)
-            voice = tone(os.path.join(folder, "voice.wav"), 440, 2.0)
-            listener = desk.Listener()
-            album_is_looked_at(program, album, folder)
-            for language in LANGUAGES:
-                journey(program, album, face, folder, language, voice, listener)
-        finally:
-            server.end()
+    with tempfile.TemporaryDirectory() as folder, desk.Desk(), sound_server.Server(folder):
+        album = Album(lab, [*photos, face], folder)
+        album.names_the_face(face, NAME)
+        voice = tone(os.path.join(folder, "voice.wav"), 440, 2.0)
+        listener = desk.Listener()
+        album_is_looked_at(program, album, folder)
+        for language in LANGUAGES:
+            journey(program, album, face, folder, language, voice, listener)
 
 
 if __name__ == "__main__":

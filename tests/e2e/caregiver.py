@@ -114,16 +114,14 @@ class Caregiver:
 
 
 def inner(program, lab, photos):
-    with tempfile.TemporaryDirectory() as folder, desk.Desk():
-        server = sound_server.Server(folder)
+    with tempfile.TemporaryDirectory() as folder, desk.Desk(), sound_server.Server(folder):
         album = Album(lab, [], folder)
         Album(lab, photos, folder, "Card")
         os.mkdir(os.path.join(folder, "Documents"))
         environment = preferences(folder, asked=True, user="caregiver", voice="screen_reader", language="en",
                                   album_folders=[album.folder])
         listener = desk.Listener()
-        running = subprocess.Popen([program], env=environment)
-        try:
+        with desk.started([program], env=environment):
             caregiver = Caregiver(folder, album, desk.Page(), listener)
             caregiver.imports_a_folder()
             caregiver.names_two_people()
@@ -132,11 +130,6 @@ def inner(program, lab, photos):
             caregiver.deletes_it_and_takes_that_back()
             caregiver.mends_a_contour()
             caregiver.prints_a_sheet()
-            assert running.poll() is None, "the program has ended"
-        finally:
-            running.terminate()
-            running.wait(timeout=20)
-            server.end()
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A desk of its own for a test: display, session bus, accessibility bus and window manager, and the program on it as a
 screen reader and a keyboard meet it."""
+import contextlib
 import importlib.util
 import os
 import shutil
@@ -90,6 +91,18 @@ class Desk:
         for process in self.helpers:
             process.terminate()
             process.wait(timeout=20)
+
+
+@contextlib.contextmanager
+def started(command, **how):
+    """A program that still runs at the end of a journey, and is then told to end."""
+    running = subprocess.Popen(command, **how)
+    try:
+        yield running
+        assert running.poll() is None, "the program has ended"
+    finally:
+        running.terminate()
+        running.wait(timeout=20)
 
 
 def is_named(node, name):

@@ -202,16 +202,14 @@ class Evening:
 
 
 def inner(program, lab, portraits, count=200, people=12, recordings=10, descriptions=5):
-    with tempfile.TemporaryDirectory() as folder, desk.Desk():
-        server = sound_server.Server(folder)
+    with tempfile.TemporaryDirectory() as folder, desk.Desk(), sound_server.Server(folder):
         album = Album(lab, [], folder)
         on_it = make_photos(os.path.join(folder, "Card"), portraits, count, people)
         print(f"{count} photographs, {sum(map(len, on_it.values()))} faces of {people} people")
         environment = preferences(folder, asked=True, user="caregiver", voice="screen_reader", language="en",
                                   album_folders=[album.folder])
         listener = desk.Listener()
-        running = subprocess.Popen([program], env=environment)
-        try:
+        with desk.started([program], env=environment):
             evening = Evening(folder, album, on_it, Counted(), listener)
             evening.part("import", evening.imports, count)
             evening.part("the program looks", evening.waits_for_people)
@@ -219,12 +217,7 @@ def inner(program, lab, portraits, count=200, people=12, recordings=10, descript
             newest = range(count - 1, -1, -1)
             evening.part("recordings", evening.records, newest[:recordings])
             evening.part("descriptions", evening.describes, newest[recordings:recordings + descriptions])
-            assert running.poll() is None, "the program has ended"
             assert evening.judge(named, count) == (recordings, descriptions)
-        finally:
-            running.terminate()
-            running.wait(timeout=20)
-            server.end()
 
 
 if __name__ == "__main__":

@@ -5,7 +5,6 @@ only. What Orca gives its voice is asserted in order.
 
 orca_reads.py PROGRAM LAB PHOTOS...    ends in 77 where something that it needs is missing
 """
-import os
 import sys
 import tempfile
 

@@ -15,7 +15,7 @@ import numpy as np
 
 import desk
 import sound_server
-from album import Album, preferences, tone
+from album import Album, tone
 
 FIRST_HZ, SECOND_HZ = 660, 880  # of the recordings, so that each is told from the other by its pitch
 HEARD_S = 1.5  # of a recording of 2 s; a window at its border counts for neither
@@ -143,8 +143,7 @@ class Person:
         self.hears("TouchPhoto, start page.")
 
 def inner(program, lab, photos):
-    with tempfile.TemporaryDirectory() as folder, desk.Desk():
-        server = sound_server.Server(folder)
+    with tempfile.TemporaryDirectory() as folder, desk.Desk(), sound_server.Server(folder):
         album = Album(lab, photos, folder)
         album.run("tag", "add", "--from", tone(os.path.join(folder, "1.wav"), FIRST_HZ, 2.0), "--kind", "memo", album.photos[0])
         album.run("tag", "add", "--from", tone(os.path.join(folder, "2.wav"), SECOND_HZ, 2.0), "--kind", "story", album.photos[1])
@@ -152,19 +151,13 @@ def inner(program, lab, photos):
         environment = dict(os.environ, XDG_CONFIG_HOME=folder + "/config", XDG_CACHE_HOME=folder + "/cache", HOME=folder)
         subprocess.run(["xdotool", "mousemove", "0", "0"], check=True)  # nobody holds it; on the face it would say what it lies on
         listener = desk.Listener()
-        running = subprocess.Popen([program], env=environment)
-        try:
+        with desk.started([program], env=environment):
             person = Person(folder, desk.Page(), listener)
             person.answers_the_five_questions()
             person.browses_and_hears_a_recording()
             person.feels_a_face()
             person.searches_a_name()
             person.changes_the_speed_of_speech()
-            assert running.poll() is None, "the program has ended"
-        finally:
-            running.terminate()
-            running.wait(timeout=20)
-            server.end()
 
 
 if __name__ == "__main__":

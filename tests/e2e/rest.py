@@ -6,7 +6,6 @@ hand has gone, also after one was felt and the lab has run. Prints for each page
 rest.py PROGRAM LAB PHOTOS...    ends in 77 where something that it needs is missing
 """
 import glob
-import os
 import subprocess
 import sys
 import tempfile
@@ -73,12 +72,8 @@ def go(page, name):
 
 def visit(program, environment, first, then):
     """Opens the program on a page with something on it, and calls `then` with its number and the page."""
-    running = subprocess.Popen([program, "--page", first], env=environment)
-    try:
+    with desk.started([program, "--page", first], env=environment) as running:
         then(running.pid, desk.Page())
-    finally:
-        running.terminate()
-        running.wait(timeout=20)
 
 
 def point(x, y):

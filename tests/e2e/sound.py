@@ -17,7 +17,7 @@ import wave
 
 import numpy as np
 
-from sound_server import LONGEST, RATE, Ear, Server, envelope, read_wav, wait_until
+from sound_server import LONGEST, RATE, Ear, Server, envelope, read_wav
 
 
 def write_wav(path, samples):

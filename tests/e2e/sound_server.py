@@ -61,6 +61,12 @@ class Server:
         self.process.terminate()
         self.process.wait()
 
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.end()
+
 
 def read_wav(path):
     with wave.open(path) as file:

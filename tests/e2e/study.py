@@ -169,7 +169,7 @@ def researcher_asks(sitting):
 
 def start(program, folder, language):
     environment = preferences(folder, asked=True, voice="screen_reader", language=language)
-    return subprocess.Popen([program], env=environment)
+    return desk.started([program], env=environment)
 
 
 def journey(program, lab, folder, language, listener, screen):
@@ -178,8 +178,7 @@ def journey(program, lab, folder, language, listener, screen):
     study = os.path.join(folder, "Documents", "TouchPhoto studies", "primitives")
     sitting = Sitting(desk.Page(), listener, words, study)
     keep = os.environ.get("TP_PICTURES")
-    running = start(program, folder, language)
-    try:
+    with start(program, folder, language):
         sitting.begins()
         assert not os.path.exists(study), "something is written before consent"
         sitting.agrees(1)
@@ -196,12 +195,7 @@ def journey(program, lab, folder, language, listener, screen):
         sitting.hears(words("Stop the study? The force is off. Press Escape again to stop, or Space to go on."))
         sitting.page.keys("Escape")
         sitting.hears(words.beginning("Stopped. Everything is kept. %1"))
-        assert running.poll() is None, "the program has ended"
-    finally:
-        running.terminate()
-        running.wait(timeout=20)
-    running = start(program, folder, language)  # the next day
-    try:
+    with start(program, folder, language):  # the next day
         sitting.begins()
         sitting.page.await_name(words("Start with participant %1", 2))
         sitting.page.keys("n", "1", "Return")
@@ -218,10 +212,6 @@ def journey(program, lab, folder, language, listener, screen):
         sitting.page.keys("space")
         sitting.hears(words("The study has ended for participant %1.", 1))
         researcher_asks(sitting)
-        assert running.poll() is None, "the program has ended"
-    finally:
-        running.terminate()
-        running.wait(timeout=20)
     counted = [row for row in sitting.rows() if row["training"] == "no" and row["repeated"] == "no"]
     assert len(counted) == TRIALS, len(counted)
     paths = glob.glob(os.path.join(study, "paths", "*.csv.gz"))

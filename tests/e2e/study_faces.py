@@ -75,8 +75,7 @@ def inner(program, lab, draw):
         crowd = os.path.join(folder, "Faces")
         subprocess.run([sys.executable, draw, "--crowd", "4", "--seed", "5", "--contours-only", "--out", crowd], check=True)
         listener = desk.Listener(quick=True)
-        running = start(program, folder, "en")
-        try:
+        with start(program, folder, "en"):
             sitting = Sitting(desk.Page(), listener, folder)
             sitting.opens_the_experiment()
             sitting.chooses("Faces")
@@ -88,10 +87,6 @@ def inner(program, lab, draw):
             sitting.hears("That was the last trial.")
             sitting.page.keys("space")
             sitting.hears("The study has ended for participant 1.")
-            assert running.poll() is None, "the program has ended"
-        finally:
-            running.terminate()
-            running.wait(timeout=20)
         counted = [row for row in sitting.rows() if row["training"] == "no"]
         shown = sorted((row["expression"], row["face"]) for row in counted)
         assert shown == sorted((which, str(face)) for which in EXPRESSIONS for face in range(1, 5)), shown

@@ -124,7 +124,7 @@ class Person:
         self.page.keys("s")
         self.hears("Search. Type a name")
         self.page.type("clar")
-        self.page.await_name("One person; no recordings yet., clara_sad.jpg, 1 of 2")
+        self.page.await_name("One person; no recordings yet., clara_sad.jpg, …")  # which is first, is told by what was seen so far
         self.page.keys("Return")
         self.hears("2 photographs")
         self.page.keys("Down", "Return")

@@ -35,6 +35,8 @@ struct Script final : SerialLine {
     bool answers = true;
     bool reads_fail = false;
     bool writes_fail = false;
+    std::size_t at_once = 1000;  ///< bytes
+    std::size_t junk_before = 0; ///< bytes before each answer
     std::deque<std::uint8_t> to_say;
     std::vector<std::vector<std::uint8_t>> sent;
 
@@ -45,7 +47,7 @@ struct Script final : SerialLine {
     int read(std::span<std::uint8_t> into, int) noexcept override {
         if (reads_fail)
             return -1;
-        const std::size_t count = std::min(into.size(), to_say.size());
+        const std::size_t count = std::min({into.size(), to_say.size(), at_once});
         std::copy_n(to_say.begin(), count, into.begin());
         to_say.erase(to_say.begin(), to_say.begin() + static_cast<std::ptrdiff_t>(count));
         return static_cast<int>(count);
@@ -54,8 +56,10 @@ struct Script final : SerialLine {
         if (writes_fail)
             return false;
         sent.emplace_back(bytes.begin(), bytes.end());
-        if (answers)
+        if (answers) {
+            to_say.insert(to_say.end(), junk_before, 0xEE);
             say(here);
+        }
         return true;
     }
     std::optional<haply::Command> last_command() const {
@@ -165,6 +169,19 @@ private slots:
                      bench.can.error().c_str());
             QVERIFY(!bench.device.write(SafeForce{}));
         }
+    }
+
+    /// A line gives what has come, and who used it before may have left something on it.
+    void it_is_opened_where_its_answers_come_in_pieces_or_behind_other_bytes() {
+        for (const std::size_t at_once : {1u, 4u, 1000u})
+            for (const std::size_t junk : {0u, 5u, 256u}) {
+                if (at_once * 50 < junk + haply::reply_size) // longer than it waits
+                    continue;
+                Bench bench;
+                bench.script.at_once = at_once;
+                bench.script.junk_before = junk;
+                QVERIFY2(bench.open(), bench.can.error().c_str());
+            }
     }
 
     void another_board_s_answer_is_none() {

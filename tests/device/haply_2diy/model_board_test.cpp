@@ -152,6 +152,28 @@ private slots:
         QVERIFY(!board.model.set_up());
     }
 
+    void a_line_is_as_late_as_it_is_told() {
+        for (const unsigned later : {0u, 3u}) {
+            Board board;
+            board.set_up();
+            SimulatedLine line(board.model, later);
+            std::array<std::uint8_t, 64> bytes{};
+            QVERIFY(line.write(haply::encode(haply::Command{})));
+            unsigned ms = 0;
+            while (ms < 100 && line.read(bytes, 0) == 0) {
+                line.advance();
+                ++ms;
+            }
+            QCOMPARE(ms, 1 + later);
+            QVERIFY(line.write(haply::encode(haply::Command{})));
+            QCOMPARE(line.read(bytes, 50), int(haply::reply_size)); // a wait passes in its own time
+            QCOMPARE(line.read(bytes, 50), 0);
+            line.troubles.unplugged = true;
+            QCOMPARE(line.read(bytes, 50), -1);
+            QVERIFY(!line.write(haply::encode(haply::Command{})));
+        }
+    }
+
     void a_line_that_nobody_reads_keeps_4096_bytes() {
         Board board;
         board.set_up();

@@ -207,7 +207,20 @@ private slots:
         QCOMPARE(bench.output.halts.load(), 1);
         bench.go(0.0, 1.0, 100.0);
         QCOMPARE(bench.output.level, 0.0);
+        QCOMPARE(bench.output.halts.load(), 1); // once is enough
         QVERIFY(!bench.loop->snapshot().engaged);
+    }
+
+    void what_a_finger_passed_while_nothing_was_felt_it_has_not_crossed() {
+        Bench bench;
+        bench.go(-20.0, -5.0, 100.0);
+        bench.loop->disengage();
+        bench.pass();
+        bench.loop->tell({5.0, 0.0});
+        bench.pass();
+        bench.loop->engage();
+        bench.go(5.0, 20.0, 100.0);
+        QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
     }
 
     void a_lost_output_is_told_and_left_alone() {

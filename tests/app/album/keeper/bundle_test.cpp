@@ -60,8 +60,8 @@ private slots:
         album.write("a.jpg.xmp", "sidecar");
         constexpr std::time_t then = 1'600'000'000;
         for (const auto& file : {photo, album / "a.jpg.xmp"})
-            fs::last_write_time(file, std::chrono::file_clock::from_sys(std::chrono::sys_seconds(
-                                          std::chrono::seconds(then))));
+            fs::last_write_time(file, std::chrono::file_clock::from_sys(
+                                          std::chrono::sys_seconds(std::chrono::seconds(then))));
         QCOMPARE(write_bundle(place / "b", album.path(), {photo}), std::string());
         archive* zip = archive_read_new();
         archive_read_support_format_zip_seekable(zip);
@@ -93,9 +93,10 @@ private slots:
         QVERIFY2(packed.starts_with("The bundle " + quoted(place / "b") + " was not written: ") &&
                      packed.ends_with('.'),
                  packed.c_str());
-        QVERIFY2(unpacked.starts_with("The bundle " + quoted(place / "whole") + " cannot be used: \"a.jpg\": ") &&
-                     unpacked.ends_with('.'),
-                 unpacked.c_str());
+        QVERIFY2(
+            unpacked.starts_with("The bundle " + quoted(place / "whole") + " cannot be used: \"a.jpg\": ") &&
+                unpacked.ends_with('.'),
+            unpacked.c_str());
         QVERIFY(fs::is_empty(place / "out"));
         QCOMPARE(place.files().size(), std::size_t{1});
     }

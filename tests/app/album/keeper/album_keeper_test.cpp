@@ -3,6 +3,7 @@
 #include "album_parts.hpp"
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/photo_files.hpp"
+#include "app/album/metadata/motion_photo.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "audio/recordings/recording_file.hpp"
 
@@ -248,7 +249,12 @@ private slots:
         const auto before = album.files();
         QVERIFY(!keeper.add_recording(photo, album / "text.wav", {}).ok());
         QVERIFY(!keeper.add_recording(photo, album / "missing.wav", {}).ok());
-        QVERIFY(!keeper.add_recording(outside, sound, {}).ok());
+        const auto before_outside = other.files();
+        for (const std::string& said :
+             {keeper.add_recording(outside, sound, {}).error(),
+              keeper.add_video_sound(outside, sound, {0, fs::file_size(sound)}, {}).error()})
+            QVERIFY2(said.find(" is not in the album ") != std::string::npos, said.c_str());
+        QVERIFY(other.files() == before_outside);
         QVERIFY(!keeper.add_recording(album / "missing.jpg", sound, {}).ok());
         QVERIFY(!keeper.label_recording(photo, "../a.jpg", {}).empty());
         QVERIFY(!keeper.delete_recording(photo, "../../etc/passwd").empty());
@@ -259,6 +265,11 @@ private slots:
         QVERIFY(!keeper.forget_recording(photo, added->tag.file).empty());
         QVERIFY(album.files() == before);
         QCOMPARE(keeper.history().steps(), std::size_t{1});
+        // A step is not taken back where somebody else deleted what it was about.
+        QCOMPARE(keeper.label_recording(photo, added->tag.file, {}), std::string());
+        QCOMPARE(AlbumKeeper(album.path()).delete_recording(photo, added->tag.file), std::string());
+        QVERIFY(keeper.history().undo().ends_with('.'));
+        QCOMPARE(keeper.history().steps(), std::size_t{2});
     }
 };
 

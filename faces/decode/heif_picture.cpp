@@ -106,6 +106,7 @@ Result<HeifPicture> HeifPicture::open(const Bytes& bytes, const char* format) {
         error.code != heif_error_Ok)
         return sentence_of(error, format);
     HeifPicture picture(format, std::move(context), {primary, heif->heif_image_handle_release});
+    picture.matrix_ = HevcAsRgb::matrix_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     // The canvas of tiles and of overlays is as large as their own data say, whatever size the picture is
     // said to have.
     const cv::Size stored = picture.stored_size();
@@ -164,6 +165,7 @@ Result<std::shared_ptr<const heif_image>> HeifPicture::decoded_image(const heif_
     // dav1d, which libheif would take, is twice as fast, but writes to the terminal about a damaged file.
     options->decoder_id = "aom";
     heif_image* decoded = nullptr;
+    const HevcAsRgb as_rgb(matrix_);
     // In planes, as libheif 1.15 decodes all pictures: what it converts them to costs another 50 ms at 12
     // megapixel.
     const auto decode = [&] {

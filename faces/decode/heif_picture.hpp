@@ -61,6 +61,7 @@ private:
     std::shared_ptr<const heif_image_handle> thumbnail(cv::Size least) const;
 
     const char* format_;
+    std::optional<int> matrix_; ///< HevcAsRgb's
     std::shared_ptr<heif_context> context_;
     std::shared_ptr<const heif_image_handle> primary_;
 };

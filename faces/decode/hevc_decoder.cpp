@@ -3,6 +3,7 @@
 
 #include "faces/decode/libavcodec.hpp"
 #include "faces/decode/libheif.hpp"
+#include "faces/decode/planes_to_rgb.hpp"
 
 #include <array>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 
 namespace tp {
 namespace {
@@ -20,7 +22,9 @@ constexpr std::int64_t most_hevc_px =
 constexpr std::size_t length_bytes = 4; ///< before each of the units that libheif hands over
 constexpr const char* refusal = "libavcodec_refuses";
 
-alignas(64) thread_local int without_hevc_decoder = 0; // why aligned: cmake/Compiler.cmake, mold
+// Why aligned: cmake/Compiler.cmake, mold.
+alignas(64) thread_local int without_hevc_decoder = 0;
+alignas(64) thread_local std::optional<int> rgb_by_matrix;
 
 heif_error no_heif_error() { return {heif_error_Ok, heif_suberror_Unspecified, "Success"}; }
 heif_error hevc_refused() { return {heif_error_Decoder_plugin_error, heif_suberror_Unspecified, refusal}; }
@@ -174,6 +178,38 @@ heif_error heif_image_of(const AVFrame& frame, heif_image** out) {
     return no_heif_error();
 }
 
+/// Whether a frame's values are those that `to_rgb` knows.
+bool is_as_phones_write(const AVFrame& frame, const PlaneFormat& format) {
+    return format.planes == 3 && format.bits == 8 && format.chroma == heif_chroma_420 &&
+           frame.color_range == AVCOL_RANGE_JPEG;
+}
+
+/// None where it cannot be made.
+heif_error rgb_image_of(const AVFrame& frame, const ColourShares& shares, heif_image** out) {
+    const LibHeif& heif = *load_libheif();
+    heif_image* image = nullptr;
+    if (heif.heif_image_create(frame.width, frame.height, heif_colorspace_RGB, heif_chroma_444, &image)
+            .code != heif_error_Ok)
+        return hevc_refused();
+    constexpr std::array<heif_channel, 3> colours{heif_channel_R, heif_channel_G, heif_channel_B};
+    std::array<ReadPlane, 3> coded{};
+    std::array<WrittenPlane, 3> rgb{};
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        int step = 0;
+        if (heif.heif_image_add_plane(image, colours[i], frame.width, frame.height, 8).code == heif_error_Ok)
+            rgb[i].values = heif.heif_image_get_plane(image, colours[i], &step);
+        if (rgb[i].values == nullptr) {
+            heif.heif_image_release(image);
+            return hevc_refused();
+        }
+        rgb[i].step = step;
+        coded[i] = {frame.data[i], frame.linesize[i]};
+    }
+    to_rgb(coded, frame.width, frame.height, shares, rgb);
+    *out = image;
+    return no_heif_error();
+}
+
 heif_error new_hevc(void** out) {
     auto coded = std::unique_ptr<CodedHevc>(new (std::nothrow) CodedHevc);
     if (coded == nullptr || coded->packet == nullptr)
@@ -198,7 +234,14 @@ heif_error push_hevc(void* coded, const void* data, std::size_t size) {
 
 heif_error decode_hevc(void* coded, heif_image** out) {
     const Frame frame = decoded_frame(*static_cast<CodedHevc*>(coded)->packet);
-    return frame == nullptr ? hevc_refused() : heif_image_of(*frame, out);
+    if (frame == nullptr)
+        return hevc_refused();
+    if (rgb_by_matrix && is_as_phones_write(*frame, plane_format(*frame))) {
+        const bool by_stream = *rgb_by_matrix == HevcAsRgb::as_the_stream_says;
+        if (const auto shares = colour_shares(by_stream ? frame->colorspace : *rgb_by_matrix))
+            return rgb_image_of(*frame, *shares, out);
+    }
+    return heif_image_of(*frame, out);
 }
 
 int hevc_priority_for(heif_compression_format format) {
@@ -223,6 +266,25 @@ const heif_decoder_plugin& hevc_decoder() {
                                             [](void*, int) {}, // it is always strict
                                             "touchphoto_libavcodec"};
     return plugin;
+}
+
+HevcAsRgb::HevcAsRgb(std::optional<int> matrix) { rgb_by_matrix = matrix; }
+HevcAsRgb::~HevcAsRgb() { rgb_by_matrix = std::nullopt; }
+
+std::optional<int> HevcAsRgb::matrix_of(std::string_view bytes) {
+    constexpr std::string_view box = "colrnclx"; // ISO/IEC 14496-12, 12.1.5
+    constexpr std::size_t matrix = 4, range = 6, said_bytes = 7;
+    std::string_view said;
+    for (std::size_t at = bytes.find(box); at != bytes.npos; at = bytes.find(box, at + 1)) {
+        const std::string_view here = bytes.substr(at + box.size(), said_bytes);
+        if (here.size() < said_bytes || (!said.empty() && here != said))
+            return std::nullopt;
+        said = here;
+    }
+    if (said.empty())
+        return as_the_stream_says;
+    const auto byte = [said](std::size_t at) { return static_cast<unsigned char>(said[at]); };
+    return byte(range) >= 0x80 ? std::optional<int>(byte(matrix) << 8 | byte(matrix + 1)) : std::nullopt;
 }
 
 bool is_hevc_refused(const char* message) {

@@ -94,6 +94,12 @@ Decoded decoded(const Bytes& file) {
     return result;
 }
 
+/// As RGB already, where that may be.
+Decoded decoded_as_rgb(const Bytes& file) {
+    const HevcAsRgb as_rgb(HevcAsRgb::matrix_of({reinterpret_cast<const char*>(file.data()), file.size()}));
+    return decoded(file);
+}
+
 /// By libheif's own decoder, whatever part of the file asks for one.
 Decoded decoded_by_libde265(const Bytes& file) {
     const WithoutHevcDecoder without;
@@ -204,6 +210,8 @@ private slots:
             QVERIFY(!ours.planes.empty());
             QCOMPARE(ours.colours, its.colours);
             QVERIFY2(ours.planes == its.planes, qPrintable(QString("the bits of %1 differ").arg(text(file))));
+            QVERIFY2(decoded_as_rgb(bytes) == its,
+                     qPrintable(QString("the bits of %1 as RGB").arg(text(file))));
         }
     }
 
@@ -220,6 +228,28 @@ private slots:
         const Decoded ours = decoded(file), its = decoded_by_libde265(file);
         QCOMPARE(decoded_by_ours, 6);
         QVERIFY(ours.ok && ours == its);
+        QVERIFY(decoded_as_rgb(file) == its);
+    }
+
+    void the_matrix_is_the_one_that_the_boxes_say_data() {
+        QTest::addColumn<QByteArray>("boxes");
+        QTest::addColumn<int>("matrix"); // 0: none
+        const auto box = [](const char* matrix_and_range) {
+            return QByteArray("....colrnclx") + QByteArray::fromHex("00010002") +
+                   QByteArray::fromHex(matrix_and_range);
+        };
+        QTest::newRow("nothing") << QByteArray("colrprof") << HevcAsRgb::as_the_stream_says;
+        QTest::newRow("BT.709") << box("000180") << 1;
+        QTest::newRow("a number of two bytes") << box("010180") << 257;
+        QTest::newRow("BT.601, twice") << box("000680") + box("000680") << 6;
+        QTest::newRow("limited range") << box("000600") << 0;
+        QTest::newRow("two that differ") << box("000680") + box("000180") << 0;
+        QTest::newRow("cut short") << box("0006") << 0;
+    }
+    void the_matrix_is_the_one_that_the_boxes_say() {
+        QFETCH(QByteArray, boxes);
+        QFETCH(int, matrix);
+        QCOMPARE(HevcAsRgb::matrix_of(boxes.toStdString()).value_or(0), matrix);
     }
 
     /// Whatever our decoder finds wrong, no picture is lost that libheif's own would show.

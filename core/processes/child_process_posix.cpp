@@ -58,8 +58,10 @@ public:
     /// None where the system does not start it.
     std::optional<pid_t> start(std::vector<std::string> words, std::vector<std::string> settings) const {
         std::vector<char*> arguments = pointers_to(words), environment = pointers_to(settings);
-        for (char** inherited = environ; *inherited != nullptr; ++inherited)
-            environment.push_back(*inherited);
+        char** end = environ;
+        while (*end != nullptr)
+            ++end;
+        environment.insert(environment.end(), environ, end);
         arguments.push_back(nullptr);
         environment.push_back(nullptr);
         pid_t process = 0;

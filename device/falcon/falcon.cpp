@@ -281,11 +281,10 @@ bool Falcon::write(const SafeForce& force) noexcept {
     if (!open_ || lost())
         return false;
     unguarded_.store(line_->pull->unguarded(), std::memory_order_relaxed);
-    if (!homed() || unguarded_.load(std::memory_order_relaxed))
-        touch_.armed = false;
-    else if (force.newtons() == Vec2(0.0) && force.share() == 0.0)
+    const bool may_pull = homed() && !unguarded_.load(std::memory_order_relaxed);
+    if (may_pull && force.newtons() == Vec2(0.0) && force.share() == 0.0)
         touch_.armed = true;
-    else if (line_->pull->let_go())
+    else if (!may_pull || line_->pull->let_go())
         touch_.armed = false;
     Command command;
     command.homing = !homed();

@@ -108,10 +108,10 @@ private slots:
     }
     void it_lies_with_the_persons_settings() {
         qputenv("XDG_CONFIG_HOME", "/somewhere");
-        QCOMPARE(joystick_scale_file().string(), std::string("/somewhere/touchphoto/sticks.txt"));
+        QCOMPARE(joystick_scale_file().generic_string(), std::string("/somewhere/touchphoto/sticks.txt"));
         qunsetenv("XDG_CONFIG_HOME");
         qputenv("HOME", "/home/one");
-        QCOMPARE(joystick_scale_file().string(), std::string("/home/one/.config/touchphoto/sticks.txt"));
+        QCOMPARE(joystick_scale_file().generic_string(), std::string("/home/one/.config/touchphoto/sticks.txt"));
     }
 
     void hostile_scales() {

@@ -350,7 +350,7 @@ private slots:
     }
 
     void nineteen_packets_with_nothing_in_them_are_waited_through() {
-        for (const std::size_t empty : {19, 20}) {
+        for (const std::size_t empty : {19U, 20U}) {
             Bench bench;
             QVERIFY(bench.open().ok());
             bench.script.commands.clear();

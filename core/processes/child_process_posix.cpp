@@ -74,6 +74,7 @@ public:
 private:
     static std::vector<char*> pointers_to(std::vector<std::string>& texts) {
         std::vector<char*> pointers;
+        pointers.reserve(texts.size() + 1); // a null behind them
         for (std::string& text : texts)
             pointers.push_back(text.data());
         return pointers;

@@ -18,11 +18,13 @@ void spread(const std::uint8_t* chroma, float share, std::vector<float>& row) {
         row[2 * x] = row[2 * x + 1] = share * (static_cast<float>(chroma[x]) - 128.0F);
 }
 
+constexpr float half = 0.5F; ///< rounds to the nearest what is not below 0
+
 void add(const std::uint8_t* brightness, const float* first, const float* second, std::uint8_t* out,
          int width) {
     for (int x = 0; x < width; ++x) {
         const float value = static_cast<float>(brightness[x]) + first[x] + second[x];
-        const int rounded = static_cast<int>(value + 0.5F);
+        const int rounded = static_cast<int>(value + half);
         out[x] = static_cast<std::uint8_t>(rounded < 0 ? 0 : rounded > 255 ? 255 : rounded); // in vectors
     }
 }

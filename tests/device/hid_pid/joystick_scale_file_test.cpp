@@ -111,7 +111,8 @@ private slots:
         QCOMPARE(joystick_scale_file().generic_string(), std::string("/somewhere/touchphoto/sticks.txt"));
         qunsetenv("XDG_CONFIG_HOME");
         qputenv("HOME", "/home/one");
-        QCOMPARE(joystick_scale_file().generic_string(), std::string("/home/one/.config/touchphoto/sticks.txt"));
+        QCOMPARE(joystick_scale_file().generic_string(),
+                 std::string("/home/one/.config/touchphoto/sticks.txt"));
     }
 
     void hostile_scales() {

@@ -7,9 +7,12 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -154,6 +157,57 @@ private slots:
         QVERIFY(ftdi::received(clear).clear_to_send);
         const std::vector<std::uint8_t> broken = {0x11};
         QVERIFY(!ftdi::received(broken).clear_to_send && ftdi::received(broken).payload.empty());
+    }
+
+    /// The first and the last of each letter, and their neighbours.
+    void letters_of_a_packet_have_bounds() {
+        const auto with = [](const Packet& of, std::size_t at, std::uint8_t letter) {
+            Packet packet = of;
+            packet[at] = letter;
+            return packet;
+        };
+        const Packet reply = encode(Reply{});
+        const Packet command = encode(Command{});
+        for (std::size_t at = 1; at < 13; ++at) {
+            QVERIFY(decode_reply(with(reply, at, 'P')));
+            QVERIFY(!decode_reply(with(reply, at, 'Q')));
+            QVERIFY(!decode_reply(with(reply, at, '@')));
+            QVERIFY(!decode_command(with(command, at, 'Q')));
+        }
+        QVERIFY(decode_reply(with(reply, 13, 'A' + 0x7F)));
+        QVERIFY(!decode_reply(with(reply, 13, 'A' + 0x80)));
+        QVERIFY(!decode_reply(with(reply, 13, '@')));
+        QVERIFY(decode_command(with(command, 13, 'A' + 0x0F)));
+        QVERIFY(!decode_command(with(command, 13, 'A' + 0x10)));
+        QVERIFY(!decode_command(with(command, 13, '@')));
+        QVERIFY(decode_reply(with(reply, 14, 'z'))); // of no known meaning
+        QVERIFY(!decode_command(with(command, 14, 'B')));
+    }
+
+    void a_motor_is_told_4096_units_at_most() {
+        // −4096 is 0xF000, −4097 0xEFFF; the least nibble comes first.
+        const auto told = [](const char* nibbles) {
+            Packet packet = encode(Command{});
+            std::copy_n(nibbles, 4, packet.begin() + 5);
+            const std::optional<Command> command = decode_command(packet);
+            return command ? std::optional<int>(command->motors[1]) : std::nullopt;
+        };
+        QVERIFY(told("AAAB") == 4096);
+        QVERIFY(!told("BAAB"));
+        QVERIFY(told("AAAP") == -4096);
+        QVERIFY(!told("PPPO"));
+    }
+
+    void what_is_no_light_no_button_and_no_arm_does_not_spill_over() {
+        Command command;
+        command.leds = 0xFF;
+        QCOMPARE(decode_command(encode(command))->leds, std::uint8_t(14));
+        QVERIFY(!decode_command(encode(command))->homing);
+        Reply reply;
+        reply.buttons = 0xF5;
+        reply.homed = 0xFA;
+        QCOMPARE(decode_reply(encode(reply))->buttons, std::uint8_t(5));
+        QCOMPARE(decode_reply(encode(reply))->homed, std::uint8_t(2));
     }
 
     void hostile_bytes_of_the_fuzzer() {

@@ -102,10 +102,12 @@ void AlbumWorker::follow(const ScanTools& tools, AlbumTaskReport& report) {
     if (folders.empty())
         return;
     Result<ScanReport> again = rescan_folders(*index_, folders, tools);
-    if (!again)
+    if (!again) {
         report.problems.push_back(again.error());
-    else
-        take(report.problems, std::move(again->problems));
+        return;
+    }
+    take(report.problems, std::move(again->problems));
+    report.stopped = report.stopped || again->stopped;
 }
 
 /// Before a scan and after it, so that nothing falls between the two.

@@ -76,11 +76,13 @@ FollowedMoves follow(AlbumIndex& index, ScanReport& report) {
     std::vector<fs::path> folders;
     for (const Move& move : moves->followed)
         folders.push_back(move.to.parent_path());
-    if (const auto again = rescan_with_progress(index, folders); !again)
-        moves->problems.push_back(again.error());
-    else
-        report.problems.insert(report.problems.end(), again->problems.begin(), again->problems.end());
     report.stopped = moves->stopped;
+    if (const auto again = rescan_with_progress(index, folders); !again) {
+        moves->problems.push_back(again.error());
+    } else {
+        report.problems.insert(report.problems.end(), again->problems.begin(), again->problems.end());
+        report.stopped = report.stopped || again->stopped;
+    }
     return *std::move(moves);
 }
 

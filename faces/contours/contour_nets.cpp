@@ -231,8 +231,9 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
     const Points& fine = seen->points;
     if (most_ == RefinementStage::second_look)
         return unverified(fine);
-    const double between_passes = disagreement(part(*coarse, windowed), part(fine, windowed));
-    if (is_unsteady(between_passes))
+    Steadiness steadiness{.between_passes = disagreement(part(*coarse, windowed), part(fine, windowed)),
+                          .between_mirrors = mean_of(seen->apart, all) / face_window.side};
+    if (is_unsteady(steadiness))
         return std::nullopt;
     auto found = look_closely_in(picture, fine);
     if (!found)
@@ -242,9 +243,8 @@ std::optional<Landmarks> ContourNets::locate_in(const cv::Mat& picture, const De
     for (const FeatureIndex eye : {at_right_eye, at_left_eye})
         found->between_mirrors_px[eye] = mean_of(seen->apart, features[eye]);
     const Points closest = points_of(*found);
-    found->confidence = confidence_of(
-        *found, {between_passes, disagreement(part(fine, {0, lips.end}), part(closest, {0, lips.end})),
-                 mean_of(seen->apart, all) / face_window.side});
+    steadiness.between_nets = disagreement(part(fine, {0, lips.end}), part(closest, {0, lips.end}));
+    found->confidence = confidence_of(*found, steadiness);
     return found;
 }
 

@@ -40,6 +40,11 @@ bool stands_as_in_a_face(const Landmarks& points) {
            outline_width.has(width(points.outline.front(), points.outline.back()));
 }
 
+double unsteadiness(const Steadiness& s) {
+    return s.between_passes / unsteady_passes + s.between_nets / unsteady_nets +
+           s.between_mirrors / unsteady_mirrors;
+}
+
 } // namespace
 
 double disagreement(const std::vector<Vec2>& one, const std::vector<Vec2>& other) {
@@ -50,14 +55,12 @@ double disagreement(const std::vector<Vec2>& one, const std::vector<Vec2>& other
     return sum / static_cast<double>(one.size()) / std::max(extent.width(), extent.height());
 }
 
-bool is_unsteady(double between_passes) { return between_passes > half_way * unsteady_passes; }
+bool is_unsteady(const Steadiness& so_far) { return unsteadiness(so_far) > half_way; }
 
 double confidence_of(const Landmarks& points, const Steadiness& s) {
     if (!stands_as_in_a_face(points))
         return 0.0;
-    const double unsteadiness = s.between_passes / unsteady_passes + s.between_nets / unsteady_nets +
-                                s.between_mirrors / unsteady_mirrors;
-    return 1.0 / (1.0 + std::exp(steepness * (unsteadiness - half_way)));
+    return 1.0 / (1.0 + std::exp(steepness * (unsteadiness(s) - half_way)));
 }
 
 } // namespace tp

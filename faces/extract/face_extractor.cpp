@@ -33,6 +33,8 @@ constexpr int smallest_side_px = 16;         ///< of a picture that can hold a f
 constexpr double contour_tolerance_px = 0.2; ///< a fifth of what a net or a hand can place
 /// In which a picture is first looked at on its side: a face of 40 px in it can be felt.
 constexpr int longest_turned_px = 1280;
+/// To which a face that is unsure is shrunk there: one half as large is still found.
+constexpr double turned_face_px = 96.0;
 /// What a photograph keeps of its longest side where its decoder shrinks it: the detector looks at 1280 px.
 constexpr int longest_shrunk_px = 1600;
 /// Of faces for which the shrunk pixels are enough: eyes that are 150 px apart, outer corner to outer corner.
@@ -107,6 +109,15 @@ void enlarge(Face& face, double shrink) {
             contour = mapped(contour, whole);
 }
 
+/// The longer side, px, in which a picture is looked at on its side: less where there is something to compare.
+int side_to_turn(cv::Size picture, const std::vector<LocatedFace>& located) {
+    if (located.empty())
+        return longest_turned_px;
+    const double side =
+        std::max(picture.width, picture.height) * turned_face_px / located.front().detection.size();
+    return static_cast<int>(std::min(side, static_cast<double>(longest_turned_px)));
+}
+
 /// What `search` says; where it throws, there are no faces, a sentence that says why, and true.
 template <typename Search>
 bool carefully(Extraction& result, Search search) {
@@ -151,7 +162,7 @@ struct FaceExtractor::Parts {
     void look_turned(cv::Mat& picture, std::vector<LocatedFace>& located, Extraction& result,
                      SearchTimes& times, const std::stop_token& stop) const {
         rest();
-        cv::Mat small = not_larger_than(picture, longest_turned_px);
+        cv::Mat small = not_larger_than(picture, side_to_turn(picture.size(), located));
         double best = surest(located);
         int best_degrees = 0, small_degrees = 0;
         for (const int degrees : {180, 90, 270}) {

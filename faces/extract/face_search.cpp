@@ -17,6 +17,9 @@ constexpr double least_confidence = 0.5;
 constexpr double most_confidence_of_mesh = 0.9;
 /// Of a detector, for the mesh to be asked about what the landmarks refuse.
 constexpr double least_score_for_mesh = 0.5;
+/// The same for the landmarks, and for the mesh, beside a sure face of which it is less than a given share: in
+/// a portrait the detector sees small faces in windows, leaves and cloth (faces/FIGURES.md, "In the wild").
+constexpr double least_score_beside = 0.5, least_score_for_mesh_beside = 0.75, large_beside = 0.5;
 constexpr double same_within = 0.4; ///< of a face's size; two heads cannot be that near
 
 constexpr int other_detector_side =
@@ -34,6 +37,13 @@ bool is_new(const LocatedFace& face, const std::vector<LocatedFace>& known) {
 bool lies_on_its_side(const Detection& face) {
     const Vec2 across = face.left_eye - face.right_eye;
     return across.x < std::abs(across.y);
+}
+
+bool is_beside_larger(const Detection& face, const std::vector<LocatedFace>& known) {
+    return std::ranges::any_of(known, [&](const LocatedFace& other) {
+        return other.points.confidence >= least_confidence_turned &&
+               face.size() < large_beside * other.detection.size();
+    });
 }
 
 void sort_by_size(std::vector<LocatedFace>& faces) {
@@ -68,10 +78,7 @@ std::optional<LocatedFace> FaceSearch::by_landmarks(const cv::Mat& picture, cons
     return LocatedFace{detection, std::move(*points)};
 }
 
-std::optional<LocatedFace> FaceSearch::by_either(const cv::Mat& picture, const Detection& detection) {
-    if (auto face = by_landmarks(picture, detection);
-        face || !second_ || detection.score < least_score_for_mesh)
-        return face;
+std::optional<LocatedFace> FaceSearch::by_mesh(const cv::Mat& picture, const Detection& detection) {
     auto opinions = second_->about(picture, detection, nullptr);
     if (!opinions)
         return std::nullopt;
@@ -82,13 +89,19 @@ std::optional<LocatedFace> FaceSearch::by_either(const cv::Mat& picture, const D
 /// The detected faces that are confirmed, the largest first. Boxes of different size that led to the same
 /// eyes and mouth count once.
 std::vector<LocatedFace> FaceSearch::confirmed(const cv::Mat& picture, std::vector<Detection> detections,
-                                               Confirm confirm, const std::stop_token& stop) {
+                                               By judges, const std::stop_token& stop) {
     std::stable_sort(detections.begin(), detections.end(),
                      [](const Detection& a, const Detection& b) { return a.score > b.score; });
     std::vector<LocatedFace> located;
     for (const Detection& detection : detections) {
         stop_if_asked(stop);
-        auto face = (this->*confirm)(picture, detection);
+        const bool beside = is_beside_larger(detection, located);
+        if (beside && detection.score < least_score_beside)
+            continue;
+        auto face = by_landmarks(picture, detection);
+        if (!face && judges == By::landmarks_and_mesh && second_ &&
+            detection.score >= (beside ? least_score_for_mesh_beside : least_score_for_mesh))
+            face = by_mesh(picture, detection);
         if (face && is_new(*face, located))
             located.push_back(std::move(*face));
     }
@@ -108,7 +121,7 @@ std::vector<LocatedFace> FaceSearch::upright(const cv::Mat& picture, Effort most
     const auto faces_among = [&](std::vector<Detection> detections) {
         Stopwatch watch;
         std::vector<LocatedFace> faces =
-            confirmed(picture, std::move(detections), &FaceSearch::by_either, stop);
+            confirmed(picture, std::move(detections), By::landmarks_and_mesh, stop);
         times.landmarks += watch.lap();
         return faces;
     };
@@ -143,7 +156,7 @@ std::vector<LocatedFace> FaceSearch::turned(const cv::Mat& picture, SearchTimes&
     Stopwatch watch;
     const std::vector<Detection> detections = detector_->detect(picture, Effort::usual, stop);
     times.detect += watch.lap();
-    std::vector<LocatedFace> located = confirmed(picture, detections, &FaceSearch::by_landmarks, stop);
+    std::vector<LocatedFace> located = confirmed(picture, detections, By::landmarks, stop);
     times.landmarks += watch.lap();
     std::erase_if(located,
                   [](const LocatedFace& face) { return face.points.confidence < least_confidence_turned; });

@@ -54,12 +54,13 @@ public:
     std::vector<LocatedFace> turned(const cv::Mat& picture, SearchTimes& times, const std::stop_token& stop);
 
 private:
-    using Confirm = std::optional<LocatedFace> (FaceSearch::*)(const cv::Mat&, const Detection&);
+    /// Whose word is enough for a place to be a face.
+    enum class By { landmarks, landmarks_and_mesh };
 
     std::optional<LocatedFace> by_landmarks(const cv::Mat& picture, const Detection& detection);
-    std::optional<LocatedFace> by_either(const cv::Mat& picture, const Detection& detection);
-    std::vector<LocatedFace> confirmed(const cv::Mat& picture, std::vector<Detection> detections,
-                                       Confirm confirm, const std::stop_token& stop);
+    std::optional<LocatedFace> by_mesh(const cv::Mat& picture, const Detection& detection);
+    std::vector<LocatedFace> confirmed(const cv::Mat& picture, std::vector<Detection> detections, By judges,
+                                       const std::stop_token& stop);
 
     std::unique_ptr<Detector> detector_;
     LandmarkModel& landmarks_;

@@ -141,6 +141,25 @@ private slots:
         QVERIFY(wrongly.size() <= static_cast<qsizetype>(labels->words().size()) * 2 / 100);
     }
 
+    /// On its side it shows a face that is unsure; a sure one is found when it is turned.
+    void an_unsure_face_in_a_photograph_on_its_side_is_no_reason_to_leave_it_so() {
+        if (!fs::exists(wild_folder()))
+            QSKIP("needs ../shared/faces/photos/wild: photographs of people are not part of the repository");
+        const auto photo = read_picture(wild_folder() / "fellows_f0a7072a.jpg");
+        QVERIFY2(photo.ok(), photo.error().c_str());
+        FaceExtractor faces = std::move(FaceExtractor::create()).value();
+        const Extraction upright = faces.extract(*photo), on_its_side = faces.extract(turned(*photo, 90));
+        QCOMPARE(on_its_side.turned_degrees, 270);
+        QCOMPARE(on_its_side.faces.size(), upright.faces.size());
+    }
+    /// A house behind a man: the mesh takes its windows for a face.
+    void windows_behind_somebody_are_nobody() {
+        if (!fs::exists(wild_folder()))
+            QSKIP("needs ../shared/faces/photos/wild: photographs of people are not part of the repository");
+        FaceExtractor faces = std::move(FaceExtractor::create()).value();
+        QCOMPARE(faces.extract(wild_folder() / "staff_9cea45ff.jpg").faces.size(), std::size_t{1});
+    }
+
 private:
     // Half of what two opinions differ by where both are right.
     static constexpr std::array<double, features.size()> most_mean{0.7, 0.7, 0.9, 0.9, 1.2};

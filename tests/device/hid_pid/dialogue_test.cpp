@@ -37,11 +37,13 @@ struct Script final : PidTransport {
     int asked = 0;
     int not_ready_for = 0; ///< questions after a load that it leaves unanswered
     bool same_block = false;
+    bool makes_sense = true; ///< what it says of itself
+    int opened = 0;          ///< times that somebody has it open
     GuardDiary diary;
 
     std::vector<std::uint8_t> descriptor() override {
         const JoystickWire wire = open_controller();
-        return {wire.descriptor.begin(), wire.descriptor.end()};
+        return {wire.descriptor.begin(), wire.descriptor.end() - (makes_sense ? 0 : 1)};
     }
     Got read(hid::Report& report, int) noexcept override {
         if (to_say.empty())
@@ -88,7 +90,10 @@ struct Script final : PidTransport {
 };
 
 struct Borrowed final : PidTransport {
-    explicit Borrowed(Script& lent) : script(lent) {}
+    explicit Borrowed(Script& lent) : script(lent) { ++script.opened; }
+    ~Borrowed() override { --script.opened; }
+    Borrowed(const Borrowed&) = delete;
+    Borrowed& operator=(const Borrowed&) = delete;
     std::vector<std::uint8_t> descriptor() override { return script.descriptor(); }
     Got read(hid::Report& report, int wait_ms) noexcept override { return script.read(report, wait_ms); }
     Got input_now(hid::Report& report) noexcept override { return script.input_now(report); }
@@ -277,6 +282,29 @@ private slots:
         Bench bench;
         bench.script.same_block = true;
         QVERIFY(bench.device.open().error().find("does not take up a force") != std::string::npos);
+    }
+
+    void why_it_cannot_be_opened_is_passed_on() {
+        PidJoystick device([]() -> Result<std::unique_ptr<PidTransport>> { return Error{"It is gone."}; },
+                           {"a stick", "0001"}, {}, LatestWriter::Thread::caller);
+        QCOMPARE(device.open().error(), std::string("It is gone."));
+        QVERIFY(!device.write(SafeForce{}));
+    }
+
+    void other_programs_may_have_it_once_it_is_not_used() {
+        Bench used;
+        QVERIFY(used.device.open().ok());
+        QCOMPARE(used.script.opened, 1);
+        used.device.stop();
+        QCOMPARE(used.script.opened, 0);
+        Bench refused;
+        refused.script.same_block = true;
+        QVERIFY(!refused.device.open().ok());
+        QCOMPARE(refused.script.opened, 0);
+        Bench strange;
+        strange.script.makes_sense = false;
+        QVERIFY(!strange.device.open().ok());
+        QCOMPARE(strange.script.opened, 0);
     }
 
     void what_another_program_left_ends_before_a_force_is_loaded() {

@@ -115,12 +115,14 @@ private slots:
     void where_it_stands_is_known_from_the_first_moment_data() { sticks(); }
     void where_it_stands_is_known_from_the_first_moment() {
         QFETCH(int, stick);
-        JoystickToOpen bench(wire_of(stick));
-        bench.model.place_grip({30.0, -15.0});
-        QVERIFY(bench.device.open().ok());
-        const std::optional<DeviceState> state = bench.device.read(0.001);
-        QVERIFY(state.has_value());
-        QVERIFY(length(state->position - Vec2(30.0, -15.0)) < 0.2);
+        for (const Vec2 place : {Vec2(30.0, -15.0), Vec2(-58.0, 45.0), Vec2(60.0, -60.0)}) {
+            JoystickToOpen bench(wire_of(stick));
+            bench.model.place_grip(place);
+            QVERIFY(bench.device.open().ok());
+            const std::optional<DeviceState> state = bench.device.read(0.001);
+            QVERIFY(state.has_value());
+            QVERIFY(length(state->position - place) < 0.2);
+        }
     }
     void or_from_its_first_report_where_it_does_not_tell() {
         JoystickToOpen stick;
@@ -135,7 +137,11 @@ private slots:
     void a_full_memory_is_emptied_once() {
         JoystickToOpen stick;
         stick.model.troubles.room = 4;
+        std::vector<std::uint8_t> answer;
+        QVERIFY(stick.model.get_feature(stick.model.wire().block_load, answer));
+        QCOMPARE(int(answer[2]), 3);  // nothing is loaded that was not asked for
         stick.model.leave_effects(3); // a reset empties it
+        QCOMPARE(stick.model.effects(), std::size_t(3));
         QVERIFY(stick.device.open().ok());
         QCOMPARE(stick.model.effects(), std::size_t(2));
         stick.device.stop();

@@ -9,25 +9,34 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tp::testing {
 
-/// Lets a transport that a test keeps be opened.
+/// Lets a transport that a test keeps be opened, and counts those who have it open.
 class BorrowedSteamLink final : public SteamTransport {
 public:
-    explicit BorrowedSteamLink(SteamTransport& lent) : lent_(lent) {}
+    BorrowedSteamLink(SteamTransport& lent, std::shared_ptr<int> users)
+        : lent_(lent), users_(std::move(users)) {
+        ++*users_;
+    }
+    ~BorrowedSteamLink() override { --*users_; }
+    BorrowedSteamLink(const BorrowedSteamLink&) = delete;
+    BorrowedSteamLink& operator=(const BorrowedSteamLink&) = delete;
     steam::Kind kind() const override { return lent_.kind(); }
     Got read(Input& report, int wait_ms) noexcept override { return lent_.read(report, wait_ms); }
     bool send(const steam::Feature& report) noexcept override { return lent_.send(report); }
 
 private:
     SteamTransport& lent_;
+    std::shared_ptr<int> users_;
 };
 
-inline SteamPad::Opener lend(SteamTransport& transport) {
-    return [&transport]() -> Result<std::unique_ptr<SteamTransport>> {
-        return std::unique_ptr<SteamTransport>(std::make_unique<BorrowedSteamLink>(transport));
+inline SteamPad::Opener lend(SteamTransport& transport,
+                             std::shared_ptr<int> users = std::make_shared<int>(0)) {
+    return [&transport, users]() -> Result<std::unique_ptr<SteamTransport>> {
+        return std::unique_ptr<SteamTransport>(std::make_unique<BorrowedSteamLink>(transport, users));
     };
 }
 
@@ -35,6 +44,7 @@ inline SteamPad::Opener lend(SteamTransport& transport) {
 struct SteamBench {
     ModelSteamPad model;
     SimulatedSteamLink link;
+    std::shared_ptr<int> users = std::make_shared<int>(0); ///< who have it open
     SteamPad pad;
     double now = 0.0; ///< s
     bool writer_stalled = false;
@@ -44,7 +54,7 @@ struct SteamBench {
 
     explicit SteamBench(steam::Kind kind = steam::Kind::deck, unsigned delay_ms = 0, std::uint32_t seed = 1)
         : model(kind), link(model, delay_ms, seed),
-          pad({lend(link)}, "SD-0001", LatestWriter::Thread::caller) {
+          pad({lend(link, users)}, "SD-0001", LatestWriter::Thread::caller) {
         Result<TouchCapabilities> opened = pad.open();
         if (opened.ok())
             can = opened.value();

@@ -148,6 +148,14 @@ private slots:
         QVERIFY(pad.open().ok());
         link.told.clear();
         double now = 0.0;
+        for (int i = 0; i < 4; ++i) {
+            pad.read(now += 0.5);
+            pad.deliver();
+        }
+        QCOMPARE(link.count(0x81), 1);
+        QCOMPARE(link.count(0x8F), 0); // nothing was to be felt yet
+        link.told.clear();
+        now = 0.0;
         for (int i = 0; i < 300; ++i)
             for (int part = 0; part < 2; ++part) {
                 pad.read(now += 0.5);
@@ -171,6 +179,27 @@ private slots:
         QVERIFY(!pad.tick(click));
     }
 
+    void why_it_cannot_be_opened_is_passed_on() {
+        const auto gone = []() -> Result<std::unique_ptr<SteamTransport>> { return Error{"It is gone."}; };
+        SteamPad pad({gone, gone}, {}, LatestWriter::Thread::caller);
+        QCOMPARE(pad.open().error(), std::string("It is gone."));
+        QVERIFY(!pad.tick(click));
+        QVERIFY(!pad.read(0.0));
+    }
+
+    void a_tick_is_sent_as_it_was_made() {
+        for (const steam::Kind kind : {steam::Kind::deck, steam::Kind::controller})
+            for (const Tick& tick : {click, Tick(0.05, 0.0, 0.05), Tick(0.3, 0.7, 0.02)}) {
+                ScriptedLink link;
+                link.its_kind = kind;
+                SteamPad pad({lend(link)}, {}, LatestWriter::Thread::caller);
+                QVERIFY(pad.open().ok());
+                QVERIFY(pad.tick(tick));
+                pad.deliver();
+                QVERIFY(link.told.back() == steam::play(steam::Side::right, steam::pulses_of(tick, kind)));
+            }
+    }
+
     void one_read_takes_64_reports() {
         ScriptedLink link;
         SteamPad pad({lend(link)}, {}, LatestWriter::Thread::caller);
@@ -186,6 +215,8 @@ private slots:
         QCOMPARE(touch->time, 0.25);
         QCOMPARE(touch->buttons, 0u);
         QVERIFY(!pad.read(0.3));
+        link.to_say = {{1, 0, 3, 1, 2}}; // tells of no thumb
+        QVERIFY(!pad.read(0.35));
     }
 
     void the_pad_that_is_touched_tells_and_ticks_data() { every_controller(); }
@@ -234,9 +265,14 @@ private slots:
             QVERIFY(!bench.model.imitates());
         }
         QCOMPARE(bench.model.ticks(), 0ul);
+        QCOMPARE(*bench.users, 1);
         bench.pad.stop();
         bench.run(0.002);
         QVERIFY(bench.model.imitates());
+        QCOMPARE(*bench.users, 0);
+        bench.link.troubles.refuse = 1.0;
+        QVERIFY(!bench.pad.open().ok());
+        QCOMPARE(*bench.users, 0); // other programs may have it
     }
 
     void a_tick_is_not_felt_twice_when_the_mouse_is_turned_off_again() {
@@ -286,6 +322,9 @@ private slots:
             bench.pad.halt();
         }
         QCOMPARE(bench.link.sends(), before);
+        bench.writer_stalled = false;
+        bench.tick();
+        QCOMPARE(bench.link.sends(), before + 1); // that nothing is felt
     }
 
     void a_writer_that_hangs_is_told_and_nothing_is_felt_late() {
@@ -316,6 +355,13 @@ private slots:
         bench.run(0.01);
         QCOMPARE(bench.pad.complaint(), std::string());
         QVERIFY(bench.pad.tick(click));
+        bench.link.troubles.refuse = 1.0;
+        bench.pad.tick(click);
+        bench.run(0.01);
+        QVERIFY(!bench.pad.tick(click));
+        bench.link.troubles.refuse = 0.0;
+        QVERIFY(bench.pad.open().ok()); // begins anew
+        QVERIFY(bench.pad.tick(click));
     }
 
     void unplugged_in_mid_touch_a_reason_is_said_and_it_can_be_opened_again() {
@@ -328,6 +374,7 @@ private slots:
         QVERIFY(!bench.pad.resist(1.0));
         QCOMPARE(bench.pad.complaint(), std::string("The Steam Deck was unplugged. Plug it in again."));
         QVERIFY(!bench.pad.open().ok());
+        QVERIFY(!bench.pad.lost()); // there is nothing that could be
         bench.link.troubles.unplugged = false;
         QVERIFY(bench.pad.open().ok());
         QVERIFY(!bench.pad.lost());

@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <span>
@@ -14,6 +15,9 @@
 #include <vector>
 
 using namespace tp;
+
+Q_DECLARE_METATYPE(tp::Tick)
+Q_DECLARE_METATYPE(tp::steam::Pulses)
 
 namespace {
 
@@ -102,6 +106,54 @@ private slots:
         QCOMPARE(hex(steam::play_nothing(), 12), QString("00 8f 08 02 00 00 00 00 00 00 00 00"));
     }
 
+    /// A push of half a period, or of less where the gain does nothing; a tick of 2 to 8 ms for each pulse.
+    void pulses_are_as_long_and_as_strong_as_their_tick_data() {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<Tick>("tick");
+        QTest::addColumn<steam::Pulses>("pulses");
+        const auto row = [](const char* name, steam::Kind kind, const Tick& tick,
+                            const steam::Pulses& pulses) {
+            QTest::newRow(name) << static_cast<int>(kind) << tick << pulses;
+        };
+        constexpr steam::Kind deck = steam::Kind::deck;
+        row("sharp", deck, Tick(1.0, 1.0, 0.01), {1000, 1000, 5, 6});
+        row("between", deck, Tick(0.5, 0.5, 0.02), {2500, 2500, 4, 0});
+        row("soft_and_long", deck, Tick(0.25, 0.0, 0.05), {4000, 4000, 6, -6});
+        row("faint", deck, Tick(0.001, 1.0, 0.01), {1000, 1000, 5, -24});
+        row("shorter_than_a_pulse", deck, Tick(1.0, 0.0, 0.002), {4000, 4000, 1, 6});
+        row("nothing", deck, Tick(), {0, 0, 0, 0});
+        for (const steam::Kind kind : {steam::Kind::controller, steam::Kind::receiver}) {
+            const bool radio = kind == steam::Kind::receiver;
+            row(radio ? "by_radio" : "by_cable", kind, Tick(0.5, 1.0, 0.01), {500, 1500, 5, 0});
+            row(radio ? "faint_by_radio" : "faint_by_cable", kind, Tick(0.001, 1.0, 0.01), {20, 1980, 5, 0});
+        }
+    }
+    void pulses_are_as_long_and_as_strong_as_their_tick() {
+        QFETCH(int, kind);
+        QFETCH(Tick, tick);
+        QFETCH(steam::Pulses, pulses);
+        const steam::Pulses made = steam::pulses_of(tick, static_cast<steam::Kind>(kind));
+        QCOMPARE(made.on_us, pulses.on_us);
+        QCOMPARE(made.off_us, pulses.off_us);
+        QCOMPARE(made.count, pulses.count);
+        QCOMPARE(made.gain_db, pulses.gain_db);
+    }
+
+    /// hid-steam.c: 81, then 87 with three bytes for each setting.
+    void what_keeps_the_mouse_off_is_the_bytes_that_the_kernel_sends() {
+        const std::array<steam::Feature, 2> deck = steam::imitate_nothing(steam::Kind::deck);
+        QCOMPARE(hex(deck[0], 4), QString("00 81 00 00"));
+        QCOMPARE(hex(deck[1], 20), QString("00 87 0f 18 00 00 07 07 00 08 07 00 34 ff ff 35 ff ff 00 00"));
+        for (const steam::Kind kind : {steam::Kind::controller, steam::Kind::receiver}) {
+            const std::array<steam::Feature, 2> other = steam::imitate_nothing(kind);
+            QCOMPARE(hex(other[0], 4), QString("00 81 00 00"));
+            QCOMPARE(hex(other[1], 14), QString("00 87 09 18 00 00 07 07 00 08 07 00 00 00"));
+        }
+        QCOMPARE(hex(steam::imitate_as_usual()[0], 4), QString("00 85 00 00"));
+        QCOMPARE(hex(steam::imitate_as_usual()[1], 4), QString("00 8e 00 00"));
+        QCOMPARE(hex(steam::ask_whether_connected(), 4), QString("00 b4 00 00"));
+    }
+
     void a_mouse_is_imitated_no_longer_and_again_data() { every_controller(); }
     void a_mouse_is_imitated_no_longer_and_again() {
         QFETCH(int, kind);
@@ -138,6 +190,46 @@ private slots:
                 QVERIFY(std::abs(weaker - 1.0) < 0.01);
             }
         QCOMPARE(steam::pulses_of(Tick(), steam::Kind::deck), steam::Pulses{});
+    }
+
+    // The model, of which nothing is read back through what it is to try
+
+    void the_model_tells_what_the_devices_do() {
+        const auto told = [](ModelSteamPad& model) {
+            return QString::fromUtf8(
+                QByteArray(reinterpret_cast<const char*>(report_of(model).data()), 24).toHex(' '));
+        };
+        ModelSteamPad deck(steam::Kind::deck);
+        std::vector<std::uint8_t> early;
+        for (int ms = 0; ms < 3; ++ms)
+            deck.step();
+        QVERIFY(!deck.report(early));                        // each 4 ms
+        deck.touch(steam::Side::left, {-32.5, 8.125}, true); // beside it, and half of the way up
+        QCOMPARE(told(deck),
+                 QString("01 00 09 40 01 00 00 00 00 00 0a 00 00 00 00 00 01 80 00 40 00 00 00 00"));
+        ModelSteamPad controller(steam::Kind::controller);
+        controller.push_stick({1.0, -1.0});
+        QCOMPARE(told(controller),
+                 QString("01 00 01 3c 01 00 00 00 00 00 00 00 00 00 00 00 ff 7f 01 80 00 00 00 00"));
+        controller.touch(steam::Side::left, {0.0, 0.0});
+        controller.touch(steam::Side::right, {0.0, 0.0}, true);
+        QCOMPARE(told(controller),
+                 QString("01 00 01 3c 02 00 00 00 00 00 9c 00 00 00 00 00 00 00 00 00 00 00 00 00"));
+        QCOMPARE(told(controller), // the stick's turn
+                 QString("01 00 01 3c 03 00 00 00 00 00 94 00 00 00 00 00 ff 7f 01 80 00 00 00 00"));
+    }
+    void the_model_reads_each_setting_where_it_stands() {
+        ModelSteamPad model(steam::Kind::controller);
+        QVERIFY(model.receive(steam::imitate_nothing(model.kind())[0]));
+        steam::Feature one{0, 0x87, 3, 8, 7};
+        QVERIFY(model.receive(one));
+        QVERIFY(!model.imitates());
+        const steam::Feature two{0, 0x87, 6, 8, 7, 0, 24, 8, 0}; // what another is set to is none
+        QVERIFY(model.receive(two));
+        QVERIFY(!model.imitates());
+        one[4] = 0;
+        QVERIFY(model.receive(one));
+        QVERIFY(model.imitates());
     }
 
     void any_bytes_are_read() {

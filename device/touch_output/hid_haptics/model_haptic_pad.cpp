@@ -116,7 +116,7 @@ void ModelHapticPad::step() {
     told_touch_ = touched;
     std::vector<std::uint8_t> bytes(12);
     bytes[0] = 1;
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < fingers_.size(); ++i) {
         const Finger& finger = fingers_[i];
         bytes[1 + 5 * i] = static_cast<std::uint8_t>((finger.there ? 1 : 0) | finger.contact << 4);
         put16(bytes, 2 + 5 * i, finger.place.x / 100.0 + 0.5, 4095.0);

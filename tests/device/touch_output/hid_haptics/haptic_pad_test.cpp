@@ -150,10 +150,18 @@ private slots:
                         "ticks from a program."));
     }
 
+    void why_it_cannot_be_opened_is_passed_on() {
+        HapticPad pad([]() -> Result<std::unique_ptr<HapticsTransport>> { return Error{"It is gone."}; }, {},
+                      LatestWriter::Thread::caller);
+        QCOMPARE(pad.open().error(), std::string("It is gone."));
+        QVERIFY(!pad.tick(click));
+    }
+
     void a_descriptor_that_lies_ends_in_a_sentence() {
         HapticsBench bench;
         bench.link.troubles.lie = {0xC0};
         QVERIFY(bench.open().find("cannot be read") != std::string::npos);
+        QCOMPARE(bench.users, 0);
         bench.link.troubles.lie.clear();
         bench.model.waveforms = {0x1004, 0x1005, 0x100B, 0x100C};
         QVERIFY(bench.open().find("no tick that ends by itself") != std::string::npos);
@@ -163,8 +171,12 @@ private slots:
         bench.link.troubles.mute = false;
         bench.link.troubles.refuse = 1.0;
         QVERIFY(bench.open().find("could not be opened") != std::string::npos);
+        QCOMPARE(bench.users, 0); // other programs may have it
         bench.link.troubles.refuse = 0.0;
         QCOMPARE(bench.open(), std::string());
+        QCOMPARE(bench.users, 1);
+        bench.pad.stop();
+        QCOMPARE(bench.users, 0);
     }
 
     void nobody_calls_the_system_but_the_writer_and_one_that_hangs_is_told() {
@@ -181,6 +193,7 @@ private slots:
         QVERIFY(bench.pad.complaint().find("does not take the ticks") != std::string::npos);
         bench.writer_stalled = false;
         bench.run(0.01);
+        QCOMPARE(bench.link.sends(), before + 1); // of all that, only that it was halted
         QCOMPARE(bench.model.ticks(), 0ul);
         QCOMPARE(bench.pad.complaint(), std::string());
         QVERIFY(bench.pad.tick(click));

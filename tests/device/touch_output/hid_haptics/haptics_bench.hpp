@@ -12,10 +12,13 @@
 
 namespace tp::testing {
 
-/// Lets a transport that a test keeps be opened.
+/// Lets a transport that a test keeps be opened, and counts those who have it open.
 class BorrowedHapticsLink final : public HapticsTransport {
 public:
-    explicit BorrowedHapticsLink(HapticsTransport& lent) : lent_(lent) {}
+    BorrowedHapticsLink(HapticsTransport& lent, int& users) : lent_(lent), users_(users) { ++users_; }
+    ~BorrowedHapticsLink() override { --users_; }
+    BorrowedHapticsLink(const BorrowedHapticsLink&) = delete;
+    BorrowedHapticsLink& operator=(const BorrowedHapticsLink&) = delete;
     std::vector<std::uint8_t> descriptor() override { return lent_.descriptor(); }
     std::vector<std::uint8_t> feature(std::uint8_t id, std::size_t bytes) override {
         return lent_.feature(id, bytes);
@@ -25,11 +28,12 @@ public:
 
 private:
     HapticsTransport& lent_;
+    int& users_;
 };
 
-inline HapticPad::Opener lend(HapticsTransport& transport) {
-    return [&transport]() -> Result<std::unique_ptr<HapticsTransport>> {
-        return std::unique_ptr<HapticsTransport>(std::make_unique<BorrowedHapticsLink>(transport));
+inline HapticPad::Opener lend(HapticsTransport& transport, int& users) {
+    return [&transport, &users]() -> Result<std::unique_ptr<HapticsTransport>> {
+        return std::unique_ptr<HapticsTransport>(std::make_unique<BorrowedHapticsLink>(transport, users));
     };
 }
 
@@ -37,6 +41,7 @@ inline HapticPad::Opener lend(HapticsTransport& transport) {
 struct HapticsBench {
     ModelHapticPad model;
     SimulatedHapticsLink link;
+    int users = 0; ///< who have it open
     HapticPad pad;
     double now = 0.0; ///< s
     bool writer_stalled = false;
@@ -45,7 +50,7 @@ struct HapticsBench {
 
     explicit HapticsBench(unsigned delay_ms = 0, std::uint32_t seed = 1)
         : link(model, delay_ms, seed),
-          pad(lend(link), {"model pad", "HP-0001"}, LatestWriter::Thread::caller) {}
+          pad(lend(link, users), {"model pad", "HP-0001"}, LatestWriter::Thread::caller) {}
     /// What it says where it cannot be opened.
     std::string open() {
         Result<TouchCapabilities> opened = pad.open();

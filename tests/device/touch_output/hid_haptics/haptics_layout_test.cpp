@@ -8,10 +8,12 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace tp;
@@ -43,6 +45,42 @@ Bytes with(const Bytes& from, const Bytes& to) {
          (at = std::search(at, bytes.end(), from.begin(), from.end())) != bytes.end(); ++at)
         std::copy(to.begin(), to.end(), at);
     return bytes;
+}
+
+/// The model's descriptor with `more` fingers besides, each as its first.
+Bytes with_more_fingers(std::size_t more) {
+    Bytes bytes(ModelHapticPad::descriptor().begin(), ModelHapticPad::descriptor().end());
+    const Bytes end{0xC0};
+    const auto begin = bytes.begin() + 8; // behind the application and its report's number
+    const Bytes finger(begin, std::search(begin, bytes.end(), end.begin(), end.end()) + 1);
+    for (std::size_t i = 0; i < more; ++i)
+        bytes.insert(bytes.begin() + 8, finger.begin(), finger.end());
+    return bytes;
+}
+
+/// What lies where, a field a line: kind, report, bits, usage, range, physical range, unit.
+QStringList fields_of(std::span<const std::uint8_t> descriptor) {
+    hid::ReportDescriptor parsed;
+    if (hid::parse_report_descriptor(descriptor, parsed) != hid::DescriptorFault::none)
+        return {};
+    QStringList lines;
+    for (const hid::Field& field : parsed.fields)
+        lines << QString("%1%2 at %3: %4x%5 %6%7 %8..%9")
+                         .arg("iof"[static_cast<int>(field.kind)])
+                         .arg(field.report_id)
+                         .arg(field.bit_offset)
+                         .arg(field.count)
+                         .arg(field.bit_size)
+                         .arg(field.constant ? "-" : "")
+                         .arg(field.usage_at(0), 0, 16)
+                         .arg(field.logical_min)
+                         .arg(field.logical_max) +
+                     QString(" %1..%2 %3e%4")
+                         .arg(field.physical_min)
+                         .arg(field.physical_max)
+                         .arg(field.unit, 0, 16)
+                         .arg(field.unit_exponent);
+    return lines;
 }
 
 /// A pen as Microsoft's guide for haptic pens has it: the list is of constants, whose physical range is the waveform.
@@ -144,6 +182,264 @@ private slots:
         QVERIFY(!layout.pad);
         QCOMPARE(found(with({0x55, 0x0E}, {0x55, 0x07}), layout), std::string()); // 100 000 km
         QVERIFY(!layout.pad);
+    }
+
+    /// 10 mm to a metre; centimetres or inches and no other unit.
+    void a_pad_is_as_large_as_it_says_data() {
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::addColumn<double>("width"); // 0: it is not believed
+        QTest::addColumn<double>("height");
+        const auto row = [](const char* name, const char* from, const char* to, double width, double height) {
+            QTest::newRow(name) << QByteArray::fromHex(from) << QByteArray::fromHex(to) << width << height;
+        };
+        row("as_it_is", "6511", "6511", 100.0, 60.0);
+        row("inches", "6511", "6513", 254.0, 152.4);
+        row("degrees", "6511", "6514", 0.0, 0.0);
+        row("of_no_system", "6511", "6510", 0.0, 0.0);
+        row("squared", "6511", "6521", 0.0, 0.0);
+        row("and_grams", "65113500", "66110134", 0.0, 0.0);
+        row("narrow", "46e803", "466400", 10.0, 60.0);
+        row("too_narrow", "46e803", "466300", 0.0, 0.0);
+        row("wide", "46e803", "461027", 1000.0, 60.0);
+        row("too_wide", "46e803", "461127", 0.0, 0.0);
+        row("too_flat", "465802", "466300", 0.0, 0.0);
+        row("not_from_0", "350046", "356446", 90.0, 50.0);
+    }
+    void a_pad_is_as_large_as_it_says() {
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QFETCH(double, width);
+        QFETCH(double, height);
+        Layout layout;
+        QCOMPARE(found(with(Bytes(from.begin(), from.end()), Bytes(to.begin(), to.end())), layout),
+                 std::string());
+        QCOMPARE(layout.pad.has_value(), width > 0.0);
+        if (layout.pad)
+            QVERIFY(distance(layout.pad->size, Vec2(width, height)) < 1e-9);
+    }
+
+    void eight_fingers_are_read_of_one_that_tells_of_more() {
+        for (const std::size_t more : {0u, 5u, 6u, 7u, 12u}) {
+            Layout layout;
+            QCOMPARE(found(with_more_fingers(more), layout), std::string());
+            QVERIFY(layout.pad);
+            QCOMPARE(layout.pad->fingers.size(), std::min<std::size_t>(2 + more, 8));
+            QVERIFY(layout.pad->button.there());
+            for (std::size_t i = 0; i < layout.pad->fingers.size(); ++i) {
+                QCOMPARE(layout.pad->fingers[i].tip.bit, 40u * i);
+                QCOMPARE(layout.pad->fingers[i].contact.bit, 40u * i + 4);
+                QCOMPARE(layout.pad->fingers[i].x.bit, 40u * i + 8);
+                QCOMPARE(layout.pad->fingers[i].y.bit, 40u * i + 24);
+            }
+        }
+    }
+
+    void thirty_two_waveforms_are_read_of_one_that_tells_of_more() {
+        for (const unsigned count : {1u, 4u, 31u, 32u, 33u, 60u}) {
+            Layout layout;
+            const auto last = static_cast<std::uint8_t>(2 + count);
+            const auto all = static_cast<std::uint8_t>(count);
+            QCOMPARE(found(with({0x29, 0x06, 0x15, 0x00, 0x26, 0xFF, 0x7F, 0x75, 0x10, 0x95, 0x04},
+                                {0x29, last, 0x15, 0x00, 0x26, 0xFF, 0x7F, 0x75, 0x10, 0x95, all}),
+                           layout),
+                     std::string());
+            const unsigned read = std::min(count, 32u);
+            QCOMPARE(layout.waveforms.size(), std::size_t{read});
+            QCOMPARE(layout.waveforms.back().ordinal, 2 + read);
+            QCOMPARE(layout.waveforms.back().slot.bit, 16 * (read - 1));
+        }
+    }
+
+    void where_its_ordinals_begin_and_end_must_leave_room_for_a_tick_data() {
+        QTest::addColumn<int>("least");
+        QTest::addColumn<int>("most");
+        QTest::addColumn<bool>("usable");
+        QTest::newRow("from_2") << 2 << 7 << true;
+        QTest::newRow("from_3") << 3 << 7 << false;
+        QTest::newRow("from_below_0") << 0xFF << 7 << false;
+        QTest::newRow("to_3") << 0 << 3 << true;
+        QTest::newRow("to_2") << 0 << 2 << false;
+    }
+    void where_its_ordinals_begin_and_end_must_leave_room_for_a_tick() {
+        QFETCH(int, least);
+        QFETCH(int, most);
+        QFETCH(bool, usable);
+        Layout layout;
+        const std::string why = found(with({0x15, 0x00, 0x25, 0x07}, {0x15, static_cast<std::uint8_t>(least),
+                                                                      0x25, static_cast<std::uint8_t>(most)}),
+                                      layout);
+        QCOMPARE(why.empty(), usable);
+        QVERIFY(usable || why.find("cannot be right") != std::string::npos);
+    }
+    void a_trigger_has_64_bytes_at_most() {
+        for (const unsigned bytes : {64u, 65u}) { // padded to so many
+            Bytes long_one(ModelHapticPad::descriptor().begin(), ModelHapticPad::descriptor().end());
+            const Bytes padding{0x75, 0x08, 0x95, static_cast<std::uint8_t>(bytes - 5), 0x91, 0x03};
+            long_one.insert(long_one.end() - 2, padding.begin(), padding.end());
+            Layout layout;
+            QCOMPARE(found(long_one, layout).empty(), bytes == 64);
+        }
+    }
+
+    /// HID Usage Tables: the number in the report stands for a waveform by the field's physical range, where it has one.
+    void a_number_stands_for_a_waveform() {
+        WaveformEntry entry;
+        entry.logical_min = 3;
+        entry.logical_max = 5;
+        QCOMPARE(entry.usage_of(0x1003), std::int64_t{0x1003}); // no range: itself
+        entry.physical_min = 3;
+        entry.physical_max = 5;
+        QCOMPARE(entry.usage_of(4), std::int64_t{4});
+        entry.physical_min = 0x1003;
+        entry.physical_max = 0x1007;
+        for (const auto& [value, usage] :
+             {std::pair{3, 0x1003}, {4, 0x1005}, {5, 0x1007}, {2, 0x1003}, {9, 0x1007}})
+            QCOMPARE(entry.usage_of(value), std::int64_t{usage});
+        entry.physical_min = 0;
+        entry.physical_max = 4;
+        QCOMPARE(entry.usage_of(5), std::int64_t{4});
+        entry.physical_min = -4;
+        entry.physical_max = 0;
+        QCOMPARE(entry.usage_of(5), std::int64_t{0});
+        QCOMPARE(entry.usage_of(3), std::int64_t{-4});
+        entry.physical_min = 3;
+        entry.physical_max = 7;
+        QCOMPARE(entry.usage_of(5), std::int64_t{7});
+        entry.physical_min = 1;
+        entry.physical_max = 5;
+        QCOMPARE(entry.usage_of(3), std::int64_t{1});
+        entry.logical_max = 3; // one value
+        QCOMPARE(entry.usage_of(3), std::int64_t{1});
+        QCOMPARE(entry.usage_of(8), std::int64_t{1});
+    }
+
+    void only_what_ends_by_itself_and_can_be_asked_for_is_noted_data() {
+        QTest::addColumn<int>("ordinal");
+        QTest::addColumn<int>("most");
+        QTest::addColumn<QByteArray>("report");
+        QTest::addColumn<bool>("noted");
+        const auto row = [](const char* name, int ordinal, int most, const char* report, bool noted) {
+            QTest::newRow(name) << ordinal << most << QByteArray::fromHex(report) << noted;
+        };
+        row("click", 3, 7, "03100000", true);
+        row("with_its_page", 3, 7, "03100e00", true);
+        row("of_another_page", 3, 7, "03100f00", false);
+        row("stop", 2, 7, "03100000", false);
+        row("the_last", 7, 7, "03100000", true);
+        row("behind_the_last", 8, 7, "03100000", false);
+        row("of_a_byte", 255, 1000, "03100000", true);
+        row("of_more_than_a_byte", 256, 1000, "03100000", false);
+        row("cut_short", 3, 7, "031000", false);
+        row("longer", 3, 7, "0310000000", true);
+    }
+    void only_what_ends_by_itself_and_can_be_asked_for_is_noted() {
+        QFETCH(int, ordinal);
+        QFETCH(int, most);
+        QFETCH(QByteArray, report);
+        QFETCH(bool, noted);
+        Layout layout = of_model();
+        layout.trigger.ordinal.most = most;
+        WaveformEntry entry;
+        entry.ordinal = static_cast<std::uint32_t>(ordinal);
+        entry.slot = {0, 32, 0, 0xFFFFFFFF};
+        Ordinals noticed;
+        note(layout, entry, Bytes(report.begin(), report.end()), noticed);
+        QCOMPARE(int(noticed.click), noted ? ordinal : 0);
+        QVERIFY(noticed.press == 0 && noticed.hover == 0);
+    }
+
+    void a_third_of_the_sharpness_is_each_waveforms() {
+        const Ordinals all{5, 4, 3};
+        for (const auto& [sharpness, ordinal] :
+             {std::pair{0.67, 5}, {2.0 / 3.0, 4}, {0.34, 4}, {1.0 / 3.0, 3}, {0.1, 3}})
+            QCOMPARE(int(all.of(sharpness)), ordinal);
+        QCOMPARE(int(Ordinals{0, 4, 3}.of(1.0)), 4);
+        QCOMPARE(int(Ordinals{5, 0, 3}.of(0.5)), 5);
+        QCOMPARE(int(Ordinals{5, 4, 0}.of(0.0)), 4);
+        QCOMPARE(int(Ordinals{0, 0, 3}.of(0.5)), 3);
+        QVERIFY(Ordinals({1, 0, 0}).any() && Ordinals({0, 1, 0}).any() && Ordinals({0, 0, 1}).any());
+    }
+
+    void a_tick_is_as_strong_as_told() {
+        Layout layout = of_model();
+        for (const auto& [amplitude, strength] : {std::pair{0.0, 0}, {0.5, 50}, {1.0, 100}}) {
+            const Output report = trigger(layout, 4, amplitude);
+            const Bytes wanted{3, 4, static_cast<std::uint8_t>(strength), 0, 0, 0};
+            QVERIFY(Bytes(report.all().begin(), report.all().end()) == wanted);
+        }
+        layout.trigger.intensity.least = 20;
+        QCOMPARE(int(trigger(layout, 4, 0.0).bytes[2]), 20);
+        QCOMPARE(int(trigger(layout, 4, 0.5).bytes[2]), 60);
+        const Output still = stop(layout);
+        QVERIFY(Bytes(still.all().begin(), still.all().end()) == (Bytes{3, 2, 0, 0, 0, 0}));
+    }
+
+    void a_place_is_a_share_of_what_its_axis_can_say() {
+        Layout layout = of_model();
+        layout.pad->fingers[0].x.least = 1000;
+        layout.pad->fingers[0].x.most = 3000;
+        for (const auto& [value, x] :
+             {std::pair{2000, 0.0}, {1000, -50.0}, {2500, 25.0}, {500, -50.0}, {4000, 50.0}}) {
+            Bytes report(12);
+            report[0] = 1;
+            report[2] = static_cast<std::uint8_t>(value & 0xFF);
+            report[3] = static_cast<std::uint8_t>(value >> 8);
+            QVERIFY(std::abs(fingers_in(layout, report)->fingers[0].place.x - x) < 1e-9);
+        }
+    }
+
+    void a_report_that_is_cut_short_tells_of_no_finger() {
+        const Layout layout = of_model();
+        for (std::size_t size = 0; size <= 12; ++size) {
+            Bytes report(size, 0xFF);
+            if (size > 0)
+                report[0] = 1;
+            const auto fingers = fingers_in(layout, report);
+            QCOMPARE(fingers.has_value(), size >= 11);
+            QCOMPARE(fingers && fingers->pressed, size == 12);
+        }
+    }
+    void without_numbers_of_reports_and_of_contacts_fingers_are_told_apart_all_the_same() {
+        Layout layout = of_model();
+        layout.numbered = false;
+        for (FingerSlots& places : layout.pad->fingers)
+            places.contact = {};
+        const auto fingers = fingers_in(layout, Bytes(11, 0x01));
+        QVERIFY(fingers && fingers->fingers[0].there && fingers->fingers[1].there);
+        QCOMPARE(fingers->fingers[0].contact, std::int64_t{0});
+        QCOMPARE(fingers->fingers[1].contact, std::int64_t{1});
+        layout.pad.reset();
+        QVERIFY(!fingers_in(layout, Bytes(11, 0x01)));
+    }
+
+    // The model, of which nothing is read back through what it is to try
+
+    void the_model_says_what_it_has() {
+        const QString wanted = "i1 at 0: 1x1 d0042 0..1 0..0 0e0\n"
+                               "i1 at 1: 3x1 -0 0..1 0..0 0e0\n"
+                               "i1 at 4: 1x4 d0051 0..15 0..0 0e0\n"
+                               "i1 at 8: 1x16 10030 0..4095 0..1000 11e-2\n"
+                               "i1 at 24: 1x16 10031 0..2047 0..600 11e-2\n"
+                               "i1 at 40: 1x1 d0042 0..1 0..0 0e0\n"
+                               "i1 at 41: 3x1 -0 0..1 0..0 0e0\n"
+                               "i1 at 44: 1x4 d0051 0..15 0..0 0e0\n"
+                               "i1 at 48: 1x16 10030 0..4095 0..1000 11e-2\n"
+                               "i1 at 64: 1x16 10031 0..2047 0..600 11e-2\n"
+                               "i1 at 80: 1x1 90001 0..1 0..0 0e0\n"
+                               "i1 at 81: 7x1 -0 0..1 0..0 0e0\n"
+                               "f2 at 0: 4x16 a0003 0..32767 0..0 0e0\n"
+                               "f2 at 64: 4x16 a0003 0..32767 0..0 0e0\n"
+                               "o3 at 0: 1x8 e0021 0..7 0..0 0e0\n"
+                               "o3 at 8: 1x8 e0023 0..100 0..0 0e0\n"
+                               "o3 at 16: 1x8 e0024 0..5 0..0 0e0\n"
+                               "o3 at 24: 1x16 e0025 0..1000 0..0 0e0";
+        QCOMPARE(fields_of(ModelHapticPad::descriptor()).join('\n'), wanted);
+    }
+    void the_model_tells_its_waveforms_and_how_long_each_is() {
+        QCOMPARE(ModelHapticPad().feature(2),
+                 (Bytes{0x06, 0x10, 0x03, 0x10, 0x08, 0x10, 0x04, 0x10, 10, 0, 10, 0, 10, 0, 10, 0}));
+        QVERIFY(ModelHapticPad().feature(1).empty() && ModelHapticPad().feature(3).empty());
     }
 
     void any_bytes_are_read() {

@@ -197,13 +197,14 @@ private slots:
     }
 
     void unplugged_it_is_lost_whether_it_ticks_or_not() {
-        for (const bool ticks : {false, true}) {
+        for (const int answer : {0, ENODEV, ENXIO, EBADF}) {
+            const bool ticks = answer != 0;
             Bench bench;
             QVERIFY(bench.output.open().ok());
             QVERIFY(!bench.output.lost());
             QCOMPARE(bench.output.complaint(), std::string());
             if (ticks) {
-                bench.diary.answers = {ENODEV};
+                bench.diary.answers = {answer};
                 bench.tick(sharp);
             } else {
                 bench.diary.there = false;
@@ -219,6 +220,15 @@ private slots:
             QVERIFY(!bench.output.lost());
             QCOMPARE(bench.output.complaint(), std::string());
         }
+    }
+
+    void why_it_cannot_be_reached_is_passed_on() {
+        FeedbackOutput output(
+            {"Twin motors", ""},
+            []() -> Result<std::unique_ptr<FeedbackNode>> { return Error{"It is gone."}; },
+            LatestWriter::Thread::caller);
+        QCOMPARE(output.open().error(), std::string("It is gone."));
+        QVERIFY(!output.tick(sharp));
     }
 
     void why_it_cannot_be_opened_is_one_sentence_and_nothing_stays_open() {

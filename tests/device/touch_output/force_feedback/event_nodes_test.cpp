@@ -73,8 +73,12 @@ private slots:
         std::string many = "1";
         for (int i = 0; i < 1000; ++i)
             many += " 1";
+        std::string longest = "1"; // all that fit in 768 bits
+        for (int i = 1; i < 12; ++i)
+            longest += " 0";
+        QVERIFY(kernel_bits(longest, 64)[704]);
         for (const std::string& text :
-             {std::string(), std::string("x"), std::string("1 -1"), std::string("1  1"),
+             {longest + " 0", std::string(), std::string("x"), std::string("1 -1"), std::string("1  1"),
               std::string("11111111111111111"), std::string("1\0", 2), many})
             QVERIFY2(kernel_bits(text, 64).none(), text.c_str());
     }

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <cerrno>
+
 using namespace tp;
 using tp::testing::MotorBench;
 
@@ -95,6 +97,17 @@ private slots:
         QVERIFY(refused.error().find("Close them and try again.") != std::string::npos);
         first.stop();
         QVERIFY(second.open().ok());
+    }
+
+    /// As Linux has it: 16 effects on most devices, and no wave without a period.
+    void a_motor_keeps_sixteen_effects_and_takes_no_wave_without_a_period() {
+        ModelMotor motor(FeedbackKind::sine);
+        SimulatedFeedbackNode node(motor);
+        QCOMPARE(motor.free_places(), 16u);
+        QCOMPARE(node.upload({1, 0, 0, 10}), EINVAL);
+        QCOMPARE(motor.free_places(), 16u);
+        QCOMPARE(node.upload({1, 0, 1, 10}), 0);
+        QCOMPARE(motor.free_places(), 15u);
     }
 
     void a_thousand_ticks_take_nothing_from_the_heap() {

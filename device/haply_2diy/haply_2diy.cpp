@@ -245,8 +245,8 @@ void Haply2diy::keep_in_step(double now) noexcept {
         heard_size_ = 0;
     }
     if (sent == commands_believed_ || fresh_)
-        silent_since_.reset();
-    else if (!silent_since_)
+        return;
+    if (!silent_since_)
         silent_since_ = now;
     else if (now - *silent_since_ > step_within)
         bring_back(now);

@@ -39,12 +39,14 @@ struct Script final : SerialLine {
     std::size_t junk_before = 0; ///< bytes before each answer
     std::deque<std::uint8_t> to_say;
     std::vector<std::vector<std::uint8_t>> sent;
+    int reads = 0;
 
     void say(const haply::Reply& reply) {
         for (const std::uint8_t byte : haply::encode(reply))
             to_say.push_back(byte);
     }
     int read(std::span<std::uint8_t> into, int) noexcept override {
+        ++reads;
         if (reads_fail)
             return -1;
         const std::size_t count = std::min({into.size(), to_say.size(), at_once});
@@ -135,6 +137,25 @@ private slots:
         QCOMPARE(bench.can->workspace.size(), std::size_t(120));
         for (const Vec2 corner : bench.can->workspace)
             QVERIFY(corner.y >= 15.0);
+    }
+
+    void why_it_cannot_be_opened_is_passed_on() {
+        Haply2diy device(
+            HaplyGeneration::third, []() -> Result<Haply2diy::Board> { return Error{"It is gone."}; },
+            LatestWriter::Thread::caller);
+        QCOMPARE(device.open().error(), std::string("It is gone."));
+        QVERIFY(!device.write(SafeForce{}));
+    }
+
+    void a_line_on_which_nothing_has_come_is_asked_once_in_a_tick() {
+        Bench bench;
+        QVERIFY(bench.open());
+        bench.script.reads = 0;
+        bench.tick({0, 0});
+        QCOMPARE(bench.script.reads, 1);
+        bench.script.say(bench.turned(0.0));
+        bench.tick({0, 0});
+        QCOMPARE(bench.script.reads, 3);
     }
 
     /// Whose arms do not stand on their marks, it says: they are counted from another place.

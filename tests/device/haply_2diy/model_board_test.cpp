@@ -142,6 +142,27 @@ private slots:
         QVERIFY2(board.model.handle().y < 25.0, qPrintable(QString::number(board.model.handle().y)));
     }
 
+    void a_handle_that_nobody_holds_stays_where_it_is() {
+        Board board;
+        board.model.place_handle(board.arms.middle());
+        board.model.move_hand(board.arms.middle() + Vec2(20.0, 0.0));
+        for (int ms = 0; ms < 100; ++ms)
+            board.model.step();
+        QVERIFY(board.model.handle() == board.arms.middle());
+    }
+    /// 100 g, pulled by 0.5 N against 0.03 N of dry friction: 2 mm in 30 ms but for the damping.
+    void a_handle_that_is_pulled_goes_as_its_weight_lets_it() {
+        Board board;
+        board.set_up();
+        board.model.place_handle(board.arms.middle());
+        board.ask(board.arms.torques(*board.arms.angles_at(board.arms.middle()), {0.5, 0.0}));
+        for (int ms = 0; ms < 30; ++ms)
+            board.model.step();
+        const Vec2 way = board.model.handle() - board.arms.middle();
+        QVERIFY2(std::abs(way.x - 2.11) < 0.02 && std::abs(way.y) < 0.1,
+                 qPrintable(QString("%1 %2").arg(way.x).arg(way.y)));
+    }
+
     void what_begins_no_frame_is_dropped_and_a_reset_forgets_the_set_up() {
         Board board;
         board.hear(std::vector<std::uint8_t>{0x03, 0x7F, 0xFF});
@@ -172,6 +193,37 @@ private slots:
             QCOMPARE(line.read(bytes, 50), -1);
             QVERIFY(!line.write(haply::encode(haply::Command{})));
         }
+    }
+
+    void a_line_spoils_each_answer_that_it_is_told_to() {
+        Board board;
+        board.set_up();
+        SimulatedLine line(board.model);
+        std::array<std::uint8_t, 64> bytes{};
+        const auto answered = [&] {
+            line.write(haply::encode(haply::Command{}));
+            line.advance();
+            return static_cast<std::size_t>(line.read(bytes, 0));
+        };
+        QCOMPARE(answered(), haply::reply_size);
+        const std::array<std::uint8_t, 64> whole = bytes;
+        line.troubles.half = 1.0;
+        std::array<int, haply::reply_size> of_size{};
+        for (int i = 0; i < 400; ++i) {
+            const std::size_t size = answered();
+            QVERIFY(size < haply::reply_size);
+            ++of_size[size];
+        }
+        for (const int times : of_size)
+            QVERIFY2(times > 20, qPrintable(QString::number(times)));
+        line.troubles.half = 0.0;
+        line.troubles.garbage = 1.0;
+        int as_it_was = 0; // a byte may be replaced by the same
+        for (int i = 0; i < 400; ++i) {
+            QCOMPARE(answered(), haply::reply_size);
+            as_it_was += bytes == whole ? 1 : 0;
+        }
+        QVERIFY2(as_it_was < 10, qPrintable(QString::number(as_it_was)));
     }
 
     void a_line_that_nobody_reads_keeps_4096_bytes() {

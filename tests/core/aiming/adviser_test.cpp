@@ -316,7 +316,10 @@ private slots:
     void who_was_too_large_is_stepped_back_from() {
         Watched watched;
         watched.stare(face_at(0.5, 0.5, 0.8));
-        QCOMPARE(watched.stare(frame_of(0.0, {})).advice, Advice::farther);
+        const AimInstruction back = watched.stare(frame_of(0.0, {}));
+        QCOMPARE(back.advice, Advice::farther);
+        QCOMPARE(back.amount, 0.9); // a step
+        QCOMPARE(back.step, AimStep::some);
     }
 
     void nobody_yet_is_looked_for_upright_and_on_both_sides() {
@@ -408,11 +411,42 @@ private slots:
         QVERIFY(std::abs(fault(AimFault::blur, 0.5, 0.5, 0.15) - 2.0) < 1e-9);
     }
 
+    /// How many times its limit a fault is; no more than ten times.
+    void each_fault_is_so_bad() {
+        const auto size_of_fault = [](AimFault which, const AimFrame& frame, Aim aim = Aim::middle) {
+            Watched watched(aim);
+            watched.stare(frame);
+            return watched.adviser.faults()[static_cast<std::size_t>(which)];
+        };
+        const auto of_face = [](const AimFace& face) { return frame_of(0.0, {face}); };
+        const auto is = [](double size, double wanted) { return std::abs(size - wanted) < 1e-5; };
+        QVERIFY(is(size_of_fault(AimFault::across, of_face(face_at(0.7, 0.45))), 2.0));
+        QVERIFY(is(size_of_fault(AimFault::tilt, of_face(face_at(0.5, 0.45, 0.27, 14.0))), 2.0));
+        AimFace shut = face_at(0.5, 0.45);
+        shut.eyes_shut = true;
+        QVERIFY(is(size_of_fault(AimFault::eyes, of_face(shut)), 1.2));
+        AimFrame shaken = of_face(face_at(0.5, 0.45));
+        shaken.motion = 0.24;
+        QVERIFY(is(size_of_fault(AimFault::blur, shaken), 2.0));
+        shaken.motion = 100.0;
+        QVERIFY(is(size_of_fault(AimFault::blur, shaken), 10.0));
+        // One of two reaches over the left edge by 0.03, which is 0.05 nearer than it may be.
+        AimFace left = face_at(0.0, 0.45);
+        AimFace right = left;
+        left.box.min.x = -0.03;
+        right.box.max.x = 0.97;
+        right.box.min.x = 0.88;
+        QVERIFY(is(size_of_fault(AimFault::across, frame_of(0.0, {left, right}), Aim::everybody), 2.0));
+    }
+
     void for_everybody_a_missing_one_is_stepped_back_for() {
         Watched watched(Aim::everybody);
         watched.adviser.expect(3);
         const AimFrame two = frame_of(0.0, {face_at(0.4, 0.45), face_at(0.6, 0.45)});
         QCOMPARE(watched.stare(two).advice, Advice::farther);
+        QCOMPARE(watched.stare(two).amount, 0.4); // half a step, and then one looks again
+        QCOMPARE(watched.stare(two).step, AimStep::some);
+        QCOMPARE(watched.adviser.badness(), 10.0);
         QCOMPARE(watched.stare(two).faces, 2);
         watched.adviser.expect(2);
         QCOMPARE(watched.stare(two).advice, Advice::ready);

@@ -54,6 +54,11 @@ private slots:
         QTest::newRow("left_of_the_picture") << -0.6 << 0.2 << -0.1 << 0.6 << 1.0;
         QTest::newRow("below_the_picture") << 0.2 << 1.2 << 0.4 << 1.6 << 1.0;
         QTest::newRow("many_pictures_wide") << -9.0 << -9.0 << 9.0 << 9.0 << 1.0;
+        QTest::newRow("four_pictures_wide") << -2.0 << -2.0 << 2.0 << 2.0 << 1.0;
+        QTest::newRow("up_to_the_left_edge") << -0.2 << 0.2 << 0.0 << 0.6 << 1.0;
+        QTest::newRow("up_to_the_upper_edge") << 0.2 << -0.4 << 0.4 << 0.0 << 1.0;
+        QTest::newRow("from_the_right_edge_on") << 1.0 << 0.2 << 1.2 << 0.6 << 1.0;
+        QTest::newRow("from_the_lower_edge_on") << 0.2 << 1.0 << 0.4 << 1.4 << 1.0;
         QTest::newRow("hardly_sure") << 0.2 << 0.2 << 0.4 << 0.6 << 0.4;
         QTest::newRow("sureness_is_nan") << 0.2 << 0.2 << 0.4 << 0.6 << no_number;
     }
@@ -70,6 +75,17 @@ private slots:
             tracks.see(frame_of(0.1 * i, {face, face_at(0.7, 0.5)}));
         QCOMPARE(tracks.faces().size(), std::size_t{1});
         QVERIFY(tracks.faces()[0].box.centre().x > 0.6);
+    }
+
+    void a_face_may_reach_far_over_the_edges() {
+        for (const AimFace& face : {box_of({-1.9, -1.9}, {1.9, 1.9}), box_of({-0.2, 0.2}, {0.01, 0.6}),
+                                    box_of({0.99, 0.2}, {1.2, 0.6}), box_of({0.2, -0.4}, {0.4, 0.01}),
+                                    box_of({0.2, 0.99}, {0.4, 1.4})}) {
+            FaceTracks tracks;
+            tracks.see(frame_of(0.0, {face}));
+            tracks.see(frame_of(0.1, {face}));
+            QCOMPARE(tracks.faces().size(), std::size_t{1});
+        }
     }
 
     void a_face_that_flickers_stays_and_one_that_is_gone_goes() {
@@ -240,6 +256,68 @@ private slots:
         QVERIFY(std::abs(face.speed.x - 0.2) < 0.01);
         QVERIFY(std::abs(face.speed.y) < 1e-9);
         QVERIFY(face.box.centre().x < 0.2 + 0.02 * 19 && face.box.centre().x > 0.2 + 0.02 * 18);
+    }
+
+    /// A low-pass of 80 ms: a frame of 100 ms takes 71 % of the way.
+    void what_changes_is_followed_by_so_much_of_the_way() {
+        FaceTracks tracks;
+        for (int i = 0; i < 5; ++i)
+            tracks.see(frame_of(0.1 * i, {face_at(0.3, 0.4, 0.27, 0.0), face_at(0.8, 0.8, 0.1)}));
+        tracks.see(frame_of(0.5, {face_at(0.34, 0.42, 0.27, 10.0), face_at(0.8, 0.8, 0.1)}));
+        const double share = 1.0 - std::exp(-0.1 / 0.08);
+        const TrackedFace& face = tracks.faces()[0];
+        QVERIFY(length(face.box.centre() - (Vec2(0.3, 0.4) + share * Vec2(0.04, 0.02))) < 1e-9);
+        QVERIFY(length(face.speed - share * share * Vec2(0.4, 0.2)) < 1e-9);
+        QVERIFY(std::abs(*face.tilt_deg - share * 10.0) < 1e-6);
+        QVERIFY(std::abs(face.box.height() - 0.27) < 1e-9);
+        QCOMPARE(face.sightings, 6);
+        QCOMPARE(face.seen_s, 0.5);
+    }
+    /// A face is the one before where it has moved by less than its own size, and grown by less than 1.8 times.
+    void a_face_is_another_where_it_leaps_or_grows_data() {
+        QTest::addColumn<double>("leap"); // its own sizes
+        QTest::addColumn<double>("growth");
+        QTest::addColumn<bool>("same");
+        QTest::newRow("leap") << 0.95 << 1.0 << true;
+        QTest::newRow("far") << 1.05 << 1.0 << false;
+        QTest::newRow("growth") << 0.0 << 1.75 << true;
+        QTest::newRow("large") << 0.0 << 1.85 << false;
+        QTest::newRow("shrinking") << 0.0 << 1.0 / 1.75 << true;
+        QTest::newRow("small") << 0.0 << 1.0 / 1.85 << false;
+    }
+    void a_face_is_another_where_it_leaps_or_grows() {
+        QFETCH(double, leap);
+        QFETCH(double, growth);
+        QFETCH(bool, same);
+        FaceTracks tracks;
+        const AimFace beside = face_at(0.9, 0.9, 0.05);
+        for (int i = 0; i < 3; ++i)
+            tracks.see(frame_of(0.1 * i, {face_at(0.2, 0.4, 0.2), beside}));
+        const std::uint32_t id = tracks.faces()[0].id;
+        const double size = size_of(face_at(0.2, 0.4, 0.2 * std::max(1.0, growth)).box);
+        tracks.see(frame_of(0.3, {face_at(0.2 + leap * size, 0.4, 0.2 * growth), beside}));
+        const auto before = std::ranges::find(tracks.faces(), id, &TrackedFace::id);
+        QVERIFY(before != tracks.faces().end());
+        QCOMPARE(before->seen_s > 0.25, same);
+    }
+    void what_is_not_told_of_a_face_stays_as_it_was() {
+        FaceTracks tracks;
+        AimFace face = face_at(0.3, 0.4);
+        face.brightness = 0.4;
+        face.name = "Anna";
+        tracks.see(frame_of(0.0, {face}));
+        face.brightness = no_number;
+        face.name.clear();
+        face.eyes_shut = true;
+        tracks.see(frame_of(0.1, {face}));
+        QCOMPARE(tracks.faces()[0].brightness, std::optional(0.4));
+        QCOMPARE(tracks.faces()[0].name, std::string("Anna"));
+        QVERIFY(tracks.faces()[0].eyes_shut);
+        face.brightness = 0.6;
+        face.eyes_shut = false;
+        tracks.see(frame_of(0.2, {face}));
+        QCOMPARE(tracks.faces()[0].brightness, std::optional(0.6));
+        QVERIFY(!tracks.faces()[0].eyes_shut);
     }
 
     void a_tilt_is_that_of_the_eyes_whichever_comes_first_data() {

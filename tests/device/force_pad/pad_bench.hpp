@@ -7,23 +7,32 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 namespace tp::testing {
 
-/// Lets a transport that a test keeps be opened.
+/// Lets a transport that a test keeps be opened, and counts those who have it open.
 class BorrowedTransport final : public ReportTransport {
 public:
-    explicit BorrowedTransport(ReportTransport& lent) : lent_(lent) {}
+    BorrowedTransport(ReportTransport& lent, std::shared_ptr<int> users)
+        : lent_(lent), users_(std::move(users)) {
+        ++*users_;
+    }
+    ~BorrowedTransport() override { --*users_; }
+    BorrowedTransport(const BorrowedTransport&) = delete;
+    BorrowedTransport& operator=(const BorrowedTransport&) = delete;
     Got read(pad::Frame& frame, int wait_ms) noexcept override { return lent_.read(frame, wait_ms); }
     bool write(const pad::Frame& frame) noexcept override { return lent_.write(frame); }
 
 private:
     ReportTransport& lent_;
+    std::shared_ptr<int> users_;
 };
 
-inline ForcePad::Opener lend(ReportTransport& transport) {
-    return [&transport]() -> Result<std::unique_ptr<ReportTransport>> {
-        return std::unique_ptr<ReportTransport>(std::make_unique<BorrowedTransport>(transport));
+inline ForcePad::Opener lend(ReportTransport& transport,
+                             std::shared_ptr<int> users = std::make_shared<int>(0)) {
+    return [&transport, users]() -> Result<std::unique_ptr<ReportTransport>> {
+        return std::unique_ptr<ReportTransport>(std::make_unique<BorrowedTransport>(transport, users));
     };
 }
 

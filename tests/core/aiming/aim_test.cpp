@@ -62,7 +62,7 @@ private slots:
             QCOMPARE(at->size_off > 0.0, size == limits.largest);
             const auto mended =
                 Framer(Aim::middle).frame(tracked({face_at(0.5, 0.45, size * at->grow)}), wide);
-            QVERIFY(std::abs(mended->size_off) < 0.75);
+            QVERIFY(std::abs(std::abs(mended->size_off) - 0.5) < 1e-9); // halfway in
         }
     }
 
@@ -95,6 +95,9 @@ private slots:
         const auto sign = [](double value) { return value > 0.0 ? 1 : value < 0.0 ? -1 : 0; };
         QCOMPARE(sign(framing->cut.x), across);
         QCOMPARE(sign(framing->cut.y), height);
+        const double half_width = 0.5 * 0.75 * 0.27 * 9.0 / 16.0;
+        QVERIFY(std::abs(std::abs(framing->cut.x) - (across != 0 ? half_width : 0.0)) < 1e-9);
+        QVERIFY(std::abs(std::abs(framing->cut.y) - (height != 0 ? 0.105 : 0.0)) < 1e-9);
         QVERIFY(!framing->cut_both);
     }
 
@@ -150,6 +153,33 @@ private slots:
             Framer(Aim::everybody).frame(tracked({face_at(0.48, 0.4, 0.05), face_at(0.53, 0.4, 0.05)}), wide);
         QVERIFY(far->size_off < -1.0);
         QVERIFY(far->grow > 1.5);
+    }
+
+    /// Two of one height at the ends of `width`; how far their size is off, and what would mend it.
+    void a_group_is_too_large_or_too_small_by_so_much_data() {
+        QTest::addColumn<double>("width");
+        QTest::addColumn<double>("height");
+        QTest::addColumn<double>("size_off");
+        QTest::addColumn<double>("grow");
+        QTest::newRow("wide") << 0.96 << 0.2 << 1.3 << 0.9 * 0.9 / 0.96;
+        QTest::newRow("near") << 0.7 << 0.6 << 1.5 << 0.9 * 0.5 / 0.6;
+        QTest::newRow("well") << 0.8 << 0.2 << 0.5 << 0.9 * 0.9 / 0.8;
+        QTest::newRow("far") << 0.3 << 0.05 << -1.6 << 1.2 * 0.08 / 0.05;
+        QTest::newRow("far and wide") << 0.5 << 0.05 << -1.25 << 0.9 / 0.5;
+    }
+    void a_group_is_too_large_or_too_small_by_so_much() {
+        QFETCH(double, width);
+        QFETCH(double, height);
+        QFETCH(double, size_off);
+        QFETCH(double, grow);
+        const double half = 0.5 * (width - 0.75 * height * 9.0 / 16.0);
+        const auto framing =
+            Framer(Aim::everybody)
+                .frame(tracked({face_at(0.5 - half, 0.45, height), face_at(0.5 + half, 0.45, height)}), wide);
+        QVERIFY2(std::abs(framing->size_off - size_off) < 1e-9,
+                 qPrintable(QString::number(framing->size_off)));
+        QVERIFY2(std::abs(framing->grow - grow) < 1e-9, qPrintable(QString::number(framing->grow)));
+        QVERIFY(std::abs(framing->face - height) < 1e-9);
     }
 
     void the_tilt_of_everybody_is_the_mean_of_those_with_eyes() {

@@ -78,6 +78,65 @@ private slots:
         }
     }
 
+    /// The model and the firmware are made of the same figures, so that no test of both notices another one.
+    void the_two_pads_are_made_of_what_their_page_says() {
+        const PadConfig cables = cable_pad();
+        QVERIFY(cables.kind == PadKind::cables);
+        for (int i = 0; i < cable_count; ++i) {
+            QCOMPARE(std::abs(cables.cables.exits[i].x), 150.0f);
+            QCOMPARE(std::abs(cables.cables.exits[i].y), 110.0f);
+        }
+        QCOMPARE(cables.cables.least_tension, 0.3f);
+        QCOMPARE(cables.cables.greatest_tension, 4.0f);
+        QCOMPARE(cables.cables.rest_tension, 0.6f);
+        QCOMPARE(cables.drum_radius, 5.0f);
+        QCOMPARE(cables.counts_per_turn, 4096.0f);
+        QCOMPARE(cables.greatest_torque, 20.0f);
+        QCOMPARE(int(cables.resolution_um), 8);
+        QCOMPARE(cables.serial, "TPC-0001");
+        const PadConfig bars = pantograph_pad();
+        QVERIFY(bars.kind == PadKind::pantograph);
+        QVERIFY(bars.bars.proximal == 70 && bars.bars.distal == 90 && bars.bars.base == 38);
+        QVERIFY(std::abs(bars.mark_angles[0] - 2.2689280f) < 1e-6f);
+        QVERIFY(std::abs(bars.mark_angles[1] - 0.8726646f) < 1e-6f);
+        QCOMPARE(bars.counts_per_turn, 16384.0f);
+        QCOMPARE(bars.greatest_torque, 123.0f);
+        QCOMPARE(bars.least_spread, 0.3f);
+        QCOMPARE(int(bars.resolution_um), 30);
+        QCOMPARE(bars.serial, "TPP-0001");
+        for (const PadConfig& config : {cables, bars}) {
+            QCOMPARE(int(config.corners), 4);
+            QCOMPARE(config.max_force, 1.2f);
+            QCOMPARE(config.continuous_force, 1.0f);
+            QCOMPARE(config.max_force_rate, 100.0f);
+            QCOMPARE(config.watchdog_us, uint32_t{30000});
+            QVERIFY(config.hot == 70 && config.cool == 60);
+            QCOMPARE(int(config.greatest_current_ma), 800);
+            QCOMPARE(config.greatest_residual, 0.5f);
+            QVERIFY(config.rate_hz == 1000 && config.delay_us == 1000);
+        }
+    }
+
+    void a_force_that_is_taken_back_is_gone_at_once() {
+        Bench bench;
+        bench.pull(800, -300);
+        QVERIFY(bench.force() > 0.8);
+        bench.ask_force(0, 0);
+        bench.step();
+        QVERIFY(bench.has(status::armed));
+        QCOMPARE(bench.force(), 0.0);
+    }
+
+    void tells_what_its_sensors_tell() {
+        Bench bench;
+        bench.sensors.buttons = 5;
+        bench.sensors.celsius = 42;
+        bench.step();
+        QCOMPARE(int(bench.state.buttons), 5);
+        QCOMPARE(int(bench.state.celsius), 42);
+        QCOMPARE(bench.state.time_us, bench.sensors.time_us);
+    }
+
     void says_where_its_knob_is() {
         Bench bench;
         for (const auto& [x, y] : {std::pair{30.0, -20.0}, {99.0, 74.0}, {-99.0, 10.0}}) {

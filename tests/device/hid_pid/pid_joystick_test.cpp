@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "../until.hpp"
 #include "joystick_bench.hpp"
 #include "safe_force.hpp"
 
 #include <QTest>
 
+#include <array>
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using namespace tp;
@@ -32,6 +37,66 @@ struct JoystickToOpen {
               },
               {"a stick", "0001"}, scale, thread) {}
 };
+
+/// What a stick takes from any thread.
+struct Taken {
+    std::atomic<int> forces{0};
+    std::atomic<int> let_go_past_the_writer{0};
+    std::atomic<bool> shut{false}; ///< a write hangs as long
+    std::atomic<bool> waiting{false};
+    std::atomic<bool> closed{false};
+    GuardDiary diary;
+};
+
+class Taker final : public PidTransport {
+public:
+    explicit Taker(std::shared_ptr<Taken> taken) : taken_(std::move(taken)) {}
+    ~Taker() override { taken_->closed.store(true); }
+    Taker(const Taker&) = delete;
+    Taker& operator=(const Taker&) = delete;
+    std::vector<std::uint8_t> descriptor() override {
+        const JoystickWire wire = open_controller();
+        return {wire.descriptor.begin(), wire.descriptor.end()};
+    }
+    Got read(hid::Report&, int) noexcept override { return Got::nothing; }
+    Got input_now(hid::Report& report) noexcept override {
+        report = {};
+        report.bytes[0] = 1;
+        report.size = 13;
+        return Got::report;
+    }
+    bool write(const hid::Report& report) noexcept override {
+        taken_->waiting.store(true);
+        while (taken_->shut.load())
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        taken_->forces.fetch_add(report.bytes[0] == 5 ? 1 : 0);
+        return true;
+    }
+    void write_from_signal(const hid::Report& report) noexcept override {
+        const bool none = report.bytes[0] == 5 && report.bytes[2] == 0 && report.bytes[3] == 0;
+        taken_->let_go_past_the_writer.fetch_add(none ? 1 : 0);
+    }
+    bool set_feature(const hid::Report&) noexcept override { return true; }
+    bool get_feature(hid::Report& report) noexcept override {
+        report.bytes[1] = static_cast<std::uint8_t>(++loaded_);
+        report.bytes[2] = 1;
+        return true;
+    }
+    Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report>,
+                                              std::span<const hid::Report>) override {
+        return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(taken_->diary));
+    }
+
+private:
+    std::shared_ptr<Taken> taken_;
+    int loaded_ = 0;
+};
+
+PidJoystick::Opener lend(std::shared_ptr<Taken> taken) {
+    return [taken]() -> Result<std::unique_ptr<PidTransport>> {
+        return std::unique_ptr<PidTransport>(std::make_unique<Taker>(taken));
+    };
+}
 
 } // namespace
 
@@ -110,6 +175,45 @@ private slots:
         stick.link.advance();
         QVERIFY(stick.model.force().x > 0.1 &&
                 stick.model.force().x < 0.3); // 1.5 N of 60 N, of a stick of 8 N
+    }
+
+    // The model, of which nothing is read back through what it is to try
+
+    void a_stick_that_is_stopped_or_reset_pulls_nothing_more() {
+        for (const std::uint8_t command : {std::uint8_t{3}, std::uint8_t{4}}) {
+            JoystickToOpen stick;
+            stick.model.troubles.keeps_after_reset = true;
+            QVERIFY(stick.device.open().ok());
+            stick.device.read(0.001);
+            stick.device.write(safe({1.0, 0.0}));
+            stick.device.deliver();
+            stick.link.advance();
+            QVERIFY(stick.model.force() != Vec2(0.0));
+            stick.model.receive(std::array<std::uint8_t, 2>{stick.model.wire().control, command});
+            stick.model.receive(std::array<std::uint8_t, 2>{stick.model.wire().control, 1}); // motors on
+            stick.model.step();
+            QVERIFY(stick.model.motors_on() && stick.model.effects() == 2);
+            QVERIFY(stick.model.force() == Vec2(0.0));
+        }
+    }
+    void a_stick_says_bit_for_bit_why_its_motors_are_off() {
+        ModelJoystick model(open_controller());
+        const auto said = [&model] {
+            model.step();
+            std::vector<std::uint8_t> bytes;
+            return model.report(bytes) ? bytes : std::vector<std::uint8_t>{};
+        };
+        using Bytes = std::vector<std::uint8_t>;
+        QVERIFY(said().empty()); // nothing has changed
+        model.troubles.safety_switch = true;
+        QVERIFY(said() == (Bytes{2, 0x0A}));
+        model.troubles.no_power = true;
+        QVERIFY(said() == (Bytes{2, 0x02}));
+        model.disable();
+        QVERIFY(said() == (Bytes{2, 0x00}));
+        model.troubles = {};
+        QVERIFY(said() == (Bytes{2, 0x0C}));
+        QVERIFY(said().empty());
     }
 
     void where_it_stands_is_known_from_the_first_moment_data() { sticks(); }
@@ -299,48 +403,8 @@ private slots:
 
     /// The writer's own thread, with the servo's and one that halts: for the thread sanitizer.
     void a_thread_of_its_own_delivers() {
-        /// Takes everything, from any thread.
-        class Taker final : public PidTransport {
-        public:
-            explicit Taker(std::atomic<int>& forces) : forces_(forces) {}
-            std::vector<std::uint8_t> descriptor() override {
-                const JoystickWire wire = open_controller();
-                return {wire.descriptor.begin(), wire.descriptor.end()};
-            }
-            Got read(hid::Report&, int) noexcept override { return Got::nothing; }
-            Got input_now(hid::Report& report) noexcept override {
-                report = {};
-                report.bytes[0] = 1;
-                report.size = 13;
-                return Got::report;
-            }
-            bool write(const hid::Report& report) noexcept override {
-                forces_.fetch_add(report.bytes[0] == 5 ? 1 : 0);
-                return true;
-            }
-            void write_from_signal(const hid::Report& report) noexcept override { write(report); }
-            bool set_feature(const hid::Report&) noexcept override { return true; }
-            bool get_feature(hid::Report& report) noexcept override {
-                report.bytes[1] = static_cast<std::uint8_t>(++loaded_);
-                report.bytes[2] = 1;
-                return true;
-            }
-            Result<std::unique_ptr<ForceGuard>> guard(std::span<const hid::Report>,
-                                                      std::span<const hid::Report>) override {
-                return std::unique_ptr<ForceGuard>(std::make_unique<SimulatedGuard>(diary_));
-            }
-
-        private:
-            std::atomic<int>& forces_;
-            GuardDiary diary_;
-            int loaded_ = 0;
-        };
-        std::atomic<int> forces{0};
-        PidJoystick device(
-            [&forces]() -> Result<std::unique_ptr<PidTransport>> {
-                return std::unique_ptr<PidTransport>(std::make_unique<Taker>(forces));
-            },
-            {"a stick", ""});
+        const auto taken = std::make_shared<Taken>();
+        PidJoystick device(lend(taken), {"a stick", ""});
         QVERIFY(device.open().ok());
         std::thread halter([&device] {
             for (int i = 0; i < 20; ++i)
@@ -348,13 +412,35 @@ private slots:
         });
         for (int i = 0; i < 200; ++i) {
             device.read(0.001 * i);
-            const int before = forces.load(); // the writer may be done before write() has returned
+            const int before = taken->forces.load(); // the writer may be done before write() has returned
             QVERIFY(device.write(safe({0.01 * (i % 7), 0.0})));
-            while (forces.load() == before) // CTest ends a test that waits for ever
+            while (taken->forces.load() == before) // CTest ends a test that waits for ever
                 std::this_thread::yield();
         }
         halter.join();
         device.stop();
+    }
+
+    /// What pulls is taken away past the writer, which keeps the stick and its guard until it comes back.
+    void stopped_while_a_write_hangs_it_lets_go() {
+        const auto taken = std::make_shared<Taken>();
+        {
+            PidJoystick device(lend(taken), {"a stick", ""});
+            QVERIFY(device.open().ok());
+            device.read(0.0);
+            taken->waiting.store(false);
+            taken->shut.store(true);
+            QVERIFY(device.write(safe({1.0, 0.0})));
+            tp::testing::until([&] { return taken->waiting.load(); });
+            device.stop();
+            QCOMPARE(taken->let_go_past_the_writer.load(), 2); // along each axis
+            QVERIFY(!taken->closed.load());
+            QCOMPARE(taken->diary.ends, 0);
+            QVERIFY(!device.write(safe({1.0, 0.0})));
+        }
+        taken->shut.store(false);
+        tp::testing::until([&] { return taken->closed.load(); });
+        QCOMPARE(taken->diary.dismissals, 0);
     }
 };
 

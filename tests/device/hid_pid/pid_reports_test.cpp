@@ -95,6 +95,7 @@ private slots:
         const auto loaded = [&layout](std::string_view hex) { return loaded_block(layout, bytes_of(hex)); };
         QCOMPARE(loaded("12 05 01 00 10").block, std::uint8_t(5));
         QCOMPARE(loaded("12 05 01 00 10").status, LoadedBlock::Status::success);
+        QCOMPARE(loaded("12 FF 01 00 10").block, std::uint8_t(255));
         QCOMPARE(loaded("12 00 02 00 00").status, LoadedBlock::Status::full);
         QCOMPARE(loaded("12 00 03 00 00").status, LoadedBlock::Status::refused);
         QCOMPARE(loaded("12 00 01 00 10").status, LoadedBlock::Status::refused); // no number
@@ -156,6 +157,9 @@ private slots:
         row("offset_instead_of_a_number", "85 05 09 22", "85 05 09 23", "its effects have no numbers");
         row("no start", "09 79", "09 76", "its effects have no numbers");
         row("reports_too_long", "09 58 A1 02", "96 FF 01 91 03 95 02 09 58 A1 02",
+            "its reports are too long");
+        row("reports_as_long_as_may_be", "85 02 09 9F", "85 02 75 08 95 3E 81 03 09 9F", "");
+        row("reports_longer_than_may_be", "85 02 09 9F", "85 02 75 08 95 3F 81 03 09 9F",
             "its reports are too long");
     }
     void what_keeps_a_joystick_from_being_used_is_said() {

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -32,12 +33,14 @@ struct SteamBed {
     ModelSteamPad model{steam::Kind::deck};
     std::mutex mutex; ///< of the model
     bool refuses = false;
+    std::atomic<int> refused{0}; ///< reports
     mock::HidBed bed;
 
     explicit SteamBed(std::span<const std::uint8_t> descriptor = of_pads, std::string product = "1205")
         : bed(mock::HidrawDevice{"Steam Deck Controller", "SD-0001", descriptor, "28de", std::move(product)},
               {[this](std::span<const std::uint8_t> report) {
                    const std::lock_guard lock(mutex);
+                   refused.fetch_add(refuses ? 1 : 0);
                    return !refuses && model.receive(report);
                },
                [](auto) { return mock::HidBed::Bytes{}; }}) {}
@@ -135,6 +138,7 @@ private slots:
         auto pad = touch_output_named(its_name);
         QVERIFY(pad.ok());
         QVERIFY((*pad)->open().error().find("does not answer") != std::string::npos);
+        QCOMPARE(deck.refused.load(), 50); // by radio it takes a while: each is tried 25 times
     }
 
     void another_touchphoto_that_uses_it_is_told_of() {

@@ -403,7 +403,6 @@ private slots:
         QVERIFY(pad.tick(click));
         pad.deliver();
         second.advance();
-        second.advance();
         QCOMPARE(on.ticks(), 1ul);
         QCOMPARE(off.ticks(), 0ul);
     }

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <span>
 #include <string>
@@ -44,6 +45,14 @@ void every_controller() {
 class SteamReportsTest : public QObject {
     Q_OBJECT
 private slots:
+    void each_product_is_one_kind() {
+        QCOMPARE(steam::kind_of(0x1205), std::optional(steam::Kind::deck));
+        QCOMPARE(steam::kind_of(0x1102), std::optional(steam::Kind::controller));
+        QCOMPARE(steam::kind_of(0x1142), std::optional(steam::Kind::receiver));
+        for (const std::uint16_t other : {std::uint16_t(0), std::uint16_t(0x1304), std::uint16_t(0xFFFF)})
+            QVERIFY(!steam::kind_of(other));
+    }
+
     void a_thumb_is_where_it_lies_data() { every_controller(); }
     void a_thumb_is_where_it_lies() {
         QFETCH(int, kind);
@@ -217,6 +226,37 @@ private slots:
                  QString("01 00 01 3c 02 00 00 00 00 00 9c 00 00 00 00 00 00 00 00 00 00 00 00 00"));
         QCOMPARE(told(controller), // the stick's turn
                  QString("01 00 01 3c 03 00 00 00 00 00 94 00 00 00 00 00 ff 7f 01 80 00 00 00 00"));
+    }
+    void the_model_tells_of_its_buttons_however_long_it_has_told() {
+        ModelSteamPad deck(steam::Kind::deck);
+        deck.touch(steam::Side::right, {0.0, 0.0}, true);
+        for (int i = 0; i < 300; ++i)
+            QCOMPARE(int(report_of(deck)[10]), 0x14);
+    }
+    void the_model_takes_whole_reports_and_nothing_behind_them() {
+        ModelSteamPad model(steam::Kind::controller);
+        steam::Feature report = steam::imitate_nothing(model.kind())[0];
+        QVERIFY(!model.receive(std::span(report).first(64)));
+        report[0] = 1;
+        QVERIFY(!model.receive(report));
+        QVERIFY(model.imitates());
+        QVERIFY(model.receive(steam::Feature{0, 0x81}));
+        std::array<std::uint8_t, 80> longer{0, 0x87, 0xFF}; // a setting that the report's end cuts
+        longer[63] = 8;
+        longer[64] = 7;
+        QVERIFY(model.receive(std::span(longer).first(65)));
+        QVERIFY(model.imitates());
+        QVERIFY(model.receive(steam::Feature{0, 0x85, 3, 8, 7})); // settings of another command are none
+        QVERIFY(model.receive(steam::Feature{0, 0x81}));
+        QVERIFY(model.imitates());
+    }
+    void the_model_is_still_once_it_is_switched_off() {
+        ModelSteamPad model(steam::Kind::controller);
+        QVERIFY(model.receive(steam::play(steam::Side::left, {1000, 1000, 20, 0})));
+        QVERIFY(model.felt(steam::Side::left) > 0.0);
+        model.switch_on(false);
+        QCOMPARE(model.felt(steam::Side::left), 0.0);
+        QVERIFY(!model.receive(steam::play_nothing()));
     }
     void the_model_reads_each_setting_where_it_stands() {
         ModelSteamPad model(steam::Kind::controller);

@@ -58,12 +58,14 @@ Bytes with_more_fingers(std::size_t more) {
     return bytes;
 }
 
-/// What lies where, a field a line: kind, report, bits, usage, range, physical range, unit.
+/// What lies where: each collection, then each field with its kind, report, bits, usage, range, physical range and unit.
 QStringList fields_of(std::span<const std::uint8_t> descriptor) {
     hid::ReportDescriptor parsed;
     if (hid::parse_report_descriptor(descriptor, parsed) != hid::DescriptorFault::none)
         return {};
     QStringList lines;
+    for (const hid::Collection& one : parsed.collections)
+        lines << QString("%1 %2 in %3").arg(one.usage, 0, 16).arg(one.type).arg(one.parent);
     for (const hid::Field& field : parsed.fields)
         lines << QString("%1%2 at %3: %4x%5 %6%7 %8..%9")
                          .arg("iof"[static_cast<int>(field.kind)])
@@ -71,7 +73,10 @@ QStringList fields_of(std::span<const std::uint8_t> descriptor) {
                          .arg(field.bit_offset)
                          .arg(field.count)
                          .arg(field.bit_size)
-                         .arg(field.constant ? "-" : "")
+                         .arg(field.constant   ? "-"
+                              : field.array    ? "a"
+                              : field.relative ? "r"
+                                               : "")
                          .arg(field.usage_at(0), 0, 16)
                          .arg(field.logical_min)
                          .arg(field.logical_max) +
@@ -198,6 +203,7 @@ private slots:
         row("degrees", "6511", "6514", 0.0, 0.0);
         row("of_no_system", "6511", "6510", 0.0, 0.0);
         row("squared", "6511", "6521", 0.0, 0.0);
+        row("to_the_minus_seventh", "6511", "6591", 0.0, 0.0);
         row("and_grams", "65113500", "66110134", 0.0, 0.0);
         row("narrow", "46e803", "466400", 10.0, 60.0);
         row("too_narrow", "46e803", "466300", 0.0, 0.0);
@@ -329,7 +335,7 @@ private slots:
         row("the_last", 7, 7, "03100000", true);
         row("behind_the_last", 8, 7, "03100000", false);
         row("of_a_byte", 255, 1000, "03100000", true);
-        row("of_more_than_a_byte", 256, 1000, "03100000", false);
+        row("of_more_than_a_byte", 259, 1000, "03100000", false);
         row("cut_short", 3, 7, "031000", false);
         row("longer", 3, 7, "0310000000", true);
     }
@@ -416,7 +422,9 @@ private slots:
     // The model, of which nothing is read back through what it is to try
 
     void the_model_says_what_it_has() {
-        const QString wanted = "i1 at 0: 1x1 d0042 0..1 0..0 0e0\n"
+        const QString wanted = "d0005 1 in -1\nd0022 2 in 0\nd0022 2 in 0\n"
+                               "e0001 2 in 0\ne0010 2 in 3\ne0011 2 in 3\n"
+                               "i1 at 0: 1x1 d0042 0..1 0..0 0e0\n"
                                "i1 at 1: 3x1 -0 0..1 0..0 0e0\n"
                                "i1 at 4: 1x4 d0051 0..15 0..0 0e0\n"
                                "i1 at 8: 1x16 10030 0..4095 0..1000 11e-2\n"
@@ -435,6 +443,16 @@ private slots:
                                "o3 at 16: 1x8 e0024 0..5 0..0 0e0\n"
                                "o3 at 24: 1x16 e0025 0..1000 0..0 0e0";
         QCOMPARE(fields_of(ModelHapticPad::descriptor()).join('\n'), wanted);
+    }
+    void the_model_plays_as_long_as_it_is_told() {
+        ModelHapticPad model;
+        for (const int again : {0, 2}) { // once, and again so often
+            model.receive(Bytes{3, 4, 100, static_cast<std::uint8_t>(again), 0, 0});
+            int ms = 0;
+            for (; model.felt() > 0.0 && ms < 1000; ++ms)
+                model.step();
+            QCOMPARE(ms, 10 * (1 + again));
+        }
     }
     void the_model_tells_its_waveforms_and_how_long_each_is() {
         QCOMPARE(ModelHapticPad().feature(2),

@@ -10,6 +10,7 @@ import resource
 import shutil
 import signal
 import subprocess
+import tempfile
 import threading
 import time
 
@@ -177,16 +178,15 @@ class Judge:
         return self._run(line, _COMPILE_SECONDS, folder / "link.txt")
 
     def _run_test(self, test: Test, program: pathlib.Path, seconds: float, folder: pathlib.Path) -> int:
-        home = folder / "home"
-        shutil.rmtree(home, ignore_errors=True)
-        home.mkdir()
         for link in self._program.links_beside(test):
             beside = folder / link.name
             beside.unlink(missing_ok=True)
             beside.symlink_to(link.resolve())
-        environment = {**os.environ, **test.environment, "TMPDIR": str(home), "XDG_CONFIG_HOME": str(home / "config"),
-                       "XDG_CACHE_HOME": str(home / "cache")}
-        return self._run([str(program)], seconds, folder / "test.txt", cwd=home, env=environment, preexec_fn=_limit)
+        # A short name: that of a socket below it has 107 letters at most.
+        with tempfile.TemporaryDirectory(prefix="mutant-", ignore_cleanup_errors=True) as home:
+            environment = {**os.environ, **test.environment, "TMPDIR": home, "XDG_CONFIG_HOME": f"{home}/config",
+                           "XDG_CACHE_HOME": f"{home}/cache"}
+            return self._run([str(program)], seconds, folder / "test.txt", cwd=home, env=environment, preexec_fn=_limit)
 
     def _run(self, command: list[str], seconds: float, output: pathlib.Path, **options) -> int:
         """Its exit status; that of a killed process where it takes too long."""

@@ -184,6 +184,7 @@ class Judge:
             beside.symlink_to(link.resolve())
         # A short name: that of a socket below it has 107 letters at most.
         with tempfile.TemporaryDirectory(prefix="mutant-", ignore_cleanup_errors=True) as home:
+            os.chmod(home, 0o755)  # a test may look at what it made as somebody else
             environment = {**os.environ, **test.environment, "TMPDIR": home, "XDG_CONFIG_HOME": f"{home}/config",
                            "XDG_CACHE_HOME": f"{home}/cache"}
             return self._run([str(program)], seconds, folder / "test.txt", cwd=home, env=environment, preexec_fn=_limit)

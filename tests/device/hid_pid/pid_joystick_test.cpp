@@ -194,7 +194,34 @@ private slots:
             stick.model.step();
             QVERIFY(stick.model.motors_on() && stick.model.effects() == 2);
             QVERIFY(stick.model.force() == Vec2(0.0));
+            stick.model.troubles.keeps_after_reset = false;
+            stick.model.receive(std::array<std::uint8_t, 2>{stick.model.wire().control, command});
+            QCOMPARE(stick.model.effects(), std::size_t(command == 4 ? 0 : 2));
         }
+    }
+    /// For how long a grip may feel an old force, of whichever axis, is known to who judges it.
+    void a_force_that_does_not_arrive_is_lacked_until_one_of_its_axis_does() {
+        ModelJoystick model(open_controller());
+        SimulatedJoystickLink link(model);
+        const auto force = [](std::uint8_t block) {
+            hid::Report report;
+            report.bytes = {5, block};
+            report.size = 4;
+            return report;
+        };
+        link.troubles.deaf = true;
+        QVERIFY(link.write(force(1)));
+        link.troubles.deaf = false;
+        for (unsigned ms = 1; ms <= 5; ++ms) {
+            QVERIFY(link.write(force(2)));
+            link.advance();
+            QCOMPARE(link.silent_ms(), 1 + ms);
+        }
+        QVERIFY(link.write(force(1)));
+        link.advance();
+        QCOMPARE(link.silent_ms(), 0u);
+        link.advance();
+        QCOMPARE(link.silent_ms(), 1u);
     }
     void a_stick_says_bit_for_bit_why_its_motors_are_off() {
         ModelJoystick model(open_controller());
@@ -397,8 +424,35 @@ private slots:
         QVERIFY(!stick.device.lost());
         QCOMPARE(stick.link.diary.dismissals, 0); // the guard of one that is lost does what it still can
         QCOMPARE(stick.link.diary.ends, 1);
+        stick.link.troubles.unplugged = true;
+        stick.device.read(0.003);
+        QVERIFY(stick.device.lost());
+        stick.link.troubles.unplugged = false;
+        stick.model.troubles.refuses = true;
+        QVERIFY(!stick.device.open().ok());
+        QVERIFY(!stick.device.lost()); // there is nothing that could be
         stick.device.stop();
         stick.device.stop();
+    }
+
+    /// Its motors and its place belong to what was before.
+    void opened_again_it_begins_as_new() {
+        JoystickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        stick.model.troubles.safety_switch = true;
+        stick.link.advance();
+        QVERIFY(stick.device.read(0.001));
+        QVERIFY(stick.device.motors_off());
+        QVERIFY(stick.device.complaint().find("safety switch") != std::string::npos);
+        stick.model.troubles.safety_switch = false;
+        stick.link.troubles.no_input_now = true;
+        stick.link.troubles.mute = true;
+        QVERIFY(stick.device.open().ok());
+        QVERIFY(!stick.device.motors_off());
+        QCOMPARE(stick.device.complaint(), std::string());
+        QVERIFY(!stick.device.read(100.0)); // nobody knows yet where it is
+        QCOMPARE(stick.device.complaint(), std::string());
+        QVERIFY(!stick.device.motors_off());
     }
 
     /// The writer's own thread, with the servo's and one that halts: for the thread sanitizer.

@@ -149,6 +149,7 @@ private slots:
         row("no block free", "09 90 A1 02", "09 91 A1 02", "");
         row("no direction but axes", "09 57 A1 02", "09 58 A1 02", "");
         row("one axis", "09 30 09 31 16", "09 30 09 32 16", "it does not have two axes");
+        row("the other axis", "09 30 09 31 16", "09 32 09 31 16", "it does not have two axes");
         row("relative axes", "75 10 95 02 81 02", "75 10 95 02 81 06", "it does not have two axes");
         row("no magnitude", "09 70", "09 71", "it has no constant force");
         row("magnitude_from_0", "09 70 16 01 80", "09 70 16 00 00", "its force has no sign");

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "../descriptor_lines.hpp"
 #include "byte_mutants.hpp"
 #include "descriptor_check.hpp"
 #include "device/hid/report_descriptor.hpp"
 #include "device/hid_pid/model_joystick.hpp"
+#include "model_descriptor_lines.hpp"
 #include "places.hpp"
 #include "recorded_descriptors.hpp"
 
@@ -52,6 +54,14 @@ struct KnownReport {
 class ReportDescriptorTest : public QObject {
     Q_OBJECT
 private slots:
+    // The models' own descriptors, of which nothing is read back through what they are to try
+    void the_models_say_what_they_have() {
+        QCOMPARE(tp::testing::lines_of(open_controller().descriptor).join('\n'),
+                 tp::testing::open_controller_lines);
+        QCOMPARE(tp::testing::lines_of(plain_controller().descriptor).join('\n'),
+                 tp::testing::plain_controller_lines);
+    }
+
     void recorded_ones_are_read_whole_data() {
         QTest::addColumn<int>("number");
         for (std::size_t i = 0; i < tp::testing::recorded_descriptors.size(); ++i)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "../../descriptor_lines.hpp"
 #include "corpus.hpp"
 #include "device/touch_output/hid_haptics/haptics_reports.hpp"
 #include "device/touch_output/hid_haptics/model_haptic_pad.hpp"
@@ -56,36 +57,6 @@ Bytes with_more_fingers(std::size_t more) {
     for (std::size_t i = 0; i < more; ++i)
         bytes.insert(bytes.begin() + 8, finger.begin(), finger.end());
     return bytes;
-}
-
-/// What lies where: each collection, then each field with its kind, report, bits, usage, range, physical range and unit.
-QStringList fields_of(std::span<const std::uint8_t> descriptor) {
-    hid::ReportDescriptor parsed;
-    if (hid::parse_report_descriptor(descriptor, parsed) != hid::DescriptorFault::none)
-        return {};
-    QStringList lines;
-    for (const hid::Collection& one : parsed.collections)
-        lines << QString("%1 %2 in %3").arg(one.usage, 0, 16).arg(one.type).arg(one.parent);
-    for (const hid::Field& field : parsed.fields)
-        lines << QString("%1%2 at %3: %4x%5 %6%7 %8..%9")
-                         .arg("iof"[static_cast<int>(field.kind)])
-                         .arg(field.report_id)
-                         .arg(field.bit_offset)
-                         .arg(field.count)
-                         .arg(field.bit_size)
-                         .arg(field.constant   ? "-"
-                              : field.array    ? "a"
-                              : field.relative ? "r"
-                                               : "")
-                         .arg(field.usage_at(0), 0, 16)
-                         .arg(field.logical_min)
-                         .arg(field.logical_max) +
-                     QString(" %1..%2 %3e%4")
-                         .arg(field.physical_min)
-                         .arg(field.physical_max)
-                         .arg(field.unit, 0, 16)
-                         .arg(field.unit_exponent);
-    return lines;
 }
 
 /// A pen as Microsoft's guide for haptic pens has it: the list is of constants, whose physical range is the waveform.
@@ -424,25 +395,25 @@ private slots:
     void the_model_says_what_it_has() {
         const QString wanted = "d0005 1 in -1\nd0022 2 in 0\nd0022 2 in 0\n"
                                "e0001 2 in 0\ne0010 2 in 3\ne0011 2 in 3\n"
-                               "i1 at 0: 1x1 d0042 0..1 0..0 0e0\n"
-                               "i1 at 1: 3x1 -0 0..1 0..0 0e0\n"
-                               "i1 at 4: 1x4 d0051 0..15 0..0 0e0\n"
-                               "i1 at 8: 1x16 10030 0..4095 0..1000 11e-2\n"
-                               "i1 at 24: 1x16 10031 0..2047 0..600 11e-2\n"
-                               "i1 at 40: 1x1 d0042 0..1 0..0 0e0\n"
-                               "i1 at 41: 3x1 -0 0..1 0..0 0e0\n"
-                               "i1 at 44: 1x4 d0051 0..15 0..0 0e0\n"
-                               "i1 at 48: 1x16 10030 0..4095 0..1000 11e-2\n"
-                               "i1 at 64: 1x16 10031 0..2047 0..600 11e-2\n"
-                               "i1 at 80: 1x1 90001 0..1 0..0 0e0\n"
-                               "i1 at 81: 7x1 -0 0..1 0..0 0e0\n"
-                               "f2 at 0: 4x16 a0003 0..32767 0..0 0e0\n"
-                               "f2 at 64: 4x16 a0003 0..32767 0..0 0e0\n"
-                               "o3 at 0: 1x8 e0021 0..7 0..0 0e0\n"
-                               "o3 at 8: 1x8 e0023 0..100 0..0 0e0\n"
-                               "o3 at 16: 1x8 e0024 0..5 0..0 0e0\n"
-                               "o3 at 24: 1x16 e0025 0..1000 0..0 0e0";
-        QCOMPARE(fields_of(ModelHapticPad::descriptor()).join('\n'), wanted);
+                               "i1 at 0: 1x1 [d0042] 0..1 0..0 0e0\n"
+                               "i1 at 1: 3x1 -[] 0..1 0..0 0e0\n"
+                               "i1 at 4: 1x4 [d0051] 0..15 0..0 0e0\n"
+                               "i1 at 8: 1x16 [10030] 0..4095 0..1000 11e-2\n"
+                               "i1 at 24: 1x16 [10031] 0..2047 0..600 11e-2\n"
+                               "i1 at 40: 1x1 [d0042] 0..1 0..0 0e0\n"
+                               "i1 at 41: 3x1 -[] 0..1 0..0 0e0\n"
+                               "i1 at 44: 1x4 [d0051] 0..15 0..0 0e0\n"
+                               "i1 at 48: 1x16 [10030] 0..4095 0..1000 11e-2\n"
+                               "i1 at 64: 1x16 [10031] 0..2047 0..600 11e-2\n"
+                               "i1 at 80: 1x1 [90001] 0..1 0..0 0e0\n"
+                               "i1 at 81: 7x1 -[] 0..1 0..0 0e0\n"
+                               "f2 at 0: 4x16 [a0003-a0006] 0..32767 0..0 0e0\n"
+                               "f2 at 64: 4x16 [a0003-a0006] 0..32767 0..0 0e0\n"
+                               "o3 at 0: 1x8 [e0021] 0..7 0..0 0e0\n"
+                               "o3 at 8: 1x8 [e0023] 0..100 0..0 0e0\n"
+                               "o3 at 16: 1x8 [e0024] 0..5 0..0 0e0\n"
+                               "o3 at 24: 1x16 [e0025] 0..1000 0..0 0e0";
+        QCOMPARE(tp::testing::lines_of(ModelHapticPad::descriptor()).join('\n'), wanted);
     }
     void the_model_plays_as_long_as_it_is_told() {
         ModelHapticPad model;

@@ -73,6 +73,14 @@ private slots:
                     }
     }
 
+    /// A motor has to get going, and is not felt before.
+    void it_is_known_how_late_and_how_short_a_tick_can_be() {
+        for (const FeedbackKind kind : kinds) {
+            QCOMPARE(feedback_delay_s(kind), plays_waves(kind) ? 0.01 : 0.03);
+            QCOMPARE(shortest_feedback_s(kind), plays_waves(kind) ? 0.008 : 0.04);
+        }
+    }
+
     void of_two_motors_the_fast_one_is_sharp() {
         const FeedbackEffect sharp = feedback_of(Tick(1.0, 0.7, 0.01), FeedbackKind::two_motors);
         QCOMPARE(sharp.weak, std::uint16_t(65535));

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include <cerrno>
+#include <cstdint>
 
 using namespace tp;
 using tp::testing::MotorBench;
@@ -27,6 +28,7 @@ private slots:
         QVERIFY(bench.output.tick(Tick(0.6, 0.5, 0.02)));
         bench.run(0.02 - ms);
         QVERIFY(std::abs(bench.motor.shakes() - 0.6) < 1e-4);
+        QVERIFY(std::abs(bench.motor.shakes_for() - (0.02 - ms)) < 1e-9);
         bench.run(ms);
         QCOMPARE(bench.motor.shakes(), 0.0);
         QCOMPARE(bench.motor.beginnings(), std::uint64_t(1));
@@ -108,6 +110,13 @@ private slots:
         QCOMPARE(motor.free_places(), 16u);
         QCOMPARE(node.upload({1, 0, 1, 10}), 0);
         QCOMPARE(motor.free_places(), 15u);
+        motor.troubles.refuses = true;
+        QCOMPARE(node.upload({1, 0, 1, 10}), EIO);
+        QCOMPARE(node.play(true), EIO);
+        QCOMPARE(motor.beginnings(), std::uint64_t(0));
+        motor.troubles.unplugged = true;
+        QCOMPARE(node.upload({1, 0, 1, 10}), ENODEV);
+        QCOMPARE(node.play(true), ENODEV);
     }
 
     void a_thousand_ticks_take_nothing_from_the_heap() {

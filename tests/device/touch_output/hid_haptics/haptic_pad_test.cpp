@@ -141,6 +141,23 @@ private slots:
         bench.pad.stop();
     }
 
+    void gone_without_a_stop_nothing_is_felt_of_it() {
+        ModelHapticPad model;
+        SimulatedHapticsLink link(model);
+        int users = 0;
+        {
+            HapticPad pad(tp::testing::lend(link, users), {}, LatestWriter::Thread::caller);
+            QVERIFY(pad.open().ok());
+            QVERIFY(pad.tick(click));
+            pad.deliver();
+            link.advance();
+            QVERIFY(model.felt() > 0.0);
+        }
+        QCOMPARE(users, 0);
+        link.advance();
+        QCOMPARE(model.felt(), 0.0);
+    }
+
     void one_that_ticks_by_itself_only_is_refused_with_a_sentence() {
         HapticsBench bench;
         bench.link.troubles.lie = ModelHapticPad::descriptor_without_trigger();

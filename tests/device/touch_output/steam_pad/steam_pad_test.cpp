@@ -187,6 +187,19 @@ private slots:
         QVERIFY(!pad.read(0.0));
     }
 
+    void gone_without_a_stop_it_leaves_the_mouse_as_it_was() {
+        ScriptedLink link;
+        const auto users = std::make_shared<int>(0);
+        {
+            SteamPad pad({lend(link, users)}, {}, LatestWriter::Thread::caller);
+            QVERIFY(pad.open().ok());
+            QCOMPARE(link.count(0x85), 0);
+        }
+        QCOMPARE(link.count(0x85), 1);
+        QCOMPARE(link.count(0x8E), 1);
+        QCOMPARE(*users, 0);
+    }
+
     void a_tick_is_sent_as_it_was_made() {
         for (const steam::Kind kind : {steam::Kind::deck, steam::Kind::controller})
             for (const Tick& tick : {click, Tick(0.05, 0.0, 0.05), Tick(0.3, 0.7, 0.02)}) {

@@ -252,6 +252,13 @@ private slots:
     }
     void the_model_is_still_once_it_is_switched_off() {
         ModelSteamPad model(steam::Kind::controller);
+        QCOMPARE(model.longest_ms(), 0.0);
+        QVERIFY(model.receive(steam::play(steam::Side::left, {1000, 1000, 5, 0})));
+        QCOMPARE(model.longest_ms(), 10.0);
+        int ms = 0;
+        for (; model.felt(steam::Side::left) > 0.0 && ms < 100; ++ms)
+            model.step();
+        QCOMPARE(ms, 10);
         QVERIFY(model.receive(steam::play(steam::Side::left, {1000, 1000, 20, 0})));
         QVERIFY(model.felt(steam::Side::left) > 0.0);
         model.switch_on(false);

@@ -167,6 +167,12 @@ private slots:
         link.troubles.mute = true; // it does not say what it is
         QVERIFY(!device.open().ok());
         QCOMPARE(*users, 0);
+        link.troubles.mute = false;
+        {
+            ForcePad forgotten(lend(link, users), LatestWriter::Thread::caller);
+            QVERIFY(forgotten.open().ok());
+        }
+        QCOMPARE(*users, 0);
     }
 
     // The model and its cable, of which nothing is read back through what they are to try

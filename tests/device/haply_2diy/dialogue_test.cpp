@@ -147,6 +147,28 @@ private slots:
         QVERIFY(!device.write(SafeForce{}));
     }
 
+    void gone_without_a_stop_it_pulls_nothing() {
+        Script script;
+        GuardDiary guard;
+        {
+            Haply2diy device(
+                HaplyGeneration::third,
+                [&]() -> Result<Haply2diy::Board> {
+                    return Haply2diy::Board{
+                        std::make_unique<Lent>(script), std::make_unique<SimulatedGuard>(guard), {}, "X"};
+                },
+                LatestWriter::Thread::caller);
+            QVERIFY(device.open().ok() && device.home().ok());
+            device.read(0.001);
+            device.write(safe({0.5, 0.5}));
+            device.deliver();
+            QVERIFY(script.last_command()->torque != (std::array<float, 2>{}));
+        }
+        QVERIFY(script.last_command()->torque == (std::array<float, 2>{}));
+        QCOMPARE(guard.dismissals, 1);
+        QCOMPARE(guard.ends, 1);
+    }
+
     void a_line_on_which_nothing_has_come_is_asked_once_in_a_tick() {
         Bench bench;
         QVERIFY(bench.open());

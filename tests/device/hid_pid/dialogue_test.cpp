@@ -291,6 +291,25 @@ private slots:
         QVERIFY(!device.write(SafeForce{}));
     }
 
+    void gone_without_a_stop_it_leaves_no_force_and_no_effect() {
+        Script script;
+        {
+            PidJoystick device(
+                [&script]() -> Result<std::unique_ptr<PidTransport>> {
+                    return std::unique_ptr<PidTransport>(std::make_unique<Borrowed>(script));
+                },
+                {"a stick", "0001"}, {8.0, {1.0, 1.0}, true}, LatestWriter::Thread::caller);
+            QVERIFY(device.open().ok());
+            device.read(0.001);
+            device.write(safe({2.0, 2.0}, 100.0));
+            device.deliver();
+            script.told.clear();
+        }
+        for (const char* last : {"05 01 00 00", "05 02 00 00", "0b 01", "0b 02", "0c 02"})
+            QVERIFY2(script.count(last) >= 1, last);
+        QCOMPARE(script.opened, 0);
+    }
+
     void other_programs_may_have_it_once_it_is_not_used() {
         Bench used;
         QVERIFY(used.device.open().ok());

@@ -3,10 +3,13 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <vector>
 
 using namespace tp;
 using tp::testing::HapticsBench;
@@ -14,6 +17,32 @@ using tp::testing::HapticsBench;
 namespace {
 
 const Tick click(0.8, 1.0, 0.01);
+
+/// A pad whose ordinals are the highest that a byte has; keeps what it was sent last.
+struct HighOrdinals final : HapticsTransport {
+    explicit HighOrdinals(haptics::Output& sent) : last(sent) {}
+    std::vector<std::uint8_t> descriptor() override {
+        const auto model = ModelHapticPad::descriptor();
+        std::vector<std::uint8_t> bytes(model.begin(), model.end());
+        const auto put = [&bytes](const std::vector<std::uint8_t>& from,
+                                  const std::vector<std::uint8_t>& to) {
+            std::copy(to.begin(), to.end(),
+                      std::search(bytes.begin(), bytes.end(), from.begin(), from.end()));
+        };
+        put({0x19, 0x03, 0x29, 0x06, 0x15}, {0x19, 0xFA, 0x29, 0xFD, 0x15});
+        put({0x15, 0x00, 0x25, 0x07, 0x75, 0x08}, {0x14, 0x26, 0xFF, 0x00, 0x75, 0x08}); // to 255
+        return bytes;
+    }
+    std::vector<std::uint8_t> feature(std::uint8_t id, std::size_t) override {
+        return ModelHapticPad().feature(id);
+    }
+    Got read(Input&, int) noexcept override { return Got::nothing; }
+    bool send(const haptics::Output& report) noexcept override {
+        last = report;
+        return true;
+    }
+    haptics::Output& last;
+};
 
 } // namespace
 
@@ -73,6 +102,20 @@ private slots:
         QVERIFY(bench.pad.tick(Tick{}));
         bench.run(0.01);
         QCOMPARE(bench.model.ticks(), 300ul);
+    }
+
+    void a_waveform_may_have_any_ordinal_of_a_byte() {
+        haptics::Output last;
+        HapticPad pad(
+            [&last]() -> Result<std::unique_ptr<HapticsTransport>> {
+                return std::unique_ptr<HapticsTransport>(std::make_unique<HighOrdinals>(last));
+            },
+            {}, LatestWriter::Thread::caller);
+        QVERIFY(pad.open().ok());
+        QVERIFY(pad.tick(click));
+        pad.deliver();
+        QCOMPARE(int(last.bytes[1]), 0xFB); // the second of its list
+        QCOMPARE(int(last.bytes[2]), 80);
     }
 
     void opened_again_no_finger_is_there() {

@@ -326,6 +326,33 @@ private slots:
         QVERIFY(noticed.press == 0 && noticed.hover == 0);
     }
 
+    /// A list of constants would say the same of whatever does not come.
+    void what_did_not_come_is_no_waveform() {
+        WaveformEntry entry;
+        entry.ordinal = 3;
+        entry.slot = {8, 8, 0, 255};
+        entry.physical_min = entry.physical_max = 0x1003;
+        for (const std::size_t bytes : {0u, 1u, 2u}) {
+            Ordinals noticed;
+            note(of_model(), entry, Bytes(bytes, 3), noticed);
+            QCOMPARE(noticed.any(), bytes == 2);
+        }
+    }
+    void fingers_of_another_report_are_left_alone() {
+        Bytes bytes = with_more_fingers(0);
+        const Bytes finger{0x05, 0x0D, 0x09, 0x22, 0xA1, 0x02};
+        const auto second = std::search(bytes.begin() + 9, bytes.end(), finger.begin(), finger.end());
+        QVERIFY(second != bytes.end());
+        const Bytes report_4{0x85, 0x04};
+        bytes.insert(second, report_4.begin(), report_4.end());
+        Layout layout;
+        QCOMPARE(found(bytes, layout), std::string());
+        QVERIFY(layout.pad);
+        QCOMPARE(layout.pad->fingers.size(), std::size_t(1));
+        QCOMPARE(int(layout.pad->report_id), 1);
+        QVERIFY(!layout.pad->button.there());
+    }
+
     void a_third_of_the_sharpness_is_each_waveforms() {
         const Ordinals all{5, 4, 3};
         for (const auto& [sharpness, ordinal] :

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which programs of a finished build are made of something that is other than at some commit, or read it; which tests run
-none of these.
+none of these; which programs tests run at all.
 
 changed.py fuzzers BUILD COMMIT         the fuzzers that are
 changed.py left-out BUILD COMMIT TURN   the tests that run none of these and whose turn it is not; TURN is a number, by which
                                         another third of such tests is run each time
+changed.py run-by BUILD CTEST-OPTION…   the programs that the tests run which CTest chooses by these options; the build need
+                                        not be finished
 """
 
 from __future__ import annotations
@@ -77,23 +79,32 @@ def left_out(tests: dict[str, list[str]], programs: set[str], changed: set[str],
     return found
 
 
-def tests_of(build: pathlib.Path) -> dict[str, list[str]]:
-    shown = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True, text=True)
+def run_by(tests: dict[str, list[str]], programs: set[str]) -> set[str]:
+    return programs & {word for words in tests.values() for word in words}
+
+
+def tests_of(build: pathlib.Path, *options: str) -> dict[str, list[str]]:
+    shown = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1", *options], check=True, capture_output=True,
+                           text=True)
     return {test["name"]: [word.removeprefix(f"{build}/") for word in test.get("command", [])]
             for test in json.loads(shown.stdout)["tests"]}
 
 
 def main() -> int:
-    if sys.argv[1:2] not in (["fuzzers"], ["left-out"]) or len(sys.argv) != (4 if sys.argv[1] == "fuzzers" else 5):
+    asked, *words = sys.argv[1:] or [""]
+    if len(words) != {"fuzzers": 2, "left-out": 3, "run-by": max(len(words), 2)}.get(asked):
         sys.exit(__doc__)
-    build = pathlib.Path(sys.argv[2]).resolve()
+    build = pathlib.Path(words[0]).resolve()
     made_of = MadeOf(ROOT, build)
-    sources = {program: made_of.sources(program) for program in made_of.programs}
-    changed = changed_programs(sources, changed_files(ROOT, sys.argv[3]))
-    if sys.argv[1] == "fuzzers":
-        names = sorted(program.removeprefix("fuzz/") for program in changed if program.startswith("fuzz/"))
+    if asked == "run-by":
+        names = sorted(run_by(tests_of(build, *words[1:]), set(made_of.programs)))
     else:
-        names = left_out(tests_of(build), set(sources), changed, int(sys.argv[4]))
+        sources = {program: made_of.sources(program) for program in made_of.programs}
+        changed = changed_programs(sources, changed_files(ROOT, words[1]))
+        if asked == "fuzzers":
+            names = sorted(program.removeprefix("fuzz/") for program in changed if program.startswith("fuzz/"))
+        else:
+            names = left_out(tests_of(build), set(sources), changed, int(words[2]))
     print("\n".join(names))
     return 0
 

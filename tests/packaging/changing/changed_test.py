@@ -11,7 +11,7 @@ import unittest
 CHANGING = pathlib.Path(sys.argv.pop())
 sys.path.insert(0, str(CHANGING))
 
-from changed import changed_files, changed_programs, left_out, third_of  # noqa: E402
+from changed import changed_files, changed_programs, left_out, run_by, third_of  # noqa: E402
 from made_of import MadeOf  # noqa: E402
 
 NINJA = """\
@@ -68,6 +68,11 @@ class Changed(unittest.TestCase):
         sources = {"a": {"room/room.cpp", "resources/anna.jpg"}, "b": {"helper/main.cpp"}}
         self.assertEqual({"a", "b"}, changed_programs(sources, {"resources/anna.jpg"}))
 
+    def test_a_build_that_was_never_begun_names_its_programs(self):
+        for left in (".ninja_deps", ".ninja_log"):
+            (self.root / "build" / left).unlink()
+        self.assertEqual({"helper", "tests/a", "tests/b"}, set(MadeOf(self.root, self.root / "build").programs))
+
     def test_prose_and_scripts_change_no_program(self):
         self.assertEqual(set(), changed_programs(self.sources, {"room/README.md", "packaging/test", "tests/e2e/run_headless"}))
 
@@ -102,6 +107,10 @@ class Turns(unittest.TestCase):
     def test_what_runs_no_program_of_ours_is_never_left_out(self):
         for turn in range(3):
             self.assertEqual([], left_out({"house.readmes": ["python3", "readmes.py"]}, self.programs, set(), turn))
+
+    def test_programs_that_tests_run_are_named_once_and_no_others(self):
+        tests = {"room.a": ["run_test", "tests/a"], "room.b": ["run_test", "helper", "tests/a"], "house.c": ["python3", "c.py"]}
+        self.assertEqual({"tests/a", "helper"}, run_by(tests, {"tests/a", "helper", "bench"}))
 
     def test_a_turn_is_the_same_for_the_same_name(self):
         self.assertEqual((0, 1), (third_of("core.servo.servo_loop"), third_of("app.care.page")))

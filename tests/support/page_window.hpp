@@ -4,6 +4,8 @@
 #include <QAccessible>
 #include <QList>
 #include <QObject>
+#include <QQmlComponent>
+#include <QQmlEngine>
 #include <QQuickItem>
 #include <QQuickView>
 #include <QSize>
@@ -15,6 +17,8 @@
 #include <QtGlobal>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 /// A page in a window of its own, for tests: what a screen reader finds in it, and every warning of Qt.
 class PageWindow : public QQuickView {
@@ -41,6 +45,17 @@ public:
         const QList<QQuickItem*> children = item.childItems();
         return !(item.inherits("QQuickLoader") && item.property("status").toInt() == loading) &&
                std::all_of(children.begin(), children.end(), [](const QQuickItem* child) { return complete(*child); });
+    }
+
+    /// Its texts are so many times as large; false where they cannot be.
+    bool set_text_scale(double scale) {
+        QQmlComponent component(engine());
+        component.setData(QString("import QtQml\nimport TouchPhoto.Controls\n"
+                                  "QtObject { Component.onCompleted: Theme.textScale = %1 }")
+                              .arg(scale)
+                              .toUtf8(),
+                          QUrl());
+        return std::unique_ptr<QObject>(component.create()) != nullptr;
     }
 
     /// Everything that a screen reader finds, in reading order.
@@ -169,6 +184,8 @@ public:
         static QStringList warnings;
         return warnings;
     }
+    /// Those until now, which are forgotten.
+    static QStringList taken() { return std::exchange(all(), {}); }
 
 private:
     static void remember(QtMsgType type, const QMessageLogContext&, const QString& text) {

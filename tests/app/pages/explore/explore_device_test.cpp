@@ -6,6 +6,7 @@
 #include "device_socket.hpp"
 #include "explore_bench.hpp"
 
+#include <QLineF>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -32,7 +33,7 @@ struct Bench {
     /// `time`: what the session's clock shows; null: the real one.
     explicit Bench(bool keeps_calibrations = false, const double* time = nullptr)
         : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings(keeps_calibrations, time)) {
-        socket.hold_at(in_device({0.0, 0.0}));
+        hold_at({0.0, 0.0});
     }
     std::filesystem::path calibrations() const { return folder.filePath("calibrations.txt").toStdString(); }
     ExploreSettings settings(bool keeps_calibrations, const double* time) {
@@ -48,8 +49,15 @@ struct Bench {
         session.show(drawn_photo());
     }
     bool with_device() { return !session.device()->name().isEmpty(); }
+    bool begins_with_device() {
+        socket.plug_in();
+        begin();
+        return QTest::qWaitFor([this] { return with_device(); });
+    }
     /// The middle of the device's reach, (0, 100) mm, lies on the middle of the surface.
-    static Vec2 in_device(Vec2 surface) { return surface + Vec2(0.0, 100.0); }
+    void hold_at(Vec2 surface) { socket.hold_at(surface + Vec2(0.0, 100.0)); }
+    /// Frame of the sheet.
+    bool finger_is_at(QPointF place) { return QLineF(session.finger()->place(), place).length() < 1e-6; }
     /// A place left of the outline's left side by so much, surface frame.
     Vec2 left_of_outline(double away) const {
         const auto& points = session.view()->felt().lines.at(outline).points;
@@ -66,20 +74,18 @@ private slots:
     void what_the_handle_is_drawn_to_after_a_zoom_is_told_when_the_zoom_was() {
         double time = 100.0;
         Bench bench(false, &time);
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
+        QVERIFY(bench.begins_with_device());
         bench.session.zoom()->zoomIn();
         const Vec2 eye = bench.session.view()->felt().lines.at(left_eye).points[0];
         bench.session.zoom()->zoomOut();
-        bench.socket.hold_at(Bench::in_device(eye - Vec2(1.5 * FeatureTracker::enter_mm, 0.0)));
+        bench.hold_at(eye - Vec2(1.5 * FeatureTracker::enter_mm, 0.0));
         QTest::qWait(100);
         time += 10.0;
         bench.session.zoom()->zoomIn();
         QVERIFY(bench.said("Zoomed to the eyes."));
         bench.voice.clear();
         time += 0.1;
-        bench.socket.hold_at(Bench::in_device(eye)); // as the force draws it
+        bench.hold_at(eye); // as the force draws it
         QTRY_COMPARE(bench.session.finger()->feature(), left_eye);
         time += 0.5;
         QTest::qWait(100); // it is looked at many times meanwhile
@@ -90,24 +96,20 @@ private slots:
 
     void a_device_that_is_there_gets_the_force_when_the_person_comes() {
         Bench bench;
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
+        QVERIFY(bench.begins_with_device());
         QCOMPARE(bench.session.device()->name(), QString("force pad"));
         QVERIFY(bench.session.device()->engaged());
         QTRY_VERIFY(bench.said("Device: force pad. Its force is on."));
         // Its handle is the finger, and the mouse is not.
         const Vec2 place = bench.left_of_outline(4.0);
-        bench.socket.hold_at(Bench::in_device(place));
+        bench.hold_at(place);
         const QPointF finger = bench.session.view()->frame().from_surface(place);
-        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
-                               bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QTRY_VERIFY(bench.finger_is_at(finger));
         bench.session.hand()->touchDown(10.0, 10.0);
         bench.session.hand()->moveTo(12.0, 10.0);
         QTRY_VERIFY(bench.socket.force().x > 0.75); // 0.8 N at 4 mm, to the right, onto the line
         QVERIFY(std::abs(bench.socket.force().y) < 1e-9);
-        QVERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
-                           bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QVERIFY(bench.finger_is_at(finger));
         bench.voice.clear();
         bench.session.finger()->whereAmI();
         QVERIFY(bench.voice.said().back().endsWith("Face outline at 3 o'clock, 4 millimetre(s)."));
@@ -146,10 +148,8 @@ private slots:
     void never_more_than_the_persons_own_strongest_force() {
         Bench bench;
         bench.sounds.preferences.change([](Choices& choices) { choices.max_force_n = 0.3; });
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
-        bench.socket.hold_at(Bench::in_device(bench.left_of_outline(4.0)));
+        QVERIFY(bench.begins_with_device());
+        bench.hold_at(bench.left_of_outline(4.0));
         QTRY_VERIFY(bench.socket.force().x > 0.299);
         QVERIFY(bench.socket.strongest() < 0.3 + 1e-9);
         bench.session.choices()->setMaxForce(0.5);
@@ -159,10 +159,8 @@ private slots:
 
     void escape_takes_the_force_and_return_gives_it_back() {
         Bench bench;
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
-        bench.socket.hold_at(Bench::in_device(bench.left_of_outline(4.0)));
+        QVERIFY(bench.begins_with_device());
+        bench.hold_at(bench.left_of_outline(4.0));
         QTRY_VERIFY(bench.socket.force().x > 0.5);
         QVERIFY(bench.session.stop());
         QTRY_VERIFY(bench.socket.force() == Vec2(0.0));
@@ -174,10 +172,8 @@ private slots:
 
     void unplugged_in_mid_touch_it_is_said_and_the_page_goes_on() {
         Bench bench;
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
-        bench.socket.hold_at(Bench::in_device(bench.left_of_outline(4.0)));
+        QVERIFY(bench.begins_with_device());
+        bench.hold_at(bench.left_of_outline(4.0));
         QTRY_VERIFY(bench.socket.force().x > 0.5);
         bench.sounds.hears(Earcon::ready);
         bench.voice.clear();
@@ -256,10 +252,8 @@ private slots:
 
     void out_of_sight_it_is_given_back_and_taken_again() {
         Bench bench;
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
-        bench.socket.hold_at(Bench::in_device(bench.left_of_outline(4.0)));
+        QVERIFY(bench.begins_with_device());
+        bench.hold_at(bench.left_of_outline(4.0));
         QTRY_VERIFY(bench.socket.force().x > 0.5);
         bench.session.leave();
         QTRY_VERIFY(!bench.socket.in_use());
@@ -291,9 +285,7 @@ private slots:
 
     void the_motors_own_reason_is_told() {
         Bench bench;
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
+        QVERIFY(bench.begins_with_device());
         bench.socket.switch_motors_off("The force pad's motors are too hot. It goes on by itself when they have cooled.");
         QTRY_VERIFY(bench.said("motors are too hot"));
         QVERIFY(bench.session.device()->faultSentence().contains("too hot"));
@@ -309,7 +301,7 @@ private slots:
         bench.socket.switch_motors_off("Home it.");
         bench.begin();
         QTRY_VERIFY(bench.with_device());
-        bench.socket.hold_at(Bench::in_device(bench.left_of_outline(2.0)));
+        bench.hold_at(bench.left_of_outline(2.0));
         bench.session.device()->engage();
         const auto asked = [&] { return bench.voice.said().filter("Home it.").size(); };
         const auto wait_until = [&](auto holds) { // the session's clock runs on meanwhile
@@ -327,21 +319,17 @@ private slots:
 
     void keys_that_would_move_the_finger_tell_the_way_instead() {
         Bench bench;
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
+        QVERIFY(bench.begins_with_device());
         const Vec2 above = bench.session.view()->felt().lines[left_eye].points[0] + Vec2(0.0, 9.0);
-        bench.socket.hold_at(Bench::in_device(above));
+        bench.hold_at(above);
         const QPointF finger = bench.session.view()->frame().from_surface(above);
-        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
-                               bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QTRY_VERIFY(bench.finger_is_at(finger));
         bench.session.hand()->goToFeature(left_eye);
         QCOMPARE(bench.voice.said().back(), QString("Left eye: 6 o'clock, 9 millimetre(s)."));
         bench.session.hand()->nudge(2.0, 0.0);
         QCOMPARE(bench.voice.said().back(), QString("Move the finger with the device."));
         QTest::qWait(30);
-        QVERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
-                           bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QVERIFY(bench.finger_is_at(finger));
     }
 
     void beside_its_force_the_guide_is_quieter_and_silent_in_its_reach() {
@@ -354,11 +342,11 @@ private slots:
         felt.socket.plug_in();
         felt.begin();
         QTRY_VERIFY(felt.with_device());
-        felt.socket.hold_at(Bench::in_device(felt.left_of_outline(15.0)));
+        felt.hold_at(felt.left_of_outline(15.0));
         QTRY_VERIFY(felt.sounds.guide.sounds());
         const double soft = felt.sounds.guide_peak(1.0);
         QVERIFY2(soft > 0.0 && soft < 0.5 * loud, qPrintable(QString("%1, %2").arg(soft).arg(loud)));
-        felt.socket.hold_at(Bench::in_device(felt.left_of_outline(3.0)));
+        felt.hold_at(felt.left_of_outline(3.0));
         QTRY_VERIFY(!felt.sounds.guide.sounds());
     }
 
@@ -368,17 +356,14 @@ private slots:
         const Calibration calibration{{glm::dmat2(0.0, 1.0, -1.0, 0.0), {150.0, -100.0}}, 0.4, 60};
         QCOMPARE(keep_calibration(bench.calibrations(), DeviceSocket::serial_number, calibration), std::string());
         bench.session.device()->sheetLies(20.0, 10.0, 0.8);
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
+        QVERIFY(bench.begins_with_device());
         const Vec2 place = bench.left_of_outline(4.0);
         // Surface → millimetres on the screen, y up → device.
         const Vec2 on_screen = Vec2(20.0, -10.0) + 0.8 * (place + Vec2(100.0, -75.0));
         const Vec2 off = on_screen - calibration.device_to_surface.offset;
         bench.socket.hold_at({off.y, -off.x});
         const QPointF finger = bench.session.view()->frame().from_surface(place);
-        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
-                               bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QTRY_VERIFY(bench.finger_is_at(finger));
         // 0.8 N to the right on the surface, whose millimetre is 0.8 of the device's: 1 N does the same work there.
         QTRY_VERIFY(bench.socket.force().y < -0.99);
         QVERIFY(std::abs(bench.socket.force().x) < 1e-9);
@@ -396,23 +381,18 @@ private slots:
         Bench bench(true);
         QCOMPARE(keep_calibration(bench.calibrations(), DeviceSocket::serial_number, {{}, 0.4, 60}), std::string());
         bench.session.device()->sheetLies(20.0, 10.0, 0.6);
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
+        QVERIFY(bench.begins_with_device());
         QTRY_VERIFY(bench.said("too small or too large on the screen"));
-        bench.socket.hold_at(Bench::in_device({7.0, 3.0}));
+        bench.hold_at({7.0, 3.0});
         const QPointF finger = bench.session.view()->frame().from_surface(Vec2(7.0, 3.0));
-        QTRY_VERIFY(std::hypot(bench.session.finger()->place().x() - finger.x(),
-                               bench.session.finger()->place().y() - finger.y()) < 1e-6);
+        QTRY_VERIFY(bench.finger_is_at(finger));
     }
 
     void it_leads_the_finger_round_a_feature() {
         Bench bench;
-        bench.socket.plug_in();
-        bench.begin();
-        QTRY_VERIFY(bench.with_device());
+        QVERIFY(bench.begins_with_device());
         const Vec2 start = bench.session.view()->felt().lines[left_eye].points[0];
-        bench.socket.hold_at(Bench::in_device(start));
+        bench.hold_at(start);
         QTRY_COMPARE(bench.session.finger()->featureName(), QString("left eye"));
         bench.session.tour()->toggle();
         bench.session.hand()->moveTo(5.0, 5.0); // neither mouse nor screen ends it

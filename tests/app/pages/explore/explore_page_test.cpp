@@ -12,15 +12,12 @@
 #include <QLineF>
 #include <QMimeData>
 #include <QPointingDevice>
-#include <QQmlComponent>
-#include <QQmlEngine>
 #include <QQuickItem>
 #include <QSet>
 #include <QTest>
 #include <QUrl>
 #include <QtGlobal>
 
-#include <memory>
 #include <optional>
 
 using namespace tp;
@@ -53,16 +50,6 @@ struct Page {
     static constexpr int left_eye = 0;
     static constexpr int outline = 3;
 };
-
-void set_text_scale(QQuickView& window, double scale) {
-    QQmlComponent component(window.engine());
-    component.setData(QString("import QtQml\nimport TouchPhoto.Controls\n"
-                              "QtObject { Component.onCompleted: Theme.textScale = %1 }")
-                          .arg(scale)
-                          .toUtf8(),
-                      QUrl());
-    const std::unique_ptr<QObject> done(component.create());
-}
 
 } // namespace
 
@@ -122,7 +109,7 @@ private slots:
     void on_a_small_window_with_large_text_everything_can_be_reached_and_felt() {
         Page page;
         page.window.resize(480, 560);
-        set_text_scale(page.window, 2.0);
+        page.window.set_text_scale(2.0);
         QVERIFY(page.exposed());
         QTRY_VERIFY(page.surface()->hasActiveFocus());
         QTRY_VERIFY(page.surface()->width() > 350.0);

@@ -6,45 +6,23 @@
 #include <QAccessible>
 #include <QImage>
 #include <QPointingDevice>
-#include <QQmlComponent>
-#include <QQmlEngine>
 #include <QQuickItem>
-#include <QQuickView>
 #include <QSet>
 #include <QTest>
-#include <QVariant>
-
-#include <memory>
 
 using namespace tp;
 
 namespace {
 
 struct MendWindow : MendBench {
-    QQuickView window;
+    PageWindow window;
 
-    explicit MendWindow(QSize size = {1280, 800}, double text_scale = 1.0, int faces = 1) : MendBench(faces) {
-        register_mend();
-        set_text_scale(text_scale);
-        window.setResizeMode(QQuickView::SizeRootObjectToView);
-        window.setInitialProperties({{"session", QVariant::fromValue(&session)}});
-        window.resize(size);
-        window.setSource(QUrl("qrc:/qt-project.org/imports/TouchPhoto/Mend/MendPage.qml"));
-        window.show();
-        window.requestActivate();
+    explicit MendWindow(QSize size = {1280, 800}, double text_scale = 1.0, int faces = 1)
+        : MendBench(faces), window("Mend/MendPage.qml", &session, size) {
+        window.set_text_scale(text_scale);
     }
-    bool exposed() { return QTest::qWaitForWindowExposed(&window); }
+    bool exposed() { return window.exposed(); }
 
-    void set_text_scale(double scale) {
-        QQmlComponent component(window.engine());
-        component.setData(QString("import QtQuick\nimport TouchPhoto.Controls\n"
-                                  "QtObject { Component.onCompleted: Theme.textScale = %1 }")
-                              .arg(scale)
-                              .toUtf8(),
-                          {});
-        const std::unique_ptr<QObject> made(component.create());
-        QVERIFY(made != nullptr);
-    }
     QQuickItem* surface() const { return window.rootObject()->findChild<QQuickItem*>("surface"); }
     /// A point of the contour in hand, in the window.
     QPoint pixel(int node, QPointF beside = {}) {
@@ -56,7 +34,7 @@ struct MendWindow : MendBench {
         QTest::keyClick(&window, key, modifiers);
     }
 
-    QAccessibleInterface* named(const QString& name) { return PageWindow::named(window, name); }
+    QAccessibleInterface* named(const QString& name) { return window.named(name); }
     bool act(const QString& name, const QString& action = QAccessibleActionInterface::pressAction()) {
         return PageWindow::act(named(name), action);
     }
@@ -71,16 +49,15 @@ class MendPageTest : public QObject {
     const Warnings warnings_;
 
 private slots:
-    void initTestCase() { QAccessible::setActive(true); }
-    void init() { Warnings::all().clear(); }
-    void cleanup() { // QML warnings above all
-        QVERIFY2(Warnings::all().isEmpty(), qPrintable(Warnings::all().join('\n')));
+    void initTestCase() {
+        QAccessible::setActive(true);
+        register_mend();
     }
+    void cleanup() { QCOMPARE(Warnings::taken(), QStringList()); } // QML's above all
 
     void it_shows_photograph_lines_and_points() {
         MendWindow page;
         QVERIFY(page.exposed());
-        QCOMPARE(page.window.status(), QQuickView::Ready);
         const QImage picture = page.window.grabWindow();
         QSet<QRgb> colours;
         for (int y = 0; y < picture.height(); y += 2)
@@ -91,16 +68,12 @@ private slots:
         QCOMPARE(picture.pixel(corner), qRgb(255, 255, 255)); // a point, not in hand
     }
     void an_empty_page_loads_too() {
-        register_mend();
         RecordingVoice voice;
         RecordingAnnouncer announcer;
         Narrator narrator(voice, announcer);
         MendSession session(narrator);
-        QQuickView window;
-        window.setInitialProperties({{"session", QVariant::fromValue(&session)}});
-        window.setSource(QUrl("qrc:/qt-project.org/imports/TouchPhoto/Mend/MendPage.qml"));
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        PageWindow window("Mend/MendPage.qml", &session);
+        QVERIFY(window.exposed());
     }
 
     void the_mouse_drags_a_point() {

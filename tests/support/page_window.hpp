@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <utility>
 
 /// A page in a window of its own, for tests: what a screen reader finds in it, and every warning of Qt.
 class PageWindow : public QQuickView {
@@ -172,7 +171,8 @@ private:
     }
 };
 
-/// Remembers what Qt warns of while it lives: QML's faults above all.
+/// Remembers what Qt warns of while it lives: QML's faults above all. Made in a test's function or in its init(), not with the
+/// test, because Qt Test begins to listen in our place after that.
 class Warnings {
 public:
     Warnings() {
@@ -184,8 +184,6 @@ public:
         static QStringList warnings;
         return warnings;
     }
-    /// Those until now, which are forgotten.
-    static QStringList taken() { return std::exchange(all(), {}); }
 
 private:
     static void remember(QtMsgType type, const QMessageLogContext&, const QString& text) {

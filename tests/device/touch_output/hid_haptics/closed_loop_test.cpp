@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A finger walks over lines on a model pad and feels a tick at each, while everything goes wrong that can.
-#include "../../closed_loop/fault_schedules.hpp"
-#include "../walking_finger.hpp"
+#include "../pad_judge.hpp"
 #include "haptics_bench.hpp"
 
 #include <QTest>
 
 #include <cstdint>
-#include <random>
-#include <vector>
+#include <memory>
+#include <string>
+#include <utility>
 
 using namespace tp;
-using tp::testing::any_trouble;
 using tp::testing::HapticsBench;
-using tp::testing::Trouble;
-using tp::testing::Walker;
 
 class HapticsClosedLoopTest : public QObject {
     Q_OBJECT
@@ -22,61 +18,13 @@ private slots:
     void every_line_is_felt() {
         HapticsBench bench(1);
         QCOMPARE(bench.open(), std::string());
-        Walker<HapticsBench> walker{bench};
-        while (bench.now < 10.0)
-            walker.tick();
-        QVERIFY(walker.asked > 80);
-        QCOMPARE(walker.delivered, walker.asked);
-        bench.run(0.1);
-        QCOMPARE(bench.model.ticks(), walker.asked);
+        judge_every_line(bench);
     }
-
-    /// Nothing waits, every tick ends by itself, nothing is felt after a halt, a stop or a loss, and what is not delivered is told.
     void random_troubles_never_hurt() {
-        for (int number = tp::testing::first_schedule();
-             number < tp::testing::first_schedule() + tp::testing::schedules(); ++number) {
-            std::mt19937 random(static_cast<unsigned>(number));
-            HapticsBench bench(static_cast<unsigned>(number % 2), static_cast<std::uint32_t>(random()));
-            QCOMPARE(bench.open(), std::string());
-            Walker<HapticsBench> walker{bench};
-            constexpr int ticks = 1200;
-            std::vector<Trouble> troubles(1 + random() % 4);
-            for (Trouble& trouble : troubles)
-                trouble = any_trouble(random, static_cast<int>(random() % tp::testing::trouble_kinds), ticks);
-            const int stop_at = number % 4 == 0 ? static_cast<int>(random() % ticks) : ticks;
-            const QByteArray name = "schedule " + QByteArray::number(number);
-            int felt_for = 0; // ms at a stretch
-            unsigned long heard = 0;
-            for (int tick = 0; tick < stop_at; ++tick) {
-                for (const Trouble& trouble : troubles) {
-                    if (tick == trouble.from)
-                        set_trouble(bench, trouble, true);
-                    if (tick == trouble.until)
-                        set_trouble(bench, trouble, false);
-                }
-                walker.tick();
-                felt_for = bench.model.felt() > 0.0 && bench.model.ticks() == heard ? felt_for + 1 : 0;
-                heard = bench.model.ticks();
-                QVERIFY2(felt_for <= 51, name);
-                QVERIFY2(bench.model.waveform() != 0x1004, name);
-                QVERIFY2(walker.sends_outside_the_writer == 0, name);
-                if (bench.touch)
-                    QVERIFY2(bench.can.pad->contains(bench.touch->place), name);
-                if (bench.pad.lost())
-                    QVERIFY2(!bench.pad.tick(Tick(1.0, 1.0, 0.05)) && !bench.pad.complaint().empty(), name);
-            }
-            const bool reached = !bench.link.troubles.unplugged && !bench.link.troubles.deaf &&
-                                 bench.link.troubles.refuse == 0.0 && !bench.pad.lost();
-            bench.pad.stop();
-            bench.link.advance();
-            bench.link.advance();
-            if (reached)
-                QVERIFY2(bench.model.felt() == 0.0, name);
-            const unsigned long before = bench.model.ticks();
-            for (int tick = 0; tick < 51; ++tick)
-                walker.tick();
-            QVERIFY2(bench.model.felt() == 0.0 && bench.model.ticks() == before, name);
-        }
+        tp::testing::judge_random_troubles([](int number, std::uint32_t seed) {
+            auto bench = std::make_unique<HapticsBench>(static_cast<unsigned>(number % 2), seed);
+            return bench->open().empty() ? std::move(bench) : nullptr;
+        });
     }
 };
 

@@ -72,6 +72,10 @@ struct HapticsBench {
         for (const double end = now + seconds; now < end;)
             tick();
     }
+    double felt() const { return model.felt(); }
+    bool harmless() const { return model.waveform() != 0x1004; } // the one that goes on and on
+    bool listens() const { return true; }
+    bool let_go() const { return true; }
 };
 
 } // namespace tp::testing

@@ -74,6 +74,9 @@ struct SteamBench {
         for (double end = now + seconds; now < end;)
             tick();
     }
+    bool harmless() const { return model.longest_ms() <= 50.001; }
+    bool listens() const { return model.on(); }
+    bool let_go() const { return model.imitates(); } // a mouse again, as it was found
     double felt() const { return std::max(model.felt(steam::Side::left), model.felt(steam::Side::right)); }
 };
 

@@ -251,20 +251,25 @@ int hevc_priority_for(heif_compression_format format) {
     return av != nullptr && av->avcodec_find_decoder(AV_CODEC_ID_HEVC) != nullptr ? hevc_priority : 0;
 }
 
+/// The third version of libheif's interface; what later ones have besides is null, which they allow.
+heif_decoder_plugin described() {
+    heif_decoder_plugin plugin{};
+    plugin.plugin_api_version = 3;
+    plugin.get_plugin_name = [] { return "FFmpeg's libavcodec"; };
+    plugin.does_support_format = hevc_priority_for;
+    plugin.new_decoder = new_hevc;
+    plugin.free_decoder = [](void* coded) { delete static_cast<CodedHevc*>(coded); };
+    plugin.push_data = push_hevc;
+    plugin.decode_image = decode_hevc;
+    plugin.set_strict_decoding = [](void*, int) {}; // it is always strict
+    plugin.id_name = "touchphoto_libavcodec";
+    return plugin;
+}
+
 } // namespace
 
 const heif_decoder_plugin& hevc_decoder() {
-    static const heif_decoder_plugin plugin{3,
-                                            [] { return "FFmpeg's libavcodec"; },
-                                            nullptr,
-                                            nullptr,
-                                            hevc_priority_for,
-                                            new_hevc,
-                                            [](void* coded) { delete static_cast<CodedHevc*>(coded); },
-                                            push_hevc,
-                                            decode_hevc,
-                                            [](void*, int) {}, // it is always strict
-                                            "touchphoto_libavcodec"};
+    static const heif_decoder_plugin plugin = described();
     return plugin;
 }
 

@@ -19,6 +19,13 @@ extern "C" {
 
 namespace tp {
 
+// FFmpeg 7 keeps a stream's side data with its parameters.
+#if LIBAVFORMAT_VERSION_MAJOR >= 61
+#define TP_SIDE_DATA_OF_LIBAV(each) each(av_packet_side_data_get)
+#else
+#define TP_SIDE_DATA_OF_LIBAV(each) each(av_stream_get_side_data)
+#endif
+
 /// The functions of FFmpeg's libraries that the sound and the pictures of a video need, by their own names.
 struct LibAv {
 #define TP_FUNCTIONS_OF_LIBAV(each)                                                                          \
@@ -26,7 +33,7 @@ struct LibAv {
         each(av_frame_free) each(av_freep) each(av_get_packed_sample_fmt) each(av_log_set_level)             \
             each(av_malloc) each(av_max_alloc) each(av_packet_alloc) each(av_packet_free)                    \
                 each(av_packet_unref) each(av_pix_fmt_desc_get) each(av_read_frame) each(av_rescale_q)       \
-                    each(av_sample_fmt_is_planar) each(av_stream_get_side_data) each(avcodec_alloc_context3) \
+                    each(av_sample_fmt_is_planar) TP_SIDE_DATA_OF_LIBAV(each) each(avcodec_alloc_context3)   \
                         each(avcodec_find_decoder) each(avcodec_free_context) each(avcodec_get_name)         \
                             each(avcodec_open2) each(avcodec_parameters_to_context)                          \
                                 each(avcodec_receive_frame) each(avcodec_send_packet)                        \

@@ -84,11 +84,25 @@ std::vector<std::uint8_t> planes_of(const AVFrame& frame, int width, int height)
     return planes;
 }
 
-int turn_of(const AVStream& stream) {
+/// Nine numbers that say how the stream's pictures are turned. Null where it does not say.
+const std::uint8_t* display_matrix(const AVStream& stream) {
+    constexpr std::size_t whole = 9 * sizeof(std::int32_t);
+#if LIBAVFORMAT_VERSION_MAJOR >= 61
+    const AVCodecParameters& said = *stream.codecpar;
+    const AVPacketSideData* const matrix = VideoFile::av().av_packet_side_data_get(
+        said.coded_side_data, said.nb_coded_side_data, AV_PKT_DATA_DISPLAYMATRIX);
+    return matrix != nullptr && matrix->size >= whole ? matrix->data : nullptr;
+#else
     std::size_t size = 0;
     const std::uint8_t* const matrix =
         VideoFile::av().av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &size);
-    if (matrix == nullptr || size < 9 * sizeof(std::int32_t))
+    return size >= whole ? matrix : nullptr;
+#endif
+}
+
+int turn_of(const AVStream& stream) {
+    const std::uint8_t* const matrix = display_matrix(stream);
+    if (matrix == nullptr)
         return 0;
     const double anticlockwise =
         VideoFile::av().av_display_rotation_get(reinterpret_cast<const std::int32_t*>(matrix));

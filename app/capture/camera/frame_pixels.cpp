@@ -115,18 +115,26 @@ cv::Mat bgr_of(const QVideoFrame& frame) {
     return form == Form::Format_Jpeg ? bgr_of_jpeg(frame) : cv::Mat();
 }
 
-std::optional<cv::RotateFlags> turn_of(QVideoFrame::RotationAngle angle) {
-    switch (angle) {
-    case QVideoFrame::Rotation90:
+/// How many degrees the frame must be turned clockwise to be upright.
+int degrees_of(const QVideoFrame& frame) {
+#if QT_VERSION >= QT_VERSION_CHECK(6, 7, 0)
+    return static_cast<int>(frame.rotation());
+#else
+    return static_cast<int>(frame.rotationAngle());
+#endif
+}
+
+std::optional<cv::RotateFlags> turn_by(int degrees) {
+    switch (degrees) {
+    case 90:
         return cv::ROTATE_90_CLOCKWISE;
-    case QVideoFrame::Rotation180:
+    case 180:
         return cv::ROTATE_180;
-    case QVideoFrame::Rotation270:
+    case 270:
         return cv::ROTATE_90_COUNTERCLOCKWISE;
-    case QVideoFrame::Rotation0:
-        break;
+    default:
+        return std::nullopt;
     }
-    return std::nullopt;
 }
 
 } // namespace
@@ -148,7 +156,7 @@ cv::Mat upright_pixels(QVideoFrame frame) {
         cv::flip(pixels, pixels, 0);
     if (frame.mirrored())
         cv::flip(pixels, pixels, 1);
-    if (const auto turn = turn_of(frame.rotationAngle()))
+    if (const auto turn = turn_by(degrees_of(frame)))
         cv::rotate(pixels, pixels, *turn);
     return pixels;
 }

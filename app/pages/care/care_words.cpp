@@ -9,6 +9,7 @@
 #include <QDateTime>
 #include <QHash>
 #include <QLocale>
+#include <QTimeZone>
 
 #include <algorithm>
 #include <cmath>
@@ -129,8 +130,8 @@ QString CareWords::people(const People& people) {
 }
 
 QString CareWords::face_details(const PersonFace& face, bool to_confirm) {
-    const QString day = QLocale().toString(QDateTime::fromMSecsSinceEpoch(face.moment_ms, Qt::UTC).date(),
-                                           QLocale::LongFormat);
+    const QString day = QLocale().toString(
+        QDateTime::fromMSecsSinceEpoch(face.moment_ms, QTimeZone::utc()).date(), QLocale::LongFormat);
     return to_confirm ? tr("%1, to confirm").arg(day) : day;
 }
 

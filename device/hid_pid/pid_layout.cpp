@@ -23,7 +23,6 @@ constexpr std::uint32_t direction = physical(0x57);
 constexpr std::uint32_t set_constant_force = physical(0x73);
 constexpr std::uint32_t effect_operation = physical(0x77);
 constexpr std::uint32_t device_gain_report = physical(0x7D);
-constexpr std::uint32_t pool_report = physical(0x7F);
 constexpr std::uint32_t block_load = physical(0x89);
 constexpr std::uint32_t block_free = physical(0x90);
 constexpr std::uint32_t state_report = physical(0x92);
@@ -40,7 +39,6 @@ constexpr std::uint32_t operation_start = physical(0x79);
 constexpr std::uint32_t operation_stop = physical(0x7B);
 constexpr std::uint32_t loop_count = physical(0x7C);
 constexpr std::uint32_t device_gain = physical(0x7E);
-constexpr std::uint32_t simultaneous_effects = physical(0x83);
 constexpr std::uint32_t load_success = physical(0x8C);
 constexpr std::uint32_t load_full = physical(0x8D);
 constexpr std::uint32_t enable_actuators = physical(0x97);
@@ -174,10 +172,6 @@ void find_features(const ReportDescriptor& descriptor, PidLayout& layout) {
     layout.block_load.success = load.choice(load_success);
     layout.block_load.full = load.choice(load_full);
     layout.block_load.report = load.report();
-
-    ReportFinder pool(descriptor, ReportKind::feature, pool_report);
-    layout.pool.simultaneous = pool.value(simultaneous_effects);
-    layout.pool.report = pool.report();
 }
 
 void find_inputs(const ReportDescriptor& descriptor, PidLayout& layout) {
@@ -211,9 +205,9 @@ const char* find_layout(const ReportDescriptor& descriptor, PidLayout& layout) {
     find_features(descriptor, layout);
     find_inputs(descriptor, layout);
     for (const ReportShape& report :
-         {layout.create.report, layout.block_load.report, layout.pool.report, layout.effect.report,
-          layout.force.report, layout.operation.report, layout.free.report, layout.control.report,
-          layout.gain.report, layout.state.report, layout.stick.report})
+         {layout.create.report, layout.block_load.report, layout.effect.report, layout.force.report,
+          layout.operation.report, layout.free.report, layout.control.report, layout.gain.report,
+          layout.state.report, layout.stick.report})
         if (report.bytes > most_report_bytes)
             return "its reports are too long";
     if (!layout.stick.axis[0].there() || !layout.stick.axis[1].there())

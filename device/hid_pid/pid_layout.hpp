@@ -44,10 +44,6 @@ struct PidLayout {
         Slot block;
         Choice success, full;
     } block_load;
-    struct Pool { ///< feature, from the device; may be missing
-        ReportShape report;
-        Slot simultaneous;
-    } pool;
     struct SetEffect { ///< output
         ReportShape report;
         Slot block;

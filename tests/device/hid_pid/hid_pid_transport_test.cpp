@@ -94,6 +94,23 @@ private slots:
         QVERIFY(bed.force() == Vec2(0.0));
     }
 
+    void what_the_stick_does_not_answer_is_told() {
+        JoystickBed bed;
+        QVERIFY(bed.plug_in());
+        const std::vector<FoundJoystick> found = find_joysticks();
+        QCOMPARE(found.size(), std::size_t(1));
+        const auto opened = open_joystick(found.front(), {});
+        QVERIFY2(opened.ok(), opened.error().c_str());
+        hid::Report report;
+        report.bytes[0] = 0x12;
+        report.size = 5;
+        QVERIFY((*opened)->get_feature(report));
+        QCOMPARE(int(report.bytes[2]), 3); // nothing was loaded yet
+        report.bytes[0] = 0x7F;
+        report.size = 5;
+        QVERIFY(!(*opened)->get_feature(report));
+    }
+
     void a_signal_takes_the_force_away_without_hidapi() {
         HandlePlant held;
         held.hand_stiffness = 0.5;

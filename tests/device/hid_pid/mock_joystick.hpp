@@ -46,7 +46,7 @@ public:
     JoystickBed& operator=(const JoystickBed&) = delete;
 
     bool plug_in() {
-        const HidrawDevice shown{"force stick", "FS-0001", descriptor_};
+        const HidrawDevice shown{"force stick", "FS-0001", descriptor_, "045e", "001b"};
         const std::string description = usb_description(shown) + hidraw_description(shown);
         if (umockdev_testbed_add_from_string(bed_, description.c_str(), nullptr) == FALSE ||
             umockdev_testbed_attach_ioctl(bed_, hidraw_node, ioctls_, nullptr) == FALSE)

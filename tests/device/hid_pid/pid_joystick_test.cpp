@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -37,6 +38,21 @@ struct JoystickToOpen {
               },
               {"a stick", "0001"}, scale, thread) {}
 };
+
+/// An open controller whose effects have no direction, but axes that they are of.
+JoystickWire with_axes_alone() {
+    static const std::vector<std::uint8_t> descriptor = [] {
+        const JoystickWire wire = open_controller();
+        std::vector<std::uint8_t> bytes(wire.descriptor.begin(), wire.descriptor.end());
+        const std::array<std::uint8_t, 4> direction{0x09, 0x57, 0xA1, 0x02};
+        const auto at = std::search(bytes.begin(), bytes.end(), direction.begin(), direction.end());
+        at[1] = 0x58;
+        return bytes;
+    }();
+    JoystickWire wire = open_controller();
+    wire.descriptor = descriptor;
+    return wire;
+}
 
 /// What a stick takes from any thread.
 struct Taken {
@@ -108,9 +124,13 @@ class PidJoystickTest : public QObject {
         QTest::newRow("open controller") << 0;
         QTest::newRow("plain controller") << 1;
         QTest::newRow("sidewinder") << 2;
+        QTest::newRow("axes without directions") << 3;
     }
     static JoystickWire wire_of(int stick) {
-        return stick == 0 ? open_controller() : stick == 1 ? plain_controller() : tp::testing::sidewinder();
+        return stick == 0   ? open_controller()
+               : stick == 1 ? plain_controller()
+               : stick == 2 ? tp::testing::sidewinder()
+                            : with_axes_alone();
     }
 
 private slots:
@@ -179,6 +199,23 @@ private slots:
 
     // The model, of which nothing is read back through what it is to try
 
+    void a_stick_s_endless_effect_ends_after_65_s_of_16_bits() {
+        for (const bool expires : {true, false}) {
+            JoystickToOpen stick;
+            stick.model.troubles.expires = expires;
+            QVERIFY(stick.device.open().ok());
+            stick.device.read(0.001);
+            stick.device.write(safe({1.0, 0.0}));
+            stick.device.deliver();
+            stick.link.advance(); // with the first of them
+            for (int ms = 2; ms < 65535; ++ms)
+                stick.model.step();
+            QVERIFY(stick.model.force() != Vec2(0.0));
+            stick.model.step();
+            QCOMPARE(stick.model.force() == Vec2(0.0), expires);
+            stick.model.receive({}); // which is no report
+        }
+    }
     void a_stick_that_is_stopped_or_reset_pulls_nothing_more() {
         for (const std::uint8_t command : {std::uint8_t{3}, std::uint8_t{4}}) {
             JoystickToOpen stick;

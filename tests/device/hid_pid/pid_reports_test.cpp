@@ -96,6 +96,10 @@ private slots:
         QCOMPARE(loaded("12 05 01 00 10").block, std::uint8_t(5));
         QCOMPARE(loaded("12 05 01 00 10").status, LoadedBlock::Status::success);
         QCOMPARE(loaded("12 FF 01 00 10").block, std::uint8_t(255));
+        PidLayout wide = layout; // of a stick that counts its effects in 16 bits
+        wide.block_load.block = {16, 16, 0, 65535};
+        QCOMPARE(loaded_block(wide, bytes_of("12 00 01 FF 00")).block, std::uint8_t(255));
+        QCOMPARE(loaded_block(wide, bytes_of("12 00 01 2C 01")).status, LoadedBlock::Status::refused);
         QCOMPARE(loaded("12 00 02 00 00").status, LoadedBlock::Status::full);
         QCOMPARE(loaded("12 00 03 00 00").status, LoadedBlock::Status::refused);
         QCOMPARE(loaded("12 00 01 00 10").status, LoadedBlock::Status::refused); // no number

@@ -94,9 +94,12 @@ private slots:
     void one_that_never_answers_is_left_to_itself() {
         const auto driver = std::make_shared<Driver>();
         {
-            FeedbackOutput output({"Twin motors", ""}, [driver]() -> Result<std::unique_ptr<FeedbackNode>> {
-                return std::unique_ptr<FeedbackNode>(std::make_unique<SlowNode>(driver));
-            });
+            FeedbackOutput output(
+                {"Twin motors", ""},
+                [driver]() -> Result<std::unique_ptr<FeedbackNode>> {
+                    return std::unique_ptr<FeedbackNode>(std::make_unique<SlowNode>(driver));
+                },
+                LatestWriter::Thread::own, [] { return 0.0; }); // so that no tick is too late
             QVERIFY(output.open().ok());
             QVERIFY(output.tick(Tick(1.0, 0.0, 0.05)));
             until([&] { return driver->changing == 2; });

@@ -84,7 +84,8 @@ private slots:
         QCOMPARE(bench.open(), std::string());
         QCOMPARE(bench.can.rate, 50.0);
         QCOMPARE(bench.can.shortest_s, 0.01);
-        QCOMPARE(bench.can.delay, HapticPad::delay_s);
+        QCOMPARE(bench.can.delay, 0.015);
+        QVERIFY(!bench.pad.read(0.0)); // nobody has touched it yet
         QVERIFY(std::abs(bench.can.pad->min.x + 50.0) < 1e-9 && std::abs(bench.can.pad->min.y + 30.0) < 1e-9);
     }
 

@@ -22,13 +22,13 @@ struct PadBed {
     mock::HidBed bed;
 
     explicit PadBed(std::span<const std::uint8_t> descriptor = ModelHapticPad::descriptor())
-        : bed(mock::HidrawDevice{"touch pad", "HP-0001", descriptor}, {[](auto) { return false; },
-                                                                       [this](std::uint8_t id) {
-                                                                           mock::HidBed::Bytes report =
-                                                                               model.feature(id);
-                                                                           report.insert(report.begin(), id);
-                                                                           return report;
-                                                                       }}) {}
+        : bed(mock::HidrawDevice{"touch pad", "HP-0001", descriptor, "06cb", "ce65"},
+              {[](auto) { return false; },
+               [this](std::uint8_t id) {
+                   mock::HidBed::Bytes report = model.feature(id);
+                   report.insert(report.begin(), id);
+                   return report;
+               }}) {}
 };
 
 const char* const its_name = "haptics:HP-0001";

@@ -476,6 +476,22 @@ private slots:
         QCOMPARE(both.faces, 2);
     }
 
+    /// Light behind somebody ends below where it begins, but for one who comes anew.
+    void forgotten_light_begins_anew() {
+        const auto light = [](double behind) {
+            AimFace face = face_at(0.5, 0.45);
+            face.brightness = 0.2; // dark before any background
+            AimFrame frame = frame_of(0.0, {face});
+            frame.surroundings = behind;
+            return frame;
+        };
+        Watched watched;
+        QCOMPARE(watched.stare(light(0.7)).advice, Advice::light_behind_them);
+        QCOMPARE(watched.stare(light(0.48)).advice, Advice::light_behind_them); // 0.9 times its limit
+        watched.adviser.forget();
+        QCOMPARE(watched.stare(light(0.48)).advice, Advice::more_light);
+    }
+
     void forgotten_is_as_at_first() {
         Watched watched;
         watched.stare(face_at(0.9, 0.5));

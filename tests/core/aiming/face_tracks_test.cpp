@@ -227,7 +227,7 @@ private slots:
             tracks.see(frame_of(0.1, {face}));
             QCOMPARE(tracks.faces().size(), confidence < 0.5 ? std::size_t{0} : std::size_t{1});
         }
-        for (const double gap : {0.99, 1.01}) {
+        for (const double gap : {0.99, 1.0, 1.01}) {
             FaceTracks tracks;
             tracks.see(frame_of(0.0, {}));
             tracks.see(frame_of(gap, {}));
@@ -336,6 +336,17 @@ private slots:
             tracks.see(frame_of(0.1, {face}));
             QVERIFY(tracks.faces()[0].tilt_deg);
             QVERIFY(std::abs(*tracks.faces()[0].tilt_deg - tilt) < 1e-6);
+        }
+    }
+
+    void eyes_that_stand_above_one_another_turn_the_way_they_are_told() {
+        for (const double second : {0.4, 0.6}) {
+            AimFace face = face_at(0.5, 0.5);
+            face.eyes = {{Vec2(0.5, 0.5), Vec2(0.5, second)}};
+            FaceTracks tracks;
+            tracks.see(frame_of(0.0, {face}));
+            tracks.see(frame_of(0.1, {face}));
+            QVERIFY(std::abs(*tracks.faces()[0].tilt_deg - (second > 0.5 ? 90.0 : -90.0)) < 1e-9);
         }
     }
 

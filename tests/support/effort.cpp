@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "effort.hpp"
 
+#include <cstdlib>
+
 namespace tp::test {
 
 std::size_t tried_of(std::size_t count) {
@@ -9,6 +11,11 @@ std::size_t tried_of(std::size_t count) {
 #else
     return count;
 #endif
+}
+
+std::vector<int> thirds() {
+    const char* const turn = std::getenv("TP_TURN");
+    return turn == nullptr || *turn == '\0' ? std::vector{0, 1, 2} : std::vector{std::abs(std::atoi(turn)) % 3};
 }
 
 } // namespace tp::test

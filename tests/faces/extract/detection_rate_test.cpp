@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawn_pictures.hpp"
+#include "effort.hpp"
 #include "faces/extract/face_extractor.hpp"
 #include "portraits.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <vector>
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -68,19 +70,22 @@ private slots:
     void pictures_without_a_face_give_none() {
         FaceExtractor faces = std::move(FaceExtractor::create()).value();
         cv::RNG random(2);
+        const std::vector<int> thirds = tp::test::thirds();
         int alarms = 0, pictures = 0;
-        while (pictures < 1000) {
+        for (int round = 0; round < 77; ++round) {
             const cv::Size size(random.uniform(200, 700), random.uniform(200, 600));
             std::vector<cv::Mat> drawn = drawn::without_faces(random, size);
             for (cv::Mat& texture : drawn::textures(random, size))
                 drawn.push_back(std::move(texture));
+            if (std::ranges::count(thirds, round % 3) == 0)
+                continue;
             for (const cv::Mat& picture : drawn) {
                 ++pictures;
                 alarms += !faces.extract(picture).faces.empty();
             }
         }
         qInfo("%d false alarms in %d pictures without a face", alarms, pictures);
-        QVERIFY(alarms <= 2);
+        QVERIFY(alarms < static_cast<int>(thirds.size())); // two in a thousand
     }
 
     /// On their side and on their head, and nothing in the file about it.

@@ -172,7 +172,12 @@ Result<std::shared_ptr<const heif_image>> HeifPicture::decoded_image(const heif_
         return heif.heif_decode_image(&picture, &decoded, heif_colorspace_RGB, heif_chroma_444, options.get());
     };
     heif_error error = decode();
-    if (is_hevc_refused(error.message)) {
+    if (error.code == heif_error_Plugin_loading_error) { // newer versions take no other where it is not there
+        options->decoder_id = nullptr;
+        error = decode();
+    }
+    // Ours is refused too by a libheif that takes a later interface than it was built for.
+    if (is_hevc_refused(error.message) || error.code == heif_error_Plugin_loading_error) {
         heif.heif_context_set_max_decoding_threads(context_.get(), 0); // so that this thread does all of it
         const WithoutHevcDecoder without;
         error = decode();

@@ -251,10 +251,34 @@ int hevc_priority_for(heif_compression_format format) {
     return av != nullptr && av->avcodec_find_decoder(AV_CODEC_ID_HEVC) != nullptr ? hevc_priority : 0;
 }
 
-/// The third version of libheif's interface; what later ones have besides is null, which they allow.
+#if defined(heif_decoder_plugin_latest_version) && heif_decoder_plugin_latest_version >= 5
+constexpr int interface_version = 5;
+
+/// What libheif calls from 1.21 on, where it takes no older interface.
+void add_what_is_called_since(heif_decoder_plugin& plugin) {
+    plugin.does_support_format2 = [](const heif_decoder_plugin_compressed_format_description* format) {
+        return hevc_priority_for(format->format);
+    };
+    plugin.new_decoder2 = [](void** coded, const heif_decoder_plugin_options*) { return new_hevc(coded); };
+    plugin.push_data2 = [](void* coded, const void* data, std::size_t size, std::uintptr_t) {
+        return push_hevc(coded, data, size);
+    };
+    plugin.flush_data = [](void*) { return no_heif_error(); };
+    plugin.decode_next_image2 = [](void* coded, heif_image** out, std::uintptr_t* of_pushed,
+                                   const heif_security_limits*) {
+        if (of_pushed != nullptr)
+            *of_pushed = 0;
+        return decode_hevc(coded, out);
+    };
+}
+#else
+constexpr int interface_version = 3;
+void add_what_is_called_since(heif_decoder_plugin&) {}
+#endif
+
 heif_decoder_plugin described() {
     heif_decoder_plugin plugin{};
-    plugin.plugin_api_version = 3;
+    plugin.plugin_api_version = interface_version;
     plugin.get_plugin_name = [] { return "FFmpeg's libavcodec"; };
     plugin.does_support_format = hevc_priority_for;
     plugin.new_decoder = new_hevc;
@@ -263,6 +287,7 @@ heif_decoder_plugin described() {
     plugin.decode_image = decode_hevc;
     plugin.set_strict_decoding = [](void*, int) {}; // it is always strict
     plugin.id_name = "touchphoto_libavcodec";
+    add_what_is_called_since(plugin);
     return plugin;
 }
 

@@ -13,8 +13,11 @@ static_assert(LIBHEIF_NUMERIC_VERSION >> 24 == 1, "the library of another versio
 
 std::optional<LibHeif> libheif_with_our_decoder() {
     auto heif = load_functions<LibHeif>("libheif.so.1");
-    if (heif)
+    if (heif) {
+        // Loads its own decoders where they are files beside it: later the process may open none (core/processes).
+        heif->heif_init(nullptr);
         heif->heif_register_decoder_plugin(&hevc_decoder()); // where it will not, its own decoder remains
+    }
     return heif;
 }
 

@@ -23,8 +23,8 @@ struct LibHeif {
                         heif_image_handle_get_ispe_width) each(heif_image_handle_get_list_of_thumbnail_IDs)  \
                         each(heif_image_handle_get_thumbnail) each(heif_image_handle_get_width)              \
                             each(heif_image_handle_release) each(heif_image_release)                         \
-                                each(heif_image_set_nclx_color_profile) each(heif_nclx_color_profile_alloc)  \
-                                    each(heif_nclx_color_profile_free)                                       \
+                                each(heif_image_set_nclx_color_profile) each(heif_init)                      \
+                                    each(heif_nclx_color_profile_alloc) each(heif_nclx_color_profile_free)   \
                                         each(heif_nclx_color_profile_set_color_primaries)                    \
                                             each(heif_nclx_color_profile_set_matrix_coefficients)            \
                                                 each(heif_nclx_color_profile_set_transfer_characteristics)   \

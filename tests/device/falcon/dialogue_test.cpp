@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is asked of a Falcon, how often, and what is made of its replies: each packet written by hand.
 #include "device/falcon/falcon.hpp"
-#include "device/falcon/falcon_start.hpp"
 #include "device/guard/simulated_guard.hpp"
 #include "falcon_bench.hpp"
 #include "safe_force.hpp"
@@ -24,7 +23,6 @@
 using namespace tp;
 using namespace tp::falcon;
 using namespace tp::testing;
-using What = FalconStart::Step::What;
 
 namespace {
 
@@ -420,127 +418,6 @@ private slots:
             QVERIFY(command.homing);
             QCOMPARE(command.leds, led::blue);
         }
-    }
-
-    // What is tried with a Falcon until it is said not to answer
-
-    void a_firmware_that_may_run_is_asked_five_times_for_60_ms_each() {
-        FalconStart start(std::span<const std::uint8_t>{});
-        int sent = 0;
-        int silences = 0;
-        FalconStart::Step step = start.next();
-        for (; step.what != What::failed && silences < 10000; step = start.next())
-            if (step.what == What::send)
-                ++sent;
-            else if (step.what == What::listen) {
-                ++silences;
-                start.silence();
-            }
-        QCOMPARE(sent, 5);
-        QCOMPARE(silences, 15);
-        FalconStart idle(
-            std::span<const std::uint8_t>{}); // packets with nothing in them come each millisecond
-        int heard = 0;
-        for (step = idle.next(); step.what != What::failed && heard < 10000; step = idle.next())
-            if (step.what == What::listen) {
-                ++heard;
-                idle.heard({}, false);
-            }
-        QCOMPARE(heard, 5 * 60);
-    }
-
-    void a_loader_is_greeted_a_hundred_times_a_load_and_loaded_ten_times() {
-        const std::vector<std::uint8_t> image = falcon_image();
-        FalconStart start(image);
-        int greetings = 0;
-        int listened = 0;
-        FalconStart::Step step = start.next();
-        for (; step.what != What::failed && listened < 100000; step = start.next())
-            if (step.what == What::send)
-                greetings += step.bytes.size() == 3 ? 1 : 0;
-            else if (step.what == What::listen) {
-                ++listened;
-                start.heard({}, false); // of a loader each 16 ms
-            }
-        QCOMPARE(greetings, 10 * 100);
-        QCOMPARE(listened, 5 * 60 + 10 * 100 * 4);
-        QCOMPARE(start.loads(), 10);
-    }
-
-    /// From the greeting on, with silence at one stage.
-    void each_stage_of_a_load_has_its_patience() {
-        const std::vector<std::uint8_t> image = falcon_image();
-        FalconStart start(image);
-        const auto until_sent = [&start](std::size_t size) {
-            for (int i = 0; i < 1000; ++i) {
-                const FalconStart::Step step = start.next();
-                if (step.what == What::send && step.bytes.size() == size)
-                    return true;
-                if (step.what == What::listen)
-                    start.silence();
-            }
-            return false;
-        };
-        const std::vector<std::uint8_t> greeted{0x0A, 0x44, 0x2C, 0x0D};
-        const std::vector<std::uint8_t> knocked{0x41};
-        QVERIFY(until_sent(3));
-        start.heard(greeted, false);
-        int silences = 0; // for CTS 300 ms, then it is tried without
-        FalconStart::Step step = start.next();
-        for (; step.what != What::send; step = start.next())
-            if (step.what == What::listen) {
-                ++silences;
-                start.silence();
-            }
-        QCOMPARE(silences, 15);
-        QCOMPARE(step.bytes.size(), std::size_t(1));
-        int knocks = 1;
-        while (start.loads() == 1) {
-            step = start.next();
-            if (step.what == What::send)
-                ++knocks;
-            else
-                start.silence();
-        }
-        QCOMPARE(knocks, 5);
-        QVERIFY(until_sent(3)); // the whole load again
-        start.heard(greeted, false);
-        start.heard({}, true);
-        QVERIFY(until_sent(1));
-        start.heard(knocked, true);
-        QVERIFY(until_sent(62));
-        silences = 0; // a chunk is sent once and waited for 400 ms
-        while (start.loads() == 2) {
-            step = start.next();
-            QVERIFY(step.what == What::listen);
-            ++silences;
-            start.silence();
-        }
-        QCOMPARE(silences, 20);
-        QCOMPARE(static_cast<int>(start.trouble()), static_cast<int>(FalconStart::Trouble::broken_load));
-        QVERIFY(until_sent(3));
-        start.heard(greeted, false);
-        start.heard({}, true);
-        QVERIFY(until_sent(1));
-        start.heard(knocked, true);
-        std::size_t loaded = 0;
-        while (loaded < image.size()) {
-            step = start.next();
-            QVERIFY(step.what == What::send);
-            const std::vector<std::uint8_t> echo(step.bytes.begin(), step.bytes.end());
-            loaded += echo.size();
-            start.heard(echo, true);
-        }
-        int proofs = 0; // ten times, then the load begins anew
-        while (start.loads() == 3) {
-            step = start.next();
-            if (step.what == What::send)
-                ++proofs;
-            else if (step.what == What::listen)
-                start.silence();
-        }
-        QCOMPARE(proofs, 10);
-        QCOMPARE(static_cast<int>(start.trouble()), static_cast<int>(FalconStart::Trouble::dead_firmware));
     }
 };
 

@@ -7,7 +7,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,6 +60,27 @@ struct Bench {
         }
     }
 };
+
+struct Tries {
+    std::map<std::size_t, int> sent; ///< how often so many bytes
+    int listened = 0;
+};
+
+/// What is tried until it is given up, where each time that it listens ends like that.
+template <typename End>
+Tries until_failed(FalconStart& start, End end) {
+    Tries tries;
+    for (FalconStart::Step step = start.next(); step.what != What::failed && tries.listened < 100000;
+         step = start.next()) {
+        if (step.what == What::send)
+            ++tries.sent[step.bytes.size()];
+        if (step.what == What::listen) {
+            ++tries.listened;
+            end();
+        }
+    }
+    return tries;
+}
 
 } // namespace
 
@@ -242,6 +265,104 @@ private slots:
         const Result<std::vector<std::uint8_t>> image =
             firmware_in(folder.filePath("firmware.bin").toStdString());
         QVERIFY(image.ok() && image->empty());
+    }
+
+    // What is tried with a Falcon until it is said not to answer
+
+    void a_firmware_that_may_run_is_asked_five_times_for_60_ms_each() {
+        FalconStart silent(std::span<const std::uint8_t>{});
+        const Tries in_silence = until_failed(silent, [&] { silent.silence(); });
+        QCOMPARE(in_silence.sent, (std::map<std::size_t, int>{{packet_size, 5}}));
+        QCOMPARE(in_silence.listened, 15);
+        FalconStart idle(
+            std::span<const std::uint8_t>{}); // packets with nothing in them come each millisecond
+        QCOMPARE(until_failed(idle, [&] { idle.heard({}, false); }).listened, 5 * 60);
+    }
+
+    void a_loader_is_greeted_a_hundred_times_a_load_and_loaded_ten_times() {
+        const std::vector<std::uint8_t> image = any_image();
+        FalconStart start(image);
+        Tries tries = until_failed(start, [&] { start.heard({}, false); }); // of a loader each 16 ms
+        QCOMPARE(tries.sent[3], 10 * 100);
+        QCOMPARE(tries.listened, 5 * 60 + 10 * 100 * 4);
+        QCOMPARE(start.loads(), 10);
+    }
+
+    /// From the greeting on, with silence at one stage.
+    void each_stage_of_a_load_has_its_patience() {
+        const std::vector<std::uint8_t> image = any_image();
+        FalconStart start(image);
+        const auto until_sent = [&start](std::size_t size) {
+            for (int i = 0; i < 1000; ++i) {
+                const FalconStart::Step step = start.next();
+                if (step.what == What::send && step.bytes.size() == size)
+                    return true;
+                if (step.what == What::listen)
+                    start.silence();
+            }
+            return false;
+        };
+        const std::vector<std::uint8_t> greeted{0x0A, 0x44, 0x2C, 0x0D};
+        const std::vector<std::uint8_t> knocked{0x41};
+        const auto knocked_again = [&] {
+            if (!until_sent(3))
+                return false;
+            start.heard(greeted, false);
+            start.heard({}, true);
+            const bool knocks = until_sent(1);
+            start.heard(knocked, true);
+            return knocks;
+        };
+        QVERIFY(until_sent(3));
+        start.heard(greeted, false);
+        int silences = 0; // for CTS 300 ms, then it is tried without
+        FalconStart::Step step = start.next();
+        for (; step.what != What::send; step = start.next())
+            if (step.what == What::listen) {
+                ++silences;
+                start.silence();
+            }
+        QCOMPARE(silences, 15);
+        QCOMPARE(step.bytes.size(), std::size_t(1));
+        int knocks = 1;
+        while (start.loads() == 1) {
+            step = start.next();
+            if (step.what == What::send)
+                ++knocks;
+            else
+                start.silence();
+        }
+        QCOMPARE(knocks, 5);
+        QVERIFY(knocked_again()); // the whole load again
+        QVERIFY(until_sent(62));
+        silences = 0; // a chunk is sent once and waited for 400 ms
+        while (start.loads() == 2) {
+            step = start.next();
+            QVERIFY(step.what == What::listen);
+            ++silences;
+            start.silence();
+        }
+        QCOMPARE(silences, 20);
+        QVERIFY(start.trouble() == Trouble::broken_load);
+        QVERIFY(knocked_again());
+        std::size_t loaded = 0;
+        while (loaded < image.size()) {
+            step = start.next();
+            QVERIFY(step.what == What::send);
+            const std::vector<std::uint8_t> echo(step.bytes.begin(), step.bytes.end());
+            loaded += echo.size();
+            start.heard(echo, true);
+        }
+        int proofs = 0; // ten times, then the load begins anew
+        while (start.loads() == 3) {
+            step = start.next();
+            if (step.what == What::send)
+                ++proofs;
+            else if (step.what == What::listen)
+                start.silence();
+        }
+        QCOMPARE(proofs, 10);
+        QVERIFY(start.trouble() == Trouble::dead_firmware);
     }
 };
 

@@ -227,6 +227,10 @@ private slots:
         QCOMPARE(Watched().stare(frame).advice, Advice::turn_anticlockwise);
         frame.horizon_deg = no_number;
         QCOMPARE(Watched().stare(frame).advice, Advice::ready);
+        frame.horizon_deg.reset();
+        Watched neither;
+        QCOMPARE(neither.stare(frame).advice, Advice::ready);
+        QCOMPARE(neither.adviser.faults()[static_cast<std::size_t>(AimFault::tilt)], 0.0);
         frame.horizon_deg = 15.0;
         frame.faces[0] = face_at(0.5, 0.45);
         QCOMPARE(Watched().stare(frame).advice, Advice::ready);

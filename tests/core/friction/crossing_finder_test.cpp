@@ -188,6 +188,7 @@ private slots:
             scene.lines.push_back({{{x, -5}, {x, 5}}, false});
         }
         StepCrossings crossings;
+        QVERIFY(crossings.list().empty());
         CrossingFinder(scene).find({-10, 0}, {110, 0}, crossings);
         QCOMPARE(crossings.list().size(), StepCrossings::room);
         QCOMPARE(crossings.left_out(), 100 - StepCrossings::room);

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -35,6 +36,18 @@ const heif_decoder_plugin& counting() {
             decoded_by_ours += error.code == heif_error_Ok;
             return error;
         };
+#if defined(heif_decoder_plugin_latest_version) && heif_decoder_plugin_latest_version >= 5
+        ours.does_support_format2 = [](const heif_decoder_plugin_compressed_format_description* format) {
+            const int priority = hevc_decoder().does_support_format2(format);
+            return priority > 0 ? priority + 1 : 0;
+        };
+        ours.decode_next_image2 = [](void* coded, heif_image** out, std::uintptr_t* of_pushed,
+                                     const heif_security_limits* limits) {
+            const heif_error error = hevc_decoder().decode_next_image2(coded, out, of_pushed, limits);
+            decoded_by_ours += error.code == heif_error_Ok;
+            return error;
+        };
+#endif
         return ours;
     }();
     return plugin;

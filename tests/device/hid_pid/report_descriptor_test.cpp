@@ -56,10 +56,10 @@ class ReportDescriptorTest : public QObject {
 private slots:
     // The models' own descriptors, of which nothing is read back through what they are to try
     void the_models_say_what_they_have() {
-        QCOMPARE(tp::testing::lines_of(open_controller().descriptor).join('\n'),
-                 tp::testing::open_controller_lines);
-        QCOMPARE(tp::testing::lines_of(plain_controller().descriptor).join('\n'),
-                 tp::testing::plain_controller_lines);
+        QCOMPARE(tp::testing::lines_of(open_controller().descriptor),
+                 std::string(tp::testing::open_controller_lines));
+        QCOMPARE(tp::testing::lines_of(plain_controller().descriptor),
+                 std::string(tp::testing::plain_controller_lines));
     }
 
     void recorded_ones_are_read_whole_data() {

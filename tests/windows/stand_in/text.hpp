@@ -32,6 +32,13 @@ public:
     bool isNull() const { return empty(); }
     QByteArray mid(std::size_t at, std::size_t count = npos) const { return QByteArray(substr(at, count)); }
     std::string toStdString() const { return *this; }
+    /// The bytes of which those are the digits, two each.
+    static QByteArray fromHex(const std::string& digits) {
+        QByteArray bytes;
+        for (std::size_t at = 0; at + 1 < digits.size(); at += 2)
+            bytes += static_cast<char>(std::stoi(digits.substr(at, 2), nullptr, 16));
+        return bytes;
+    }
     /// Two digits a byte, with `between` between two of them.
     QByteArray toHex(char between) const {
         QByteArray hex;

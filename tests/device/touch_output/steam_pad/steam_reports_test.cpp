@@ -29,6 +29,15 @@ std::vector<std::uint8_t> report_of(ModelSteamPad& model) {
     return bytes;
 }
 
+/// The first 24 bytes of its next report, as "01 00 3c".
+std::string told(ModelSteamPad& model) {
+    std::string hex;
+    const std::vector<std::uint8_t> report = report_of(model);
+    for (const std::uint8_t byte : std::span(report).first(24))
+        hex += QString::asprintf(hex.empty() ? "%02x" : " %02x", unsigned{byte}).toStdString();
+    return hex;
+}
+
 QString hex(const steam::Feature& report, int bytes) {
     return QByteArray(reinterpret_cast<const char*>(report.data()), bytes).toHex(' ');
 }
@@ -204,10 +213,6 @@ private slots:
     // The model, of which nothing is read back through what it is to try
 
     void the_model_tells_what_the_devices_do() {
-        const auto told = [](ModelSteamPad& model) {
-            return QString::fromUtf8(
-                QByteArray(reinterpret_cast<const char*>(report_of(model).data()), 24).toHex(' '));
-        };
         ModelSteamPad deck(steam::Kind::deck);
         std::vector<std::uint8_t> early;
         for (int ms = 0; ms < 3; ++ms)
@@ -215,17 +220,17 @@ private slots:
         QVERIFY(!deck.report(early));                        // each 4 ms
         deck.touch(steam::Side::left, {-32.5, 8.125}, true); // beside it, and half of the way up
         QCOMPARE(told(deck),
-                 QString("01 00 09 40 01 00 00 00 00 00 0a 00 00 00 00 00 01 80 00 40 00 00 00 00"));
+                 std::string("01 00 09 40 01 00 00 00 00 00 0a 00 00 00 00 00 01 80 00 40 00 00 00 00"));
         ModelSteamPad controller(steam::Kind::controller);
         controller.push_stick({1.0, -1.0});
         QCOMPARE(told(controller),
-                 QString("01 00 01 3c 01 00 00 00 00 00 00 00 00 00 00 00 ff 7f 01 80 00 00 00 00"));
+                 std::string("01 00 01 3c 01 00 00 00 00 00 00 00 00 00 00 00 ff 7f 01 80 00 00 00 00"));
         controller.touch(steam::Side::left, {0.0, 0.0});
         controller.touch(steam::Side::right, {0.0, 0.0}, true);
         QCOMPARE(told(controller),
-                 QString("01 00 01 3c 02 00 00 00 00 00 9c 00 00 00 00 00 00 00 00 00 00 00 00 00"));
+                 std::string("01 00 01 3c 02 00 00 00 00 00 9c 00 00 00 00 00 00 00 00 00 00 00 00 00"));
         QCOMPARE(told(controller), // the stick's turn
-                 QString("01 00 01 3c 03 00 00 00 00 00 94 00 00 00 00 00 ff 7f 01 80 00 00 00 00"));
+                 std::string("01 00 01 3c 03 00 00 00 00 00 94 00 00 00 00 00 ff 7f 01 80 00 00 00 00"));
     }
     void the_model_tells_of_its_buttons_however_long_it_has_told() {
         ModelSteamPad deck(steam::Kind::deck);

@@ -55,7 +55,7 @@ class Caregiver:
 
     def records_a_memo(self):
         self.page.press("Record")
-        self.page.await_name("Finish the recording")
+        self.page.await_name("Recording …")  # as soon as the microphone is heard
         sound = tone(os.path.join(self.folder, "memo.wav"), 500, 3.0)
         subprocess.run(["paplay", "-d", "mouth", sound], check=True)
         self.page.press("Finish the recording")

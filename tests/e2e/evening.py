@@ -168,7 +168,7 @@ class Evening:
         for number in numbers:
             self.opens_the_next_photo(number)
             self.page.press("Record")
-            self.page.await_name("Finish the recording")
+            self.page.await_name("Recording …")  # as soon as the microphone is heard
             subprocess.run(["paplay", "-d", "mouth", sound], check=True)
             self.page.press("Finish the recording")
             self.listener.await_words("Saved.")

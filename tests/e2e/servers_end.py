@@ -41,7 +41,7 @@ class Caregiver:
     def records(self):
         self.page.press(os.path.basename(self.album.photos[0]) + "…", self.page.atspi.ROLE_LIST_ITEM)
         self.page.press("Record")
-        self.page.await_name("Finish the recording")
+        self.page.await_name("Recording …")  # as soon as the microphone is heard
 
     def is_heard_by_the_microphone(self, seconds):
         subprocess.run(["paplay", "-d", "mouth", tone(os.path.join(self.folder, "memo.wav"), 500, seconds)], check=True)

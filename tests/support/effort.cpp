@@ -15,7 +15,8 @@ std::size_t tried_of(std::size_t count) {
 
 std::vector<int> thirds() {
     const char* const turn = std::getenv("TP_TURN");
-    return turn == nullptr || *turn == '\0' ? std::vector{0, 1, 2} : std::vector{std::abs(std::atoi(turn)) % 3};
+    return turn == nullptr || *turn == '\0' ? std::vector{0, 1, 2}
+                                            : std::vector{std::abs(std::atoi(turn)) % 3};
 }
 
 } // namespace tp::test

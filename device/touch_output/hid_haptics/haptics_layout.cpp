@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace tp::haptics {
 
@@ -76,7 +77,10 @@ double length_mm(const Field& field) {
     const bool length = (field.unit >> 4u & 0xFu) == 1 && field.unit >> 8u == 0;
     const double unit_mm = system == 1 ? 10.0 : system == 3 ? 25.4 : 0.0; // centimetres, inches
     const auto way = static_cast<double>(field.physical_max - field.physical_min);
-    const double mm = length ? way * unit_mm * std::pow(10.0, field.unit_exponent) : 0.0;
+    // Divided, for 10⁻² is no number that a double holds.
+    const double scale = std::pow(10.0, std::abs(field.unit_exponent));
+    const double units = field.unit_exponent < 0 ? way * unit_mm / scale : way * unit_mm * scale;
+    const double mm = length ? units : 0.0;
     return mm >= 10.0 && mm <= 1000.0 ? mm : 0.0; // no pad is smaller or larger
 }
 

@@ -13,6 +13,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -86,6 +87,10 @@ bool alike(const One& one, const Other& other) {
             return one == other;
         constexpr double digits = std::is_same_v<One, float> ? 1e5 : 1e12;
         return std::abs(one - other) * digits <= std::min(std::abs(one), std::abs(other));
+    } else if constexpr (std::is_convertible_v<One, const char*> &&
+                         std::is_convertible_v<Other, const char*>) {
+        return std::string_view(one) ==
+               std::string_view(other); // as Qt Test: what is written there, not where
     } else {
         return one == other;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The force pad through the real hidapi, with a device made by umockdev: its /sys and /dev are those of a HID
 // device, its node is a pseudo-terminal, and behind it a thread runs the model pad.
+#include "../mocked_node.hpp"
 #include "device/force_pad/hid_transport.hpp"
 #include "device/force_pad/model_pad.hpp"
 #include "found_pad_bench.hpp"
@@ -18,7 +19,6 @@
 #include <memory>
 #include <poll.h>
 #include <string>
-#include <termios.h>
 #include <thread>
 #include <umockdev-1.0/umockdev.h>
 #include <unistd.h>
@@ -51,17 +51,9 @@ public:
 
     bool plug_in(Behaviour behaviour) {
         const std::string description = mock::usb_description() + mock::hidraw_description();
-        if (umockdev_testbed_add_from_string(bed_, description.c_str(), nullptr) == FALSE ||
-            umockdev_testbed_attach_ioctl(bed_, mock::hidraw_node, ioctls_, nullptr) == FALSE)
-            return false;
-        file_ = umockdev_testbed_get_dev_fd(bed_, mock::hidraw_node);
+        file_ = mock::plugged_in(bed_, description, mock::hidraw_node, ioctls_);
         if (file_ < 0)
             return false;
-        termios raw{};
-        if (tcgetattr(file_, &raw) == 0) {
-            cfmakeraw(&raw);
-            tcsetattr(file_, TCSANOW, &raw);
-        }
         behaviour_.store(behaviour);
         device_ = std::thread([this] { be_a_device(); });
         return true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../force_pad/mock_hidraw.hpp"
+#include "../mocked_node.hpp"
 #include "joystick_bench.hpp"
 
 #include <algorithm>
@@ -13,7 +14,6 @@
 #include <poll.h>
 #include <span>
 #include <string>
-#include <termios.h>
 #include <thread>
 #include <umockdev-1.0/umockdev.h>
 #include <unistd.h>
@@ -48,17 +48,9 @@ public:
     bool plug_in() {
         const HidrawDevice shown{"force stick", "FS-0001", descriptor_, "045e", "001b"};
         const std::string description = usb_description(shown) + hidraw_description(shown);
-        if (umockdev_testbed_add_from_string(bed_, description.c_str(), nullptr) == FALSE ||
-            umockdev_testbed_attach_ioctl(bed_, hidraw_node, ioctls_, nullptr) == FALSE)
-            return false;
-        file_ = umockdev_testbed_get_dev_fd(bed_, hidraw_node);
+        file_ = plugged_in(bed_, description, hidraw_node, ioctls_);
         if (file_ < 0)
             return false;
-        termios raw{};
-        if (tcgetattr(file_, &raw) == 0) {
-            cfmakeraw(&raw);
-            tcsetattr(file_, TCSANOW, &raw);
-        }
         device_ = std::thread([this] { be_a_joystick(); });
         return true;
     }

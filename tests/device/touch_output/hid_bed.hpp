@@ -2,13 +2,13 @@
 #pragma once
 
 #include "../force_pad/mock_hidraw.hpp"
+#include "../mocked_node.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
-#include <termios.h>
 #include <umockdev-1.0/umockdev.h>
 #include <unistd.h>
 #include <utility>
@@ -42,15 +42,8 @@ public:
 
     bool plug_in() {
         const std::string description = usb_description(shown_) + hidraw_description(shown_);
-        if (umockdev_testbed_add_from_string(bed_, description.c_str(), nullptr) == FALSE ||
-            umockdev_testbed_attach_ioctl(bed_, hidraw_node, ioctls_, nullptr) == FALSE)
-            return false;
-        file_ = umockdev_testbed_get_dev_fd(bed_, hidraw_node);
-        termios raw{};
-        if (file_ < 0 || tcgetattr(file_, &raw) != 0)
-            return false;
-        cfmakeraw(&raw);
-        return tcsetattr(file_, TCSANOW, &raw) == 0;
+        file_ = plugged_in(bed_, description, hidraw_node, ioctls_);
+        return file_ >= 0;
     }
     void unplug() {
         umockdev_testbed_uevent(bed_, hidraw_sys_path, "remove");

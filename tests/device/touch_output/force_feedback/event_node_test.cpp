@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the kernel is asked for a device with force feedback, and what is made of its answers: a node made by umockdev.
+#include "../../mocked_node.hpp"
 #include "device/touch_output/force_feedback/event_nodes.hpp"
 
 #include <QTest>
 
-// GLib's header has a parameter of this name.
-#undef signals
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
@@ -15,7 +14,6 @@
 #include <poll.h>
 #include <string>
 #include <sys/ioctl.h>
-#include <termios.h>
 #include <umockdev-1.0/umockdev.h>
 #include <unistd.h>
 #include <utility>
@@ -52,15 +50,8 @@ public:
             "A: capabilities/key=7fdb000000000000 0 0 0 0\\n\nA: id/bustype=0003\\n\n\n"
             "P: /devices/virtual/input/input5/event5\nN: input/event5\nE: SUBSYSTEM=input\n"
             "E: DEVNAME=/dev/input/event5\nE: MAJOR=13\nE: MINOR=69\nL: device=../../input5\n\n";
-        if (umockdev_testbed_add_from_string(bed_, shown, nullptr) == FALSE ||
-            umockdev_testbed_attach_ioctl(bed_, "/dev/input/event5", ioctls_, nullptr) == FALSE)
-            return false;
-        file_ = umockdev_testbed_get_dev_fd(bed_, "/dev/input/event5");
-        termios raw{};
-        if (file_ < 0 || tcgetattr(file_, &raw) != 0)
-            return false;
-        cfmakeraw(&raw);
-        return tcsetattr(file_, TCSANOW, &raw) == 0;
+        file_ = tp::mock::plugged_in(bed_, shown, "/dev/input/event5", ioctls_);
+        return file_ >= 0;
     }
     void unplug() {
         if (file_ >= 0)

@@ -2,6 +2,7 @@
 #include "device/latest_writer.hpp"
 
 #include "core/servo/exit_guard.hpp"
+#include "device/awaited_word.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -27,7 +28,7 @@ struct LatestWriter::Mailbox {
     }
     void write_until_quit() noexcept {
         while (!lost.load(std::memory_order_acquire)) {
-            turn.wait(sent.load(std::memory_order_relaxed), std::memory_order_acquire);
+            await_change(turn, sent.load(std::memory_order_relaxed));
             const bool last = quit.load(std::memory_order_acquire);
             send(turn.load(std::memory_order_acquire));
             if (last)
@@ -37,7 +38,7 @@ struct LatestWriter::Mailbox {
     }
     void wake() noexcept {
         turn.fetch_add(1, std::memory_order_release);
-        turn.notify_one();
+        wake_one(turn);
     }
 };
 

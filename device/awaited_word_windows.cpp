@@ -5,7 +5,8 @@
 
 namespace tp {
 
-static_assert(sizeof(std::atomic<std::uint32_t>) == sizeof(std::uint32_t)); // the word itself lies at its address
+static_assert(sizeof(std::atomic<std::uint32_t>) ==
+              sizeof(std::uint32_t)); // the word itself lies at its address
 
 void await_change(const std::atomic<std::uint32_t>& word, std::uint32_t seen) noexcept {
     while (word.load(std::memory_order_acquire) == seen) // the system may wake it for nothing

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which programs of a finished build are made of something that is other than at some commit, or read it; which tests run
-none of these; which programs tests run at all.
+"""Which programs of a finished build are made of something that is other than at some commit, or read it; which tests have
+changed themselves, or their room has; which programs tests run at all.
 
 changed.py fuzzers BUILD COMMIT         the fuzzers that are
-changed.py left-out BUILD COMMIT TURN   the tests that run none of these and whose turn it is not; TURN is a number, by which
-                                        another third of such tests is run each time
+changed.py left-out BUILD COMMIT TURN   the tests that have not, and whose turn it is not; TURN is a number, by which another
+                                        third of such tests is run each time
 changed.py run-by BUILD CTEST-OPTION…   the programs that the tests run which CTest chooses by these options; the build need
                                         not be finished
 """
@@ -64,6 +64,26 @@ def changed_programs(sources: dict[str, set[str]], changes: set[str]) -> set[str
             if "" in data or files & changes or data & folders[program]}
 
 
+def changed_tests(sources: dict[str, set[str]], changes: set[str]) -> set[str]:
+    """Those of the programs whose own sources are others, with what they share with the tests beside and below them, or whose
+    own room is: that of tests/core/servo is core/servo. A program that is no test counts as in changed_programs."""
+    found = set()
+    for program in changed_programs(sources, changes):
+        folder = os.path.dirname(program)
+        room = folder.removeprefix("tests/")
+        if room == folder or any(is_own(file, folder, room, sources[program]) for file in changes):
+            found.add(program)
+    return found
+
+
+def is_own(file: str, folder: str, room: str, sources: set[str]) -> bool:
+    if file.startswith("tests/"):
+        where = os.path.dirname(file)
+        shared = file in sources and f"{folder}/".startswith(f"{where}/")
+        return shared or file.startswith(f"{folder}/") and not file.endswith(COMPILED + UNREAD)
+    return file.startswith(f"{room}/")
+
+
 def third_of(name: str) -> int:
     """0, 1 or 2; the same for the same name for ever."""
     return zlib.crc32(name.encode()) % 3
@@ -100,11 +120,12 @@ def main() -> int:
         names = sorted(run_by(tests_of(build, *words[1:]), set(made_of.programs)))
     else:
         sources = {program: made_of.sources(program) for program in made_of.programs}
-        changed = changed_programs(sources, changed_files(ROOT, words[1]))
+        changes = changed_files(ROOT, words[1])
         if asked == "fuzzers":
-            names = sorted(program.removeprefix("fuzz/") for program in changed if program.startswith("fuzz/"))
+            names = sorted(program.removeprefix("fuzz/") for program in changed_programs(sources, changes)
+                           if program.startswith("fuzz/"))
         else:
-            names = left_out(tests_of(build), set(sources), changed, int(words[2]))
+            names = left_out(tests_of(build), set(sources), changed_tests(sources, changes), int(words[2]))
     print("\n".join(names))
     return 0
 

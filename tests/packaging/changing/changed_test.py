@@ -11,7 +11,7 @@ import unittest
 CHANGING = pathlib.Path(sys.argv.pop())
 sys.path.insert(0, str(CHANGING))
 
-from changed import changed_files, changed_programs, left_out, run_by, third_of  # noqa: E402
+from changed import changed_files, changed_programs, changed_tests, left_out, run_by, third_of  # noqa: E402
 from made_of import MadeOf  # noqa: E402
 
 NINJA = """\
@@ -85,6 +85,33 @@ class Changed(unittest.TestCase):
         (self.root / "room/room.cpp").write_text("int room;\n", encoding="utf-8")
         (self.root / "helper/main.cpp").unlink()
         self.assertEqual({"room/room.cpp", "helper/main.cpp"}, changed_files(self.root, "HEAD"))
+
+
+class Own(unittest.TestCase):
+    sources = {
+        "tests/core/servo/test_loop": {"core/servo/loop.cpp", "core/base/result.hpp", "tests/core/servo/loop_test.cpp",
+                                       "tests/core/servo/bench.hpp", "tests/support/doubles.hpp"},
+        "tests/core/servo/deep/test_drawn": {"core/servo/loop.cpp", "tests/core/servo/deep/drawn_test.cpp",
+                                             "tests/core/servo/bench.hpp"},
+        "tests/app/test_page": {"app/page.cpp", "core/servo/loop.cpp", "tests/app/page_test.cpp", "tests/support/doubles.hpp"},
+        "bin/touchphoto": {"app/page.cpp", "core/servo/loop.cpp"},
+    }
+
+    def own(self, *changes):
+        return changed_tests(self.sources, set(changes))
+
+    def test_a_room_s_own_tests_and_programs_are_changed_by_it_and_no_others(self):
+        self.assertEqual({"tests/core/servo/test_loop", "bin/touchphoto"}, self.own("core/servo/loop.cpp"))
+        self.assertEqual({"tests/app/test_page", "bin/touchphoto"}, self.own("app/page.cpp"))
+
+    def test_a_test_is_changed_by_what_lies_beside_and_above_it(self):
+        self.assertEqual({"tests/core/servo/test_loop"}, self.own("tests/core/servo/loop_test.cpp"))
+        self.assertEqual({"tests/core/servo/test_loop", "tests/core/servo/deep/test_drawn"}, self.own("tests/core/servo/bench.hpp"))
+        self.assertEqual({"tests/core/servo/test_loop"}, self.own("tests/core/servo/samples/a.csv"))
+
+    def test_what_all_are_made_of_waits_for_its_turn(self):
+        self.assertEqual(set(), self.own("tests/support/doubles.hpp"))
+        self.assertEqual(set(), self.own("core/base/result.hpp"))
 
 
 class Turns(unittest.TestCase):

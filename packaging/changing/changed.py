@@ -5,6 +5,7 @@ changed themselves, or their room has; which programs tests run at all.
 changed.py fuzzers BUILD COMMIT         the fuzzers that are
 changed.py left-out BUILD COMMIT TURN   the tests that have not, and whose turn it is not; TURN is a number, by which another
                                         third of such tests is run each time
+changed.py unreached BUILD COMMIT LABEL the tests with that label that run nothing of what changed
 changed.py run-by BUILD CTEST-OPTION…   the programs that the tests run which CTest chooses by these options; the build need
                                         not be finished
 """
@@ -99,6 +100,11 @@ def left_out(tests: dict[str, list[str]], programs: set[str], changed: set[str],
     return found
 
 
+def unreached(tests: dict[str, list[str]], programs: set[str], changed: set[str]) -> list[str]:
+    """One that runs no program of ours is reached by everything."""
+    return [name for name, words in tests.items() if programs & set(words) and not changed & set(words)]
+
+
 def run_by(tests: dict[str, list[str]], programs: set[str]) -> set[str]:
     return programs & {word for words in tests.values() for word in words}
 
@@ -112,7 +118,7 @@ def tests_of(build: pathlib.Path, *options: str) -> dict[str, list[str]]:
 
 def main() -> int:
     asked, *words = sys.argv[1:] or [""]
-    if len(words) != {"fuzzers": 2, "left-out": 3, "run-by": max(len(words), 2)}.get(asked):
+    if len(words) != {"fuzzers": 2, "left-out": 3, "unreached": 3, "run-by": max(len(words), 2)}.get(asked):
         sys.exit(__doc__)
     build = pathlib.Path(words[0]).resolve()
     made_of = MadeOf(ROOT, build)
@@ -124,6 +130,8 @@ def main() -> int:
         if asked == "fuzzers":
             names = sorted(program.removeprefix("fuzz/") for program in changed_programs(sources, changes)
                            if program.startswith("fuzz/"))
+        elif asked == "unreached":
+            names = unreached(tests_of(build, "-L", f"^{words[2]}$"), set(sources), changed_programs(sources, changes))
         else:
             names = left_out(tests_of(build), set(sources), changed_tests(sources, changes), int(words[2]))
     print("\n".join(names))

@@ -11,7 +11,7 @@ import unittest
 CHANGING = pathlib.Path(sys.argv.pop())
 sys.path.insert(0, str(CHANGING))
 
-from changed import changed_files, changed_programs, changed_tests, left_out, run_by, third_of  # noqa: E402
+from changed import changed_files, changed_programs, changed_tests, left_out, run_by, third_of, unreached  # noqa: E402
 from made_of import MadeOf  # noqa: E402
 
 NINJA = """\
@@ -134,6 +134,10 @@ class Turns(unittest.TestCase):
     def test_what_runs_no_program_of_ours_is_never_left_out(self):
         for turn in range(3):
             self.assertEqual([], left_out({"house.readmes": ["python3", "readmes.py"]}, self.programs, set(), turn))
+
+    def test_a_test_is_unreached_where_it_runs_programs_of_ours_of_which_none_changed(self):
+        tests = {"vm.a": ["in_vm", "tests/3"], "vm.b": ["in_vm", "tests/5"], "vm.c": ["python3"]}
+        self.assertEqual(["vm.b"], unreached(tests, self.programs, {"tests/3"}))
 
     def test_programs_that_tests_run_are_named_once_and_no_others(self):
         tests = {"room.a": ["run_test", "tests/a"], "room.b": ["run_test", "helper", "tests/a"], "house.c": ["python3", "c.py"]}

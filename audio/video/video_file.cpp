@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/video/video_file.hpp"
 
+#include "core/libraries/package_name.hpp"
+
 #include <cerrno>
 #include <cstddef>
 
@@ -20,7 +22,7 @@ int open_nothing(AVFormatContext*, AVIOContext**, const char*, int, AVDictionary
 std::string VideoFile::ready() {
     if (load_libav() == nullptr)
         return std::string("reading it needs the library ") + libav_name +
-               " of FFmpeg (Debian: libavformat59), which is not installed.";
+               " of FFmpeg (Debian: " + debian_package(libav_name) + "), which is not installed.";
     av().av_log_set_level(AV_LOG_QUIET); // it would print on stderr; what is wrong is said by who asked
     av().av_max_alloc(most_memory);
     return {};

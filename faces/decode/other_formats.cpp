@@ -2,6 +2,7 @@
 #include "faces/decode/other_formats.hpp"
 
 #include "core/libraries/loaded_library.hpp"
+#include "core/libraries/package_name.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 
 #include <opencv2/imgcodecs.hpp>
@@ -34,9 +35,9 @@ Result<cv::Mat> decode_other_format(const Bytes& bytes) {
     Decode* const decode = decoder();
     if (!decode)
         return Error{
-            "Pictures other than JPEG need the library " TP_OPENCV_CODECS
-            " (Debian: libopencv-imgcodecs406), which is not installed: install it or save the picture "
-            "as JPEG."};
+            "Pictures other than JPEG need the library " TP_OPENCV_CODECS " (Debian: " +
+            debian_package(TP_OPENCV_CODECS) +
+            "), which is not installed: install it or save the picture as JPEG."};
     try {
         return decode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     } catch (const cv::Exception&) { // limits of OpenCV and of the decoders below it

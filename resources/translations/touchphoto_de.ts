@@ -2453,8 +2453,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Es wurde nichts genannt, was gelöscht werden könnte.</translation>
     </message>
     <message>
-        <source>Pictures other than JPEG need the library %1 (Debian: libopencv-imgcodecs406), which is not installed: install it or save the picture as JPEG.</source>
-        <translation>Andere Bilder als JPEG brauchen die Bibliothek %1 (Debian: libopencv-imgcodecs406), die hier fehlt: Installieren Sie sie, oder speichern Sie das Bild als JPEG.</translation>
+        <source>Pictures other than JPEG need the library %1 (Debian: %2), which is not installed: install it or save the picture as JPEG.</source>
+        <translation>Andere Bilder als JPEG brauchen die Bibliothek %1 (Debian: %2), die hier fehlt: Installieren Sie sie, oder speichern Sie das Bild als JPEG.</translation>
     </message>
     <message>
         <source>Qt&apos;s driver for SQLite is not installed; without it there is no album. On Debian it is the package libqt6sql6-sqlite.</source>
@@ -3533,8 +3533,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>des Gesichtsumrisses</translation>
     </message>
     <message>
-        <source>reading it needs the library %1 of FFmpeg (Debian: libavformat59), which is not installed.</source>
-        <translation>Zum Lesen fehlt die Bibliothek %1 von FFmpeg (Debian: libavformat59).</translation>
+        <source>reading it needs the library %1 of FFmpeg (Debian: %2), which is not installed.</source>
+        <translation>Zum Lesen fehlt die Bibliothek %1 von FFmpeg (Debian: %2).</translation>
     </message>
     <message>
         <source>right and bottom edges</source>

@@ -2430,8 +2430,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>지울 것을 고르지 않았습니다.</translation>
     </message>
     <message>
-        <source>Pictures other than JPEG need the library %1 (Debian: libopencv-imgcodecs406), which is not installed: install it or save the picture as JPEG.</source>
-        <translation>JPEG가 아닌 사진에는 라이브러리 %1(데비안: libopencv-imgcodecs406)이 필요한데 여기에 없습니다. 설치하거나 사진을 JPEG로 저장하세요.</translation>
+        <source>Pictures other than JPEG need the library %1 (Debian: %2), which is not installed: install it or save the picture as JPEG.</source>
+        <translation>JPEG가 아닌 사진에는 라이브러리 %1(데비안: %2)이 필요한데 여기에 없습니다. 설치하거나 사진을 JPEG로 저장하세요.</translation>
     </message>
     <message>
         <source>Qt&apos;s driver for SQLite is not installed; without it there is no album. On Debian it is the package libqt6sql6-sqlite.</source>
@@ -3510,8 +3510,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>얼굴 윤곽</translation>
     </message>
     <message>
-        <source>reading it needs the library %1 of FFmpeg (Debian: libavformat59), which is not installed.</source>
-        <translation>읽는 데 필요한 FFmpeg의 라이브러리 %1(데비안: libavformat59)가 설치되어 있지 않습니다.</translation>
+        <source>reading it needs the library %1 of FFmpeg (Debian: %2), which is not installed.</source>
+        <translation>읽는 데 필요한 FFmpeg의 라이브러리 %1(데비안: %2)가 설치되어 있지 않습니다.</translation>
     </message>
     <message>
         <source>right and bottom edges</source>

@@ -9,7 +9,7 @@
 #include "audio/sound/recorder.hpp"
 #include "audio/sound/system_loudspeaker.hpp"
 #include "audio/speech/spoken_voice.hpp"
-#include "core/processes/foreign_decoder_linux.hpp"
+#include "core/processes/foreign_decoder.hpp"
 #include "core/version/version.hpp"
 #include "device/registry.hpp"
 

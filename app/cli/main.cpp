@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/verbs.hpp"
-#include "core/processes/foreign_decoder_linux.hpp"
+#include "core/processes/foreign_decoder.hpp"
 
 #include <QCoreApplication>
 #include <QGuiApplication>

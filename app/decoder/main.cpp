@@ -9,7 +9,7 @@
 // Descriptor 3 is the program that asks.
 #include "audio/video/film_service.hpp"
 #include "audio/video/sound_service.hpp"
-#include "core/processes/answering_linux.hpp"
+#include "core/processes/answering.hpp"
 #include "core/processes/message.hpp"
 #include "core/version/version.hpp"
 #include "faces/decode/picture_service.hpp"

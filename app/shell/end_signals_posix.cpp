@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/shell/end_signals.hpp"
-#include "core/base/descriptor_posix.hpp"
+#include "core/base/descriptor.hpp"
 
 #include <QSocketNotifier>
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "audio/video/film_stream.hpp"
-#include "core/base/descriptor_posix.hpp"
+#include "core/base/descriptor.hpp"
 #include "core/base/result.hpp"
 #include "core/processes/message.hpp"
-#include "core/processes/shared_memory_linux.hpp"
+#include "core/processes/shared_memory.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -4,11 +4,10 @@
 #include "audio/recordings/byte_source.hpp"
 #include "audio/video/film_messages.hpp"
 #include "audio/video/video_film.hpp"
-#include "core/base/descriptor_posix.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/open_file.hpp"
-#include "core/processes/foreign_decoder_linux.hpp"
-#include "core/processes/helper_linux.hpp"
+#include "core/processes/foreign_decoder.hpp"
+#include "core/processes/helper.hpp"
 
 #include <cerrno>
 #include <cmath>
@@ -76,7 +75,7 @@ Result<std::unique_ptr<FilmStream>> film_of_video(const std::filesystem::path& f
         FilmQuestion question;
         question.what = FilmQuestion::What::open;
         question.size = static_cast<std::int64_t>((*bytes)->size());
-        question.file = Descriptor(OpenFile(file, {}).release());
+        question.file = OpenFile(file, {}).handed_over();
         if (!question.file.ok())
             return Error{"it cannot be read: " + reason_of(errno)};
         return by_helper(decoders->films, std::move(question));

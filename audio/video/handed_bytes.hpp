@@ -2,7 +2,7 @@
 #pragma once
 
 #include "audio/recordings/byte_source.hpp"
-#include "core/base/descriptor_posix.hpp"
+#include "core/base/descriptor.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "audio/recordings/sound_format.hpp"
 #include "audio/recordings/sound_stream.hpp"
-#include "core/base/descriptor_posix.hpp"
+#include "core/base/descriptor.hpp"
 #include "core/base/result.hpp"
 #include "core/processes/message.hpp"
 

@@ -4,11 +4,10 @@
 #include "audio/recordings/byte_source.hpp"
 #include "audio/video/sound_messages.hpp"
 #include "audio/video/video_sound.hpp"
-#include "core/base/descriptor_posix.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/open_file.hpp"
-#include "core/processes/foreign_decoder_linux.hpp"
-#include "core/processes/helper_linux.hpp"
+#include "core/processes/foreign_decoder.hpp"
+#include "core/processes/helper.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -90,7 +89,7 @@ Result<std::unique_ptr<SoundStream>> sound_of_video(const std::filesystem::path&
         question.what = SoundQuestion::What::open;
         question.begin = static_cast<std::int64_t>(begin);
         question.size = static_cast<std::int64_t>(part->size());
-        question.file = Descriptor(OpenFile(file, {}).release());
+        question.file = OpenFile(file, {}).handed_over();
         if (!question.file.ok())
             return Error{"it cannot be read: " + reason_of(errno)};
         return by_helper(decoders->videos, std::move(question));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/descriptor.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -64,6 +66,8 @@ public:
     int number() const { return number_; }
     /// Its number, which is the caller's to close.
     int release() { return std::exchange(number_, -1); }
+    /// What the system calls it by, to be handed to another process; this one is closed then.
+    Descriptor handed_over();
     void close();
 
     std::optional<FileFacts> facts() const;
@@ -94,8 +98,8 @@ private:
     int number_ = -1;
 };
 
-/// Fills `to` from the byte `at` on of a file that somebody else has open, and asks the system for nothing else (a confined
+/// Fills `to` from the byte `at` on of a file that somebody else has opened, and asks the system for nothing else (a confined
 /// process may not); how many bytes there were before its end, or a fault.
-std::size_t read_at(int file, std::uint64_t at, std::span<char> to);
+std::size_t read_at(DescriptorNumber file, std::uint64_t at, std::span<char> to);
 
 } // namespace tp

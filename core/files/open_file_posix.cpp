@@ -69,6 +69,8 @@ void OpenFile::close() {
         ::close(release());
 }
 
+Descriptor OpenFile::handed_over() { return Descriptor(release()); }
+
 std::optional<FileFacts> OpenFile::facts() const {
     struct stat about {};
     if (::fstat(number_, &about) != 0)
@@ -129,7 +131,7 @@ bool OpenFile::wait_for_lock() const {
     return true;
 }
 
-std::size_t read_at(int file, std::uint64_t at, std::span<char> to) {
+std::size_t read_at(DescriptorNumber file, std::uint64_t at, std::span<char> to) {
     std::size_t done = 0;
     filled(to.size(), done, [&](std::size_t before) {
         return ::pread(file, to.data() + before, to.size() - before, static_cast<off_t>(at + before));

@@ -130,6 +130,14 @@ void OpenFile::close() {
         _close(release());
 }
 
+Descriptor OpenFile::handed_over() {
+    HANDLE another = nullptr;
+    const bool made = ok() && DuplicateHandle(GetCurrentProcess(), handle_of(number_), GetCurrentProcess(),
+                                              &another, 0, FALSE, DUPLICATE_SAME_ACCESS) != 0;
+    close();
+    return made ? Descriptor(reinterpret_cast<DescriptorNumber>(another)) : Descriptor();
+}
+
 std::optional<FileFacts> OpenFile::facts() const { return facts_of_handle(handle_of(number_)); }
 
 std::int64_t OpenFile::read(std::span<char> to) {
@@ -138,7 +146,9 @@ std::int64_t OpenFile::read(std::span<char> to) {
 }
 
 std::size_t OpenFile::read_at(std::uint64_t at, std::span<char> to) const {
-    return tp::read_at(number_, at, to);
+    std::size_t done = 0;
+    filled(handle_of(number_), to, &at, done);
+    return done;
 }
 
 Written OpenFile::write(std::string_view bytes) {
@@ -180,9 +190,9 @@ bool OpenFile::lock() const { return locked(number_, LOCKFILE_FAIL_IMMEDIATELY);
 
 bool OpenFile::wait_for_lock() const { return locked(number_, 0); }
 
-std::size_t read_at(int file, std::uint64_t at, std::span<char> to) {
+std::size_t read_at(DescriptorNumber file, std::uint64_t at, std::span<char> to) {
     std::size_t done = 0;
-    filled(handle_of(file), to, &at, done);
+    filled(reinterpret_cast<HANDLE>(file), to, &at, done);
     return done;
 }
 

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/processes/child_process_posix.hpp"
-
-#include "core/base/descriptor_posix.hpp"
+#include "core/processes/child_process.hpp"
 
 #include <cerrno>
 #include <csignal>
-#include <cstdint>
 #include <ctime>
 #include <fcntl.h>
 #include <spawn.h>
-#include <string_view>
 #include <sys/wait.h>
-#include <system_error>
 #include <utility>
-#if defined(__APPLE__)
-#include <mach-o/dyld.h>
-#endif
 
 extern char** environ; // POSIX has it in no header
 
@@ -86,46 +78,9 @@ private:
 
 } // namespace
 
-namespace {
-
-std::filesystem::path this_program() {
-    std::error_code problem;
-#if defined(__APPLE__)
-    std::uint32_t size = 0;
-    _NSGetExecutablePath(nullptr, &size);
-    std::string own_name(size + 1, '\0');
-    _NSGetExecutablePath(own_name.data(), &size);
-    return std::filesystem::canonical(own_name.c_str(), problem);
-#else
-    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", problem);
-    // So Linux calls it once another one lies in its place, because TouchPhoto was brought up to date meanwhile.
-    constexpr std::string_view replaced = " (deleted)";
-    std::string name = own.filename().string();
-    if (!name.ends_with(replaced))
-        return own;
-    name.resize(name.size() - replaced.size());
-    return own.parent_path() / name;
-#endif
-}
-
-} // namespace
-
-std::filesystem::path beside_this_program(const std::string& name) {
-    return this_program().parent_path() / name;
-}
-
-std::filesystem::path helper_program(const std::string& name) {
-    const std::filesystem::path own = this_program();
-    const std::filesystem::path beside = own.parent_path() / name;
-    std::error_code problem;
-    return std::filesystem::exists(beside, problem)
-               ? beside
-               : own.parent_path().parent_path() / "libexec" / own.filename() / name;
-}
-
 std::optional<ChildProcess> ChildProcess::start(const std::filesystem::path& program,
                                                 const std::vector<std::string>& words,
-                                                std::span<const int> given, Streams streams,
+                                                std::span<const DescriptorNumber> given, Streams streams,
                                                 const std::vector<std::string>& settings) {
     const int after = first_given + static_cast<int>(given.size());
     SpawnPlan plan;
@@ -164,5 +119,7 @@ std::optional<std::chrono::nanoseconds> ChildProcess::computed() const {
         return std::nullopt;
     return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
+
+Descriptor given_descriptor(int number) { return Descriptor(number); }
 
 } // namespace tp

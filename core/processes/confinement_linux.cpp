@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/processes/confinement_linux.hpp"
+#include "core/processes/confinement.hpp"
 
 #include <algorithm>
 #include <array>
@@ -105,9 +105,7 @@ void be_ended_first() {
 
 std::string reason(const char* what) { return std::string(what) + ": " + std::strerror(errno); }
 
-} // namespace
-
-std::string confine(const Limits& limits) {
+std::string problem_in_confining(const Limits& limits) {
     be_ended_first();
     if (!limit(RLIMIT_CORE, 0) || !limit(RLIMIT_FSIZE, limits.memory_bytes) ||
         !limit(RLIMIT_NOFILE, static_cast<std::uint64_t>(limits.descriptors)))
@@ -120,6 +118,10 @@ std::string confine(const Limits& limits) {
         return reason("privileges");
     return filter_calls() ? std::string() : reason("seccomp");
 }
+
+} // namespace
+
+Confinement confine(const Limits& limits) { return {problem_in_confining(limits), Descriptor()}; }
 
 void compute_no_longer_than(int seconds) {
     timespec now{};

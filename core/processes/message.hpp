@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/descriptor_posix.hpp"
+#include "core/base/descriptor.hpp"
 
 #include <cstdint>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/processes/shared_memory_linux.hpp"
+#include "core/processes/shared_memory.hpp"
 
 #include <fcntl.h>
 #include <sys/mman.h>

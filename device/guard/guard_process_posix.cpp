@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/descriptor_posix.hpp"
-#include "core/processes/child_process_posix.hpp"
+#include "core/base/descriptor.hpp"
+#include "core/processes/child_process.hpp"
+#include "core/processes/our_programs.hpp"
 #include "device/guard/guard_process.hpp"
 #include "device/guard/no_guard.hpp"
 

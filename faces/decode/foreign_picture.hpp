@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "core/processes/helper_linux.hpp"
+#include "core/processes/helper.hpp"
 #include "faces/decode/picture.hpp"
 
 #include <opencv2/core/mat.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/decode/picture.hpp"
 
-#include "core/processes/foreign_decoder_linux.hpp"
-#include "core/processes/helper_linux.hpp"
+#include "core/processes/foreign_decoder.hpp"
+#include "core/processes/helper.hpp"
 #include "faces/decode/fitted.hpp"
 #include "faces/decode/foreign_picture.hpp"
 #include "faces/decode/upright_picture.hpp"

@@ -90,7 +90,7 @@ Result<PictureFile> open_picture_file(const std::filesystem::path& file) {
     const Result<std::uintmax_t> size = size_to_read(file);
     if (!size)
         return Error{size.error()};
-    Descriptor descriptor(OpenFile(file, {}).release());
+    Descriptor descriptor = OpenFile(file, {}).handed_over();
     if (!descriptor.ok())
         return cannot_be_read();
     return PictureFile{std::move(descriptor), *size};

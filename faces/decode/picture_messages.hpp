@@ -3,7 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "core/processes/message.hpp"
-#include "core/processes/shared_memory_linux.hpp"
+#include "core/processes/shared_memory.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/picture_file.hpp"
 #include "faces/decode/shared_pixels.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/descriptor_posix.hpp"
-#include "core/processes/shared_memory_linux.hpp"
+#include "core/base/descriptor.hpp"
+#include "core/processes/shared_memory.hpp"
 
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/types.hpp>

@@ -2,8 +2,8 @@
 // What it costs to decode in another process: decoder_bench PHOTOGRAPH…. Each is decoded in this process and in
 // touchphoto-decoder, by turns, as the search for faces reads it, to fit a screen, and whole; the medians, in
 // milliseconds of the clock on the wall.
-#include "core/processes/child_process_posix.hpp"
-#include "core/processes/foreign_decoder_linux.hpp"
+#include "core/processes/foreign_decoder.hpp"
+#include "core/processes/our_programs.hpp"
 #include "faces/decode/picture.hpp"
 
 #include <opencv2/core.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A libFuzzer target: any bytes as what a decoder of videos answers, with memory for 10 x 10 pixels.
 #include "audio/video/film_messages.hpp"
-#include "core/processes/shared_memory_linux.hpp"
+#include "core/processes/shared_memory.hpp"
 #include "fuzz_target.hpp"
 
 #include <optional>

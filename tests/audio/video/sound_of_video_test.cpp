@@ -2,7 +2,7 @@
 // What touchphoto-decoder decodes, against the same videos decoded in this process.
 #include "audio/video/sound_messages.hpp"
 #include "audio/video/sound_of_video.hpp"
-#include "core/processes/foreign_decoder_linux.hpp"
+#include "core/processes/foreign_decoder.hpp"
 #include "made_video.hpp"
 
 #include <QTemporaryDir>

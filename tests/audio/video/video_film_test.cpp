@@ -2,7 +2,7 @@
 // The pictures of videos, against what FFmpeg's own program makes of the same files; in this process and by touchphoto-decoder.
 #include "audio/video/film_messages.hpp"
 #include "audio/video/film_of_video.hpp"
-#include "core/processes/foreign_decoder_linux.hpp"
+#include "core/processes/foreign_decoder.hpp"
 #include "made_video.hpp"
 
 #include <QProcess>

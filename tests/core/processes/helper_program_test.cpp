@@ -1,35 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/processes/child_process_posix.hpp"
+#include "core/processes/child_process.hpp"
+#include "core/processes/our_programs.hpp"
 
-#include <QDir>
-#include <QFile>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
 using namespace tp;
+namespace fs = std::filesystem;
 
 namespace {
 
 /// A prefix where `program` is installed, with a helper beside it or where helpers are installed.
 struct Prefix {
     QTemporaryDir folder;
-    QString program = in("bin/program");
+    std::string ending = this_program().extension() == ".exe" ? ".exe" : "";
+    fs::path program = in("bin/program");
 
     Prefix() {
-        QDir(folder.path()).mkpath("bin");
-        QDir(folder.path()).mkpath("libexec/program");
-        QFile::copy(QString::fromStdString(beside_this_program("helper_finder").string()), program);
+        fs::create_directories(program.parent_path());
+        fs::create_directories(in("libexec/program/helper").parent_path());
+        fs::copy_file(beside_this_program("helper_finder"), program);
     }
-    QString in(const char* name) const { return folder.filePath(name); }
-    QString helper_at(const char* name) const {
-        QFile file(in(name));
-        return file.open(QIODevice::WriteOnly) ? in(name) : QString();
+    fs::path in(const char* name) const {
+        return folder.filePath(name + QString::fromStdString(ending)).toStdString();
     }
-    QString found(const QStringList& words = {}) const {
-        QProcess finder;
-        finder.start(program, words);
-        return finder.waitForFinished() ? QString::fromUtf8(finder.readAll()).trimmed() : QString();
+    fs::path helper_at(const char* name) const { return std::ofstream(in(name)) ? in(name) : fs::path(); }
+    std::string found(const std::vector<std::string>& words = {}) const {
+        const std::string where = folder.filePath("found").toStdString();
+        std::vector<std::string> all{where};
+        all.insert(all.end(), words.begin(), words.end());
+        ChildProcess::start(program, all, {}, Streams::none); // and waits until it has ended
+        std::ifstream file(where);
+        return {std::istreambuf_iterator<char>(file), {}};
     }
 };
 
@@ -40,22 +48,23 @@ class HelperProgramTest : public QObject {
 private slots:
     void as_built_it_lies_beside_the_program() {
         const Prefix prefix;
-        QVERIFY(!prefix.helper_at("libexec/program/helper").isEmpty());
-        const QString beside = prefix.helper_at("bin/helper");
-        QVERIFY(!beside.isEmpty());
-        QCOMPARE(prefix.found(), beside);
+        QVERIFY(!prefix.helper_at("libexec/program/helper").empty());
+        const fs::path beside = prefix.helper_at("bin/helper");
+        QVERIFY(!beside.empty());
+        QCOMPARE(prefix.found(), beside.generic_string());
     }
 
     void as_installed_it_lies_in_the_program_s_own_folder() {
         const Prefix prefix;
-        QCOMPARE(prefix.found(), prefix.in("libexec/program/helper"));
+        QCOMPARE(prefix.found(), prefix.in("libexec/program/helper").generic_string());
     }
 
     void a_program_that_was_upgraded_while_it_runs_still_finds_it() {
         const Prefix prefix;
-        QCOMPARE(prefix.found({"upgraded"}), prefix.in("libexec/program/helper"));
+        QCOMPARE(prefix.found({"upgraded"}), prefix.in("libexec/program/helper").generic_string());
+        QVERIFY(fs::exists(prefix.program));
     }
 };
 
-QTEST_MAIN(HelperProgramTest)
+QTEST_GUILESS_MAIN(HelperProgramTest)
 #include "helper_program_test.moc"

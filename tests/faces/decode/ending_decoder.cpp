@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A decoder that ends in the middle of whatever it is asked, as one does whose library was brought down by a
 // file.
-#include "core/processes/answering_linux.hpp"
+#include "core/processes/answering.hpp"
 
 #include <cstdint>
 #include <cstdlib>

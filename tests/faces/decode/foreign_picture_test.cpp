@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What touchphoto-decoder decodes, against the same files decoded in this process.
-#include "core/processes/child_process_posix.hpp"
-#include "core/processes/foreign_decoder_linux.hpp"
-#include "core/processes/shared_memory_linux.hpp"
+#include "core/processes/foreign_decoder.hpp"
+#include "core/processes/our_programs.hpp"
+#include "core/processes/shared_memory.hpp"
 #include "faces/decode/foreign_picture.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/picture_messages.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A libFuzzer target: any bytes as what a decoder answers, with memory for 10 x 10 pixels.
-#include "core/processes/shared_memory_linux.hpp"
+#include "core/processes/shared_memory.hpp"
 #include "faces/decode/picture_messages.hpp"
 #include "fuzz_target.hpp"
 

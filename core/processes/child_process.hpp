@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/descriptor.hpp"
+
 #include <chrono>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace tp {
-
-/// Where a program lies that lies beside the one that runs.
-std::filesystem::path beside_this_program(const std::string& name);
-
-/// Where one of our programs lies that is not for people: beside the one that runs, as they are built; where it
-/// is not there, in ../libexec/PROGRAM from it, as it is installed (cmake/Install.cmake), PROGRAM being the file
-/// name of the one that runs.
-std::filesystem::path helper_program(const std::string& name);
 
 /// What a started program's standard streams are.
 enum class Streams { ours, none };
@@ -26,12 +19,13 @@ enum class Streams { ours, none };
 /// it.
 class ChildProcess {
 public:
-    /// Starts `program` with these words. Its descriptors are the standard streams and then, from 3 on,
-    /// those of `given` in their order; no other one of this process reaches it. Its environment is this
-    /// one's, and before it `settings`, each as NAME=value. None where the system does not start it.
+    /// Starts `program` with these words, in UTF-8. Its descriptors are the standard streams and then, from 3 on,
+    /// those of `given` in their order; no other one of this process reaches it. On Windows, where what is open
+    /// has no such numbers, its environment says which handles they are: TOUCHPHOTO_GIVEN=76 80. Its environment
+    /// is this one's, and before it `settings`, each as NAME=value. None where the system does not start it.
     static std::optional<ChildProcess> start(const std::filesystem::path& program,
                                              const std::vector<std::string>& words,
-                                             std::span<const int> given, Streams streams,
+                                             std::span<const DescriptorNumber> given, Streams streams,
                                              const std::vector<std::string>& settings = {});
     ChildProcess(ChildProcess&& other) noexcept;
     ChildProcess& operator=(ChildProcess&&) = delete;
@@ -42,12 +36,16 @@ public:
     void kill() noexcept;
     /// How long all its threads have computed; none where it has ended.
     std::optional<std::chrono::nanoseconds> computed() const;
-    pid_t number() const { return process_; }
+    /// What the system calls it by: a process id, on Windows a handle.
+    DescriptorNumber number() const { return process_; }
 
 private:
-    explicit ChildProcess(pid_t process) : process_(process) {}
+    explicit ChildProcess(DescriptorNumber process) : process_(process) {}
 
-    pid_t process_;
+    DescriptorNumber process_; ///< 0: none
 };
+
+/// In a process that was started so: what it was given as that number, from 3 on.
+Descriptor given_descriptor(int number);
 
 } // namespace tp

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "core/processes/channel_linux.hpp"
-#include "core/processes/child_process_posix.hpp"
+#include "core/processes/channel.hpp"
+#include "core/processes/child_process.hpp"
 #include "core/processes/message.hpp"
-#include "core/processes/shared_memory_linux.hpp"
+#include "core/processes/shared_memory.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -33,7 +33,7 @@ enum class NoAnswer : std::uint8_t {
     too_long ///< it was ended after it had taken longer than the patience
 };
 
-/// A process of ours that answers messages, one after the other; helper.hpp has the other end.
+/// A process of ours that answers messages, one after the other; answering.hpp has the other end.
 class Helper {
 public:
     /// Waits until it is ready. An error says why it is not: it is not there, or the system does not confine
@@ -62,6 +62,7 @@ private:
     Channel channel_;
     ChildProcess process_;
     HelperPatience patience_;
+    Descriptor leash_; ///< while that is held it lives; answering.hpp
     std::optional<Mapping> tray_;
     bool ended_ = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/processes/foreign_decoder_linux.hpp"
+#include "core/processes/foreign_decoder.hpp"
 
-#include "core/processes/child_process_posix.hpp"
+#include "core/processes/our_programs.hpp"
 
 #include <atomic>
 

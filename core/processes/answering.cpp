@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/processes/answering_linux.hpp"
+#include "core/processes/answering.hpp"
 
-#include "core/processes/channel_linux.hpp"
+#include "core/processes/channel.hpp"
 
 #include <chrono>
-#include <string>
 #include <utility>
 #include <variant>
 
@@ -18,9 +17,13 @@ constexpr std::chrono::milliseconds for_ever{-1};
 
 void answer_messages(const Limits& limits, int seconds,
                      const std::function<std::optional<Message>(Message& question)>& answer) {
-    Channel channel{Descriptor(asked_on)};
-    const std::string problem = confine(limits);
-    if (!channel.send(MessageWriter().add(problem).take()) || !problem.empty())
+    Channel channel{given_descriptor(asked_on)};
+    Confinement confinement = confine(limits);
+    MessageWriter ready;
+    ready.add(confinement.problem);
+    if (confinement.problem.empty() && confinement.leash.ok())
+        ready.hand_over(std::move(confinement.leash));
+    if (!channel.send(ready.take()) || !confinement.problem.empty())
         return;
     while (true) {
         auto said = channel.receive(for_ever);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/processes/helper_linux.hpp"
+#include "core/processes/helper.hpp"
 
 #include <algorithm>
 #include <array>
@@ -43,14 +43,19 @@ Result<std::unique_ptr<Helper>> Helper::start(const std::filesystem::path& progr
     if (!process)
         return cannot_start(program);
     std::unique_ptr<Helper> helper(new Helper(std::move(ends->first), *std::move(process), patience));
+    if (!helper->channel_.other_end_is(helper->process_))
+        return cannot_start(program);
     auto said = helper->channel_.receive(patience.start);
     Message* const first = std::get_if<Message>(&said);
     if (first == nullptr)
         return cannot_start(program);
-    if (const std::string problem = MessageReader(*first).text(); !problem.empty())
+    MessageReader ready(*first);
+    if (const std::string problem = ready.text(); !problem.empty())
         return Error{"Such files are decoded in a process that can do nothing else, and this system does not "
                      "allow that (" +
                      problem + "): save the picture as JPEG."};
+    if (ready.has_descriptor())
+        helper->leash_ = ready.descriptor();
     return helper;
 }
 
@@ -84,7 +89,7 @@ std::variant<Message, NoAnswer> Helper::ask(const Message& question) {
 }
 
 bool Helper::alive() {
-    if (ended_)
+    if (ended_ || !process_.computed())
         return false;
     const auto said = channel_.receive(milliseconds(0)); // unasked it says nothing
     const auto* const silence = std::get_if<Channel::Silence>(&said);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/descriptor_posix.hpp"
+#include "core/base/descriptor.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -50,8 +50,9 @@ private:
 };
 
 /// What another process has put into memory of its own, to be read. That process may still write to it: what
-/// is read twice may be two different things. None where its size is not sealed, for then reading may end
-/// this process.
+/// is read twice may be two different things. None where its size may still change, for then reading may end
+/// this process: on Linux where it is not sealed, on Windows where it is a file's or not all of it is there. On
+/// Windows it has whole pages.
 std::optional<Mapping> received(const Descriptor& memory);
 
 } // namespace tp

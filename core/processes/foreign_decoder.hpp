@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/processes/helper_linux.hpp"
+#include "core/processes/helper.hpp"
 
 #include <filesystem>
 

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <unistd.h>
+#include <cstdint>
 #include <utility>
 
 namespace tp {
 
-/// A POSIX file descriptor that closes itself.
+/// What the system calls by what is open: a file descriptor, on Windows a HANDLE.
+#if defined(_WIN32)
+using DescriptorNumber = std::intptr_t;
+#else
+using DescriptorNumber = int;
+#endif
+
+/// Something open of the system's, such as a file or memory, that closes itself.
 class Descriptor {
 public:
     Descriptor() = default;
-    explicit Descriptor(int number) : number_(number) {}
+    explicit Descriptor(DescriptorNumber number) : number_(number) {}
     ~Descriptor() { reset(); }
     Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
     Descriptor& operator=(Descriptor&& other) noexcept {
@@ -20,17 +27,14 @@ public:
     }
 
     bool ok() const { return number_ >= 0; }
-    int number() const { return number_; }
+    DescriptorNumber number() const { return number_; }
     /// Closes it now.
-    void reset() {
-        if (ok())
-            ::close(release());
-    }
+    void reset();
     /// Its number, which is the caller's to close.
-    int release() { return std::exchange(number_, -1); }
+    DescriptorNumber release() { return std::exchange(number_, -1); }
 
 private:
-    int number_ = -1;
+    DescriptorNumber number_ = -1;
 };
 
 } // namespace tp

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/guard/guard_process.hpp"
 #include "device/guard/no_guard.hpp"
-#include "device/windows/overlapped_io.hpp"
-#include "device/windows/wide_text.hpp"
+#include "core/base/windows/overlapped_io.hpp"
+#include "core/base/windows/wide_text.hpp"
 
 #include <array>
 #include <atomic>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/windows/overlapped_io.hpp"
+#include "core/base/windows/wide_text.hpp"
 #include "device/haply_2diy/found_boards.hpp"
-#include "device/windows/overlapped_io.hpp"
-#include "device/windows/wide_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/windows/overlapped_io.hpp"
+#include "core/base/windows/wide_text.hpp"
 #include "device/haply_2diy/serial_port.hpp"
 #include "device/open_problem.hpp"
-#include "device/windows/overlapped_io.hpp"
-#include "device/windows/wide_text.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/guard/process/ends.hpp"
-#include "device/windows/overlapped_io.hpp"
+#include "core/base/windows/overlapped_io.hpp"
 
 #include <charconv>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/windows/wide_text.hpp"
+#include "core/base/windows/wide_text.hpp"
 
 #include <windows.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/windows/overlapped_io.hpp"
+#include "core/base/windows/overlapped_io.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <windows.h>
 
 /// Reading and writing with a limit in time on files that were opened with FILE_FLAG_OVERLAPPED.
@@ -14,11 +15,16 @@ public:
     Handle() = default;
     explicit Handle(HANDLE handle) : handle_(handle == INVALID_HANDLE_VALUE ? nullptr : handle) {}
     ~Handle() { reset(); }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    Handle(Handle&& other) noexcept : handle_(other.handle_) { other.handle_ = nullptr; }
+    Handle(Handle&& other) noexcept : handle_(other.release()) {}
+    Handle& operator=(Handle&& other) noexcept {
+        reset();
+        handle_ = other.release();
+        return *this;
+    }
     HANDLE get() const { return handle_; }
     explicit operator bool() const { return handle_ != nullptr; }
+    /// It is the caller's to close.
+    HANDLE release() { return std::exchange(handle_, nullptr); }
     void reset() {
         if (handle_ != nullptr)
             CloseHandle(handle_);

@@ -9,9 +9,8 @@ namespace tp::guard {
 /// What the process is started with: the device, and the program that pulls on it.
 enum class End : std::uint8_t { device, program };
 
-/// Takes both over from who started it; `words` loses those that say where they are. False where they are not
-/// there.
-bool take_ends(std::span<char*>& words);
+/// Takes both over from who started it. False where they are not there.
+bool take_ends();
 
 /// How many bytes came, 0 where none did within `wait_ms` (negative: however long that takes), −1 where the
 /// end is gone.

@@ -26,7 +26,7 @@ int wait_for(int descriptor, short for_what, int wait_ms) {
 
 } // namespace
 
-bool take_ends(std::span<char*>&) {
+bool take_ends() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTTOU, SIGTTIN})
         std::signal(signal, SIG_IGN);
     return true;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "device/guard/process/ends.hpp"
 #include "core/base/windows/overlapped_io.hpp"
+#include "device/guard/process/ends.hpp"
 
 #include <charconv>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
 
 namespace tp::guard {
@@ -16,24 +17,27 @@ HANDLE ends[2] = {nullptr, nullptr};
 
 HANDLE handle_of(End end) { return ends[static_cast<std::size_t>(end)]; }
 
-/// The first words are the handles that it inherits, as numbers.
-bool take(std::span<char*>& words, HANDLE& into) {
-    if (words.empty())
+/// What core/processes has started this process with: the handles' numbers.
+bool take(const char* numbers) {
+    if (numbers == nullptr)
         return false;
-    const std::string_view word(words.front());
-    std::intptr_t number = 0;
-    if (std::from_chars(word.data(), word.data() + word.size(), number).ptr != word.data() + word.size())
-        return false;
-    words = words.subspan(1);
-    into = reinterpret_cast<HANDLE>(number);
+    std::string_view rest(numbers);
+    for (HANDLE& end : ends) {
+        std::intptr_t number = 0;
+        const char* const behind = std::from_chars(rest.data(), rest.data() + rest.size(), number).ptr;
+        if (behind == rest.data() || *behind != ' ')
+            return false;
+        rest.remove_prefix(static_cast<std::size_t>(behind + 1 - rest.data()));
+        end = reinterpret_cast<HANDLE>(number);
+    }
     return true;
 }
 
 } // namespace
 
-bool take_ends(std::span<char*>& words) {
+bool take_ends() {
     SetConsoleCtrlHandler(nullptr, TRUE); // Ctrl-C is not for it
-    return take(words, ends[0]) && take(words, ends[1]);
+    return take(std::getenv("TOUCHPHOTO_GIVEN"));
 }
 
 int read_within(End end, std::span<std::uint8_t> into, int wait_ms) {

@@ -9,8 +9,8 @@
 //     touchphoto-force-guard packet ENDPOINT NO-FORCE
 //     touchphoto-force-guard --version
 //
-// Bytes are words of hexadecimal digits. The device is descriptor 3 and the program descriptor 4; on Windows
-// they are handles, whose numbers come before these words.
+// Bytes are words of hexadecimal digits. The device is descriptor 3 and the program descriptor 4, as
+// core/processes/child_process.hpp gives them.
 #include "core/version/version.hpp"
 #include "device/guard/process/ends.hpp"
 #include "device/guard/process/force_taker.hpp"
@@ -114,10 +114,11 @@ void watch(ForceTaker& taker) {
 } // namespace
 
 int main(int count, char** words) {
-    std::span<char*> told = std::span(words, static_cast<std::size_t>(count)).subspan(count > 0 ? 1 : 0);
+    const std::span<char* const> told =
+        std::span(words, static_cast<std::size_t>(count)).subspan(count > 0 ? 1 : 0);
     if (told.size() == 1 && std::string_view(told.front()) == "--version")
         return std::puts(tp::version_line("touchphoto-force-guard").c_str()) < 0;
-    if (!take_ends(told))
+    if (!take_ends())
         return 2;
     const auto taker = told.empty() ? nullptr : taker_of(told.front(), told.subspan(1));
     if (!taker)

@@ -58,11 +58,12 @@ inline State& state() {
     return state;
 }
 
+/// The case, and the row of its table.
+inline std::string running() { return state().current + (state().row ? "(" + state().row->name + ")" : ""); }
+
 inline void fail(const std::string& what, const char* file, int line) {
     state().case_failed = true;
-    std::printf("FAIL   %s%s%s%s\n       %s\n       %s:%d\n", state().current.c_str(), state().row ? "(" : "",
-                state().row ? state().row->name.c_str() : "", state().row ? ")" : "", what.c_str(), file,
-                line);
+    std::printf("FAIL   %s\n       %s\n       %s:%d\n", running().c_str(), what.c_str(), file, line);
 }
 
 template <typename Value>
@@ -246,7 +247,7 @@ inline void qSleep(int ms) { qWait(ms); }
     } while (false)
 #define QSKIP(words)                                                                                         \
     do {                                                                                                     \
-        std::printf("SKIP   %s: %s\n", tp_stand_in::state().current.c_str(), words);                         \
+        std::printf("SKIP   %s: %s\n", tp_stand_in::running().c_str(), words);                               \
         tp_stand_in::state().case_skipped = true;                                                            \
         return;                                                                                              \
     } while (false)

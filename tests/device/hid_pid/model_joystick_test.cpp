@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model, of which nothing is read back through what it is to try.
+#include "device/hid_pid/model_joystick.hpp"
+#include "joystick_to_open.hpp"
+#include "safe_force.hpp"
+
+#include <QTest>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+using namespace tp;
+using namespace tp::testing;
+
+class ModelJoystickTest : public QObject {
+    Q_OBJECT
+private slots:
+    void a_stick_s_endless_effect_ends_after_65_s_of_16_bits() {
+        for (const bool expires : {true, false}) {
+            JoystickToOpen stick;
+            stick.model.troubles.expires = expires;
+            QVERIFY(stick.device.open().ok());
+            stick.device.read(0.001);
+            stick.device.write(safe({1.0, 0.0}));
+            stick.device.deliver();
+            stick.link.advance(); // with the first of them
+            for (int ms = 2; ms < 65535; ++ms)
+                stick.model.step();
+            QVERIFY(stick.model.force() != Vec2(0.0));
+            stick.model.step();
+            QCOMPARE(stick.model.force() == Vec2(0.0), expires);
+            stick.model.receive({}); // which is no report
+        }
+    }
+
+    void a_stick_that_is_stopped_or_reset_pulls_nothing_more() {
+        for (const std::uint8_t command : {std::uint8_t{3}, std::uint8_t{4}}) {
+            JoystickToOpen stick;
+            stick.model.troubles.keeps_after_reset = true;
+            QVERIFY(stick.device.open().ok());
+            stick.device.read(0.001);
+            stick.device.write(safe({1.0, 0.0}));
+            stick.device.deliver();
+            stick.link.advance();
+            QVERIFY(stick.model.force() != Vec2(0.0));
+            stick.model.receive(std::array<std::uint8_t, 2>{stick.model.wire().control, command});
+            stick.model.receive(std::array<std::uint8_t, 2>{stick.model.wire().control, 1}); // motors on
+            stick.model.step();
+            QVERIFY(stick.model.motors_on() && stick.model.effects() == 2);
+            QVERIFY(stick.model.force() == Vec2(0.0));
+            stick.model.troubles.keeps_after_reset = false;
+            stick.model.receive(std::array<std::uint8_t, 2>{stick.model.wire().control, command});
+            QCOMPARE(stick.model.effects(), std::size_t(command == 4 ? 0 : 2));
+        }
+    }
+
+    /// For how long a grip may feel an old force, of whichever axis, is known to who judges it.
+    void a_force_that_does_not_arrive_is_lacked_until_one_of_its_axis_does() {
+        ModelJoystick model(open_controller());
+        SimulatedJoystickLink link(model);
+        const auto force = [](std::uint8_t block) {
+            hid::Report report;
+            report.bytes = {5, block};
+            report.size = 4;
+            return report;
+        };
+        link.troubles.deaf = true;
+        QVERIFY(link.write(force(1)));
+        link.troubles.deaf = false;
+        for (unsigned ms = 1; ms <= 5; ++ms) {
+            QVERIFY(link.write(force(2)));
+            link.advance();
+            QCOMPARE(link.silent_ms(), 1 + ms);
+        }
+        QVERIFY(link.write(force(1)));
+        link.advance();
+        QCOMPARE(link.silent_ms(), 0u);
+        link.advance();
+        QCOMPARE(link.silent_ms(), 1u);
+    }
+
+    void a_stick_says_bit_for_bit_why_its_motors_are_off() {
+        ModelJoystick model(open_controller());
+        const auto said = [&model] {
+            model.step();
+            std::vector<std::uint8_t> bytes;
+            return model.report(bytes) ? bytes : std::vector<std::uint8_t>{};
+        };
+        using Bytes = std::vector<std::uint8_t>;
+        QVERIFY(said().empty()); // nothing has changed
+        model.troubles.safety_switch = true;
+        QVERIFY(said() == (Bytes{2, 0x0A}));
+        model.troubles.no_power = true;
+        QVERIFY(said() == (Bytes{2, 0x02}));
+        model.disable();
+        QVERIFY(said() == (Bytes{2, 0x00}));
+        model.troubles = {};
+        QVERIFY(said() == (Bytes{2, 0x0C}));
+        QVERIFY(said().empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(ModelJoystickTest)
+#include "model_joystick_test.moc"

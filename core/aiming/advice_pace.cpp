@@ -89,7 +89,6 @@ bool AdvicePace::say(const AimInstruction& now, double badness, double now_s) {
     said_ = now.advice;
     speaking_since_ = now_s;
     best_ = badness_;
-    better_at_ = now_s;
     return true;
 }
 

@@ -7,10 +7,10 @@
 namespace tp {
 
 AimTone aim_tone(const Adviser& adviser, HeldCamera camera, bool speaking) {
-    AimTone tone;
     if (!adviser.framing())
-        return tone;
+        return {};
     const Framing& framing = *adviser.framing();
+    AimTone tone;
     tone.sounds = true;
     tone.gain = speaking ? gain_under_words : 1.0;
     tone.rising = adviser.good();

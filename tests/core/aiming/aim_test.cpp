@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -55,15 +56,15 @@ private slots:
     }
 
     void a_size_is_one_at_its_limits_and_grows_back_into_them() {
-        const AimLimits limits = limits_of(Aim::middle);
-        for (const double size : {limits.smallest, limits.largest}) {
-            const auto at = Framer(Aim::middle).frame(tracked({face_at(0.5, 0.45, size)}), wide);
-            QVERIFY(std::abs(std::abs(at->size_off) - 1.0) < 1e-9);
-            QCOMPARE(at->size_off > 0.0, size == limits.largest);
-            const auto mended =
-                Framer(Aim::middle).frame(tracked({face_at(0.5, 0.45, size * at->grow)}), wide);
-            QVERIFY(std::abs(std::abs(mended->size_off) - 0.5) < 1e-9); // halfway in
-        }
+        for (const auto& [aim, smallest, largest] :
+             {std::tuple{Aim::middle, 0.15, 0.5}, std::tuple{Aim::thirds, 0.15, 0.45},
+              std::tuple{Aim::head_and_shoulders, 0.28, 0.5}})
+            for (const double size : {smallest, largest}) {
+                const auto at = Framer(aim).frame(tracked({face_at(0.5, 0.45, size)}), wide);
+                QVERIFY(std::abs(at->size_off - (size == largest ? 1.0 : -1.0)) < 1e-9);
+                const auto mended = Framer(aim).frame(tracked({face_at(0.5, 0.45, size * at->grow)}), wide);
+                QVERIFY(std::abs(std::abs(mended->size_off) - 0.5) < 1e-9); // halfway in
+            }
     }
 
     void a_size_is_over_the_shorter_side() {
@@ -123,6 +124,8 @@ private slots:
         QCOMPARE(subject(0.22, 0.30), 1U);
         QCOMPARE(subject(0.20, 0.30), 2U);
         QCOMPARE(subject(0.30, 0.29), 2U);
+        framer = Framer(Aim::middle);
+        QCOMPARE(subject(0.29, 0.30), 2U); // the first one is whoever is largest
     }
 
     void a_face_in_the_middle_does_not_change_its_third() {
@@ -135,6 +138,21 @@ private slots:
         QCOMPARE(place(0.59), 2);
         QCOMPARE(place(0.45), 2);
         QCOMPARE(place(0.41), 1);
+        framer.aim_at(Aim::thirds); // chosen anew
+        QCOMPARE(place(0.55), 2);
+        framer = Framer(Aim::thirds);
+        QCOMPARE(place(0.5), 1);
+        framer = Framer(Aim::thirds);
+        QCOMPARE(place(0.51), 2);
+    }
+
+    void another_subject_has_the_third_that_is_nearer_to_it() {
+        Framer framer(Aim::thirds);
+        std::vector<TrackedFace> faces = tracked({face_at(0.3, 0.4)});
+        QVERIFY(std::abs(framer.frame(faces, wide)->off.x - (0.3 - 1.0 / 3.0)) < 1e-9);
+        faces = tracked({face_at(0.55, 0.4)});
+        ++faces[0].id;
+        QVERIFY(std::abs(framer.frame(faces, wide)->off.x - (0.55 - 2.0 / 3.0)) < 1e-9);
     }
 
     void everybody_is_all_of_them() {
@@ -155,27 +173,32 @@ private slots:
         QVERIFY(far->grow > 1.5);
     }
 
-    /// Two of one height at the ends of `width`; how far their size is off, and what would mend it.
+    /// Two at the ends of `width`; how far their size is off, and what would mend it.
     void a_group_is_too_large_or_too_small_by_so_much_data() {
         QTest::addColumn<double>("width");
         QTest::addColumn<double>("height");
+        QTest::addColumn<double>("other");
         QTest::addColumn<double>("size_off");
         QTest::addColumn<double>("grow");
-        QTest::newRow("wide") << 0.96 << 0.2 << 1.3 << 0.9 * 0.9 / 0.96;
-        QTest::newRow("near") << 0.7 << 0.6 << 1.5 << 0.9 * 0.5 / 0.6;
-        QTest::newRow("well") << 0.8 << 0.2 << 0.5 << 0.9 * 0.9 / 0.8;
-        QTest::newRow("far") << 0.3 << 0.05 << -1.6 << 1.2 * 0.08 / 0.05;
-        QTest::newRow("far and wide") << 0.5 << 0.05 << -1.25 << 0.9 / 0.5;
+        QTest::newRow("wide") << 0.96 << 0.2 << 0.2 << 1.3 << 0.9 * 0.9 / 0.96;
+        QTest::newRow("near") << 0.7 << 0.6 << 0.6 << 1.5 << 0.9 * 0.5 / 0.6;
+        QTest::newRow("well") << 0.8 << 0.2 << 0.2 << 0.5 << 0.9 * 0.9 / 0.8;
+        QTest::newRow("far") << 0.3 << 0.05 << 0.05 << -1.6 << 1.2 * 0.08 / 0.05;
+        QTest::newRow("far and wide") << 0.5 << 0.05 << 0.05 << -1.25 << 0.9 / 0.5;
+        QTest::newRow("not too far") << 0.5 << 0.1 << 0.1 << -0.8 << 1.2 * 0.08 / 0.1;
+        QTest::newRow("a child before its mother") << 0.3 << 0.2 << 0.05 << -1.6 << 1.2 * 0.08 / 0.05;
     }
     void a_group_is_too_large_or_too_small_by_so_much() {
         QFETCH(double, width);
         QFETCH(double, height);
+        QFETCH(double, other);
         QFETCH(double, size_off);
         QFETCH(double, grow);
-        const double half = 0.5 * (width - 0.75 * height * 9.0 / 16.0);
-        const auto framing =
-            Framer(Aim::everybody)
-                .frame(tracked({face_at(0.5 - half, 0.45, height), face_at(0.5 + half, 0.45, height)}), wide);
+        const auto half = [](double of) { return 0.5 * 0.75 * of * 9.0 / 16.0; };
+        const auto framing = Framer(Aim::everybody)
+                                 .frame(tracked({face_at(0.5 - 0.5 * width + half(height), 0.45, height),
+                                                 face_at(0.5 + 0.5 * width - half(other), 0.45, other)}),
+                                        wide);
         QVERIFY2(std::abs(framing->size_off - size_off) < 1e-9,
                  qPrintable(QString::number(framing->size_off)));
         QVERIFY2(std::abs(framing->grow - grow) < 1e-9, qPrintable(QString::number(framing->grow)));

@@ -114,9 +114,24 @@ private slots:
         QCOMPARE(session.said, std::vector{Advice::ready});
         QCOMPARE(session.pictures, 1);
         QVERIFY(!session.aiming.see(frame_of(no_number, {})).say);
-        AimFrame flat = frame_of(session.now + 0.1, {face_at(0.9, 0.9)});
-        flat.aspect = -1.0;
-        QVERIFY(!session.aiming.see(flat).take);
+        const AimAnswer at_first = Aiming(Aim::middle).see(frame_of(no_number, {face_at(0.5, 0.45)}));
+        QVERIFY(!at_first.good && !at_first.take && !at_first.say);
+    }
+
+    void a_frame_without_shape_changes_nothing_and_takes_no_picture() {
+        Session small;
+        for (int i = 0; i < 15; ++i)
+            small.see({face_at(0.5, 0.45, 0.1)});
+        Session well;
+        while (well.pictures == 0 && well.now < 5.0)
+            well.see({face_at(0.5, 0.45)});
+        QCOMPARE(well.pictures, 1);
+        for (const double aspect : {-1.0, 0.0, no_number}) {
+            AimFrame flat = frame_of(small.now + 0.1, {face_at(0.9, 0.9)});
+            flat.aspect = aspect;
+            QCOMPARE(small.aiming.see(flat).now.advice, Advice::closer);
+            QVERIFY(!well.aiming.see(flat).take);
+        }
     }
 
     void fifty_faces_are_an_aim_like_any() {
@@ -161,6 +176,83 @@ private slots:
         for (int i = 0; i < 25; ++i)
             session.see({face_at(0.5, 0.42, 0.3)});
         QCOMPARE(session.said.back(), Advice::move_left);
+    }
+
+    /// Whoever aims anew, or turns the camera round, hears it anew, though it is what was said last.
+    void what_is_said_anew_is_said_soon() {
+        for (const bool turned : {false, true}) {
+            Session session;
+            for (int i = 0; i < 20; ++i)
+                session.see({face_at(0.5, 0.45)});
+            QCOMPARE(session.said, std::vector{Advice::ready});
+            if (turned)
+                session.aiming.hold({true, false});
+            else
+                session.aiming.aim_at(Aim::everybody);
+            for (int i = 0; i < 5; ++i)
+                session.see({face_at(0.5, 0.45)});
+            QCOMPARE(session.said, (std::vector{Advice::ready, Advice::ready}));
+        }
+    }
+
+    void a_camera_that_was_turned_round_has_seen_nobody_yet() {
+        Session session;
+        for (int i = 0; i < 15; ++i)
+            session.see({face_at(0.9, 0.45)});
+        session.aiming.hold({true, false});
+        const AimAnswer now = session.see({});
+        QCOMPARE(now.now.faces, 0);
+        QCOMPARE(now.now.advice, Advice::look_right); // as everybody is looked for, not to where that one is
+        for (int i = 0; i < 15; ++i)
+            session.see({face_at(0.9, 0.45)});
+        QVERIFY(session.see({face_at(0.9, 0.45)}).tone.side < -0.9);
+    }
+
+    /// Who was seen before is not looked for after it, and who is seen after it is as at first.
+    void a_jump_of_the_clock_is_a_new_beginning_and_only_one() {
+        Session session;
+        const auto advice = [&session](double x) {
+            AimAnswer answer;
+            for (int i = 0; i < 15; ++i)
+                answer = session.see({face_at(x, 0.45)});
+            return answer.now.advice;
+        };
+        for (const double jump : {500.0, 1000.0}) { // a fault ends below where it begins
+            QCOMPARE(advice(0.605), Advice::move_right);
+            QCOMPARE(advice(0.58), Advice::move_right);
+            QCOMPARE(advice(0.1), Advice::move_left);
+            session.now = jump;
+            QCOMPARE(session.see({}).now.advice, Advice::look_right);
+        }
+    }
+
+    void what_the_person_says_is_heeded() {
+        Session group(Aim::everybody);
+        group.aiming.expect(2);
+        Session tone;
+        tone.aiming.with_tone(true);
+        AimAnswer one, turned;
+        for (int i = 0; i < 15; ++i) {
+            one = group.see({face_at(0.5, 0.45)});
+            turned = tone.see({face_at(0.68, 0.45, 0.27, 11.0)});
+        }
+        QCOMPARE(one.now.advice, Advice::farther);
+        QCOMPARE(turned.now.advice, Advice::turn_clockwise);
+        Session session;
+        for (const int pictures : {1, 2}) {
+            for (int i = 0; i < 15; ++i)
+                session.see({face_at(0.5, 0.45)});
+            QCOMPARE(session.pictures, pictures);
+            session.aiming.arm();
+        }
+    }
+
+    void words_are_heard_over_the_tone() {
+        Session session;
+        for (int i = 0; i < 25; ++i) {
+            const AimAnswer answer = session.see({face_at(0.8, 0.45)});
+            QCOMPARE(answer.tone.gain, session.speaking ? 0.35 : 1.0);
+        }
     }
 
     void whatever_is_seen_nothing_breaks() {

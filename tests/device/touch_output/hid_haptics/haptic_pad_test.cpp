@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace tp;
@@ -43,6 +44,35 @@ struct HighOrdinals final : HapticsTransport {
     }
     haptics::Output& last;
 };
+
+/// A pad that has `left` reports of one finger to tell; counts how often it is asked.
+struct Talker final : HapticsTransport {
+    Talker(int& has, int& was_asked) : left(has), asked(was_asked) {}
+    std::vector<std::uint8_t> descriptor() override {
+        return {ModelHapticPad::descriptor().begin(), ModelHapticPad::descriptor().end()};
+    }
+    std::vector<std::uint8_t> feature(std::uint8_t id, std::size_t) override {
+        return ModelHapticPad().feature(id);
+    }
+    Got read(Input& report, int) noexcept override {
+        ++asked;
+        report.bytes = {1, 1};
+        report.size = 12;
+        return left-- > 0 ? Got::report : Got::nothing;
+    }
+    bool send(const haptics::Output&) noexcept override { return true; }
+    int& left;
+    int& asked;
+};
+
+template <typename Transport, typename... Lent>
+HapticPad nameless(Lent&... lent) {
+    return HapticPad(
+        [&]() -> Result<std::unique_ptr<HapticsTransport>> {
+            return std::unique_ptr<HapticsTransport>(std::make_unique<Transport>(lent...));
+        },
+        {}, LatestWriter::Thread::caller);
+}
 
 } // namespace
 
@@ -97,6 +127,10 @@ private slots:
             QVERIFY(bench.pad.tick(click));
             bench.run(0.002);
             bench.pad.deliver();
+            if (i < 150)
+                continue;
+            bench.pad.halt(); // also where one was halted before
+            bench.run(0.002);
         }
         bench.run(0.01);
         QCOMPARE(bench.model.ticks(), 300ul);
@@ -107,16 +141,44 @@ private slots:
 
     void a_waveform_may_have_any_ordinal_of_a_byte() {
         haptics::Output last;
-        HapticPad pad(
-            [&last]() -> Result<std::unique_ptr<HapticsTransport>> {
-                return std::unique_ptr<HapticsTransport>(std::make_unique<HighOrdinals>(last));
-            },
-            {}, LatestWriter::Thread::caller);
-        QVERIFY(pad.open().ok());
+        HapticPad pad = nameless<HighOrdinals>(last);
+        const auto can = pad.open();
+        QVERIFY(can.ok());
+        QCOMPARE(can.value().name, std::string("touch pad with haptics")); // it has no name of its own
         QVERIFY(pad.tick(click));
         pad.deliver();
         QCOMPARE(int(last.bytes[1]), 0xFB); // the second of its list
         QCOMPARE(int(last.bytes[2]), 80);
+    }
+
+    /// One that talks without end, such as a broken one, does not hold up the rest.
+    void so_many_reports_are_read_at_a_time() {
+        int left = 0, asked = 0;
+        HapticPad pad = nameless<Talker>(left, asked);
+        QVERIFY(pad.open().ok());
+        for (const auto& [there, read] : {std::pair{1000, 64}, {63, 64}, {2, 3}, {0, 1}}) {
+            left = there;
+            asked = 0;
+            QCOMPARE(pad.read(0.0).has_value(), there > 0);
+            QCOMPARE(asked, read);
+        }
+    }
+
+    void opened_again_what_it_complained_of_is_over() {
+        for (const bool hangs : {false, true}) {
+            HapticsBench bench;
+            QCOMPARE(bench.open(), std::string());
+            bench.writer_stalled = hangs;
+            bench.link.troubles.refuse = hangs ? 0.0 : 1.0;
+            bench.pad.tick(click);
+            bench.run(0.3);
+            QVERIFY(!bench.pad.tick(click) && !bench.pad.complaint().empty());
+            bench.link.troubles.refuse = 0.0;
+            QCOMPARE(bench.open(), std::string());
+            QCOMPARE(bench.pad.complaint(), std::string());
+            QVERIFY(bench.pad.tick(click));
+            QVERIFY(bench.pad.resist(1.0));
+        }
     }
 
     void opened_again_no_finger_is_there() {
@@ -149,6 +211,12 @@ private slots:
         bench.model.lift(0);
         bench.run(0.02);
         QVERIFY(!bench.touch->touched);
+        bench.model.touch(1, {10.0, 5.0});
+        bench.run(0.02);
+        bench.model.touch(0, {-40.0, 0.0});
+        QCOMPARE(bench.open(), std::string()); // of two that are there already nobody knows who came first
+        bench.run(0.02);
+        QVERIFY(distance(bench.touch->place, Vec2(-40.0, 0.0)) < 0.04);
     }
 
     void what_another_program_left_playing_is_stopped_at_the_start() {

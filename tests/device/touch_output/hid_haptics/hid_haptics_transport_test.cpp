@@ -53,6 +53,8 @@ private slots:
         QCOMPARE(listed.front().name, std::string(its_name));
         QCOMPARE(listed.front().about, std::string("touch pad"));
         QVERIFY(listed.front().is_pad);
+        QCOMPARE(listed.front().serial_number, std::string("HP-0001"));
+        QCOMPARE(listed.front().delay, 0.015);
 
         auto pad = touch_output_named(its_name);
         QVERIFY2(pad.ok(), pad.error().c_str());
@@ -73,6 +75,22 @@ private slots:
         (*pad)->halt();
         QCOMPARE(touch_pad.bed.hear(output_bytes), (mock::HidBed::Bytes{3, 2, 0, 0, 0, 0}));
         (*pad)->stop();
+    }
+
+    /// As touch pads are, which are a mouse for a system that knows no better.
+    void a_pad_that_is_a_mouse_besides_is_listed_once() {
+        std::vector<std::uint8_t> both(ModelHapticPad::descriptor().begin(),
+                                       ModelHapticPad::descriptor().end());
+        const std::vector<std::uint8_t> mouse{0x05, 0x01, 0x09, 0x02, 0xA1, 0x01, 0x85, 0x09, 0x05,
+                                              0x09, 0x19, 0x01, 0x29, 0x08, 0x15, 0x00, 0x25, 0x01,
+                                              0x75, 0x01, 0x95, 0x08, 0x81, 0x02, 0xC0};
+        both.insert(both.end(), mouse.begin(), mouse.end());
+        PadBed touch_pad(both);
+        QVERIFY(touch_pad.bed.plug_in());
+        QCOMPARE(find_haptic_pads().size(), std::size_t(1));
+        PadBed only_a_mouse(mouse);
+        QVERIFY(only_a_mouse.bed.plug_in());
+        QVERIFY(find_haptic_pads().empty());
     }
 
     void a_pad_that_ticks_by_itself_only_is_listed_and_refused_with_a_sentence() {

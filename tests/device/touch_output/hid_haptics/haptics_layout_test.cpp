@@ -80,6 +80,36 @@ private slots:
                 std::string::npos);
     }
 
+    void a_trigger_is_one_number_that_can_be_sent_and_the_first_there_is() {
+        Layout layout;
+        for (const Bytes& item : {Bytes{0x91, 0x00}, Bytes{0x91, 0x03}, Bytes{0x81, 0x02},
+                                  Bytes{0xB1, 0x02}}) // an array, a constant, what is told and what is set
+            QVERIFY(found(with({0x09, 0x21, 0x91, 0x02}, {0x09, 0x21, item[0], item[1]}), layout)
+                        .find("takes no ticks") != std::string::npos);
+        Bytes two(ModelHapticPad::descriptor().begin(), ModelHapticPad::descriptor().end());
+        const Bytes another{0x85, 0x04, 0x15, 0x00, 0x25, 0x07, 0x75,
+                            0x08, 0x95, 0x01, 0x09, 0x21, 0x91, 0x02};
+        two.insert(two.end() - 2, another.begin(), another.end());
+        QCOMPARE(found(two, layout), std::string());
+        QCOMPARE(int(layout.trigger.id), 3);
+        QCOMPARE(layout.trigger.bytes, std::size_t(5));
+    }
+
+    void a_finger_lies_where_a_number_of_its_own_says() {
+        for (const Bytes& other : {Bytes{0xB1, 0x02}, Bytes{0x91, 0x02}, Bytes{0x81, 0x00}, Bytes{0x81, 0x03},
+                                   Bytes{0x81, 0x06}}) { // what is set, an array, a constant, a way
+            Bytes bytes = with_more_fingers(0);
+            Bytes items{0x05, 0x01, 0x75, 0x08, 0x95, 0x01, 0x09, 0x30};
+            items.insert(items.end(), other.begin(), other.end());
+            bytes.insert(std::find(bytes.begin() + 8, bytes.end(), 0xC0), items.begin(), items.end());
+            Layout layout;
+            QCOMPARE(found(bytes, layout), std::string());
+            QVERIFY(layout.pad);
+            QCOMPARE(layout.pad->fingers[0].x.bit, 8u);
+            QCOMPARE(int(layout.pad->fingers[0].x.size), 16);
+        }
+    }
+
     void a_pad_that_does_not_tell_its_size_ticks_without_telling_places() {
         Layout layout;
         QCOMPARE(found(with({0x65, 0x11}, {0x65, 0x00}), layout), std::string());

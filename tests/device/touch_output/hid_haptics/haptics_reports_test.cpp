@@ -106,6 +106,7 @@ private slots:
         row("click", 3, 7, "03100000", true);
         row("with_its_page", 3, 7, "03100e00", true);
         row("of_another_page", 3, 7, "03100f00", false);
+        row("the_makers_own", 3, 7, "03900000", false);
         row("stop", 2, 7, "03100000", false);
         row("the_last", 7, 7, "03100000", true);
         row("behind_the_last", 8, 7, "03100000", false);

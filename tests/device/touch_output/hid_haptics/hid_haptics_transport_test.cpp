@@ -93,6 +93,16 @@ private slots:
         QVERIFY(find_haptic_pads().empty());
     }
 
+    void no_more_of_a_report_is_read_than_there_is() {
+        PadBed touch_pad;
+        QVERIFY(touch_pad.bed.plug_in());
+        const auto pad = open_haptic_pad(find_haptic_pads().front());
+        QVERIFY2(pad.ok(), pad.error().c_str());
+        QCOMPARE((*pad)->feature(2, 4), (mock::HidBed::Bytes{0x06, 0x10, 0x03, 0x10}));
+        QCOMPARE((*pad)->feature(2, 100), touch_pad.model.feature(2));
+        QVERIFY((*pad)->feature(2, 0).empty());
+    }
+
     void a_pad_that_ticks_by_itself_only_is_listed_and_refused_with_a_sentence() {
         const std::vector<std::uint8_t> descriptor = ModelHapticPad::descriptor_without_trigger();
         PadBed touch_pad(descriptor);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace tp;
@@ -44,15 +45,54 @@ private slots:
 
     void the_model_plays_as_long_as_it_is_told() {
         ModelHapticPad model;
-        for (const int again : {0, 2}) { // once, and again so often
-            model.receive(Bytes{3, 4, 100, static_cast<std::uint8_t>(again), 0, 0});
-            int ms = 0;
-            for (; model.felt() > 0.0 && ms < 1000; ++ms)
-                model.step();
-            QCOMPARE(ms, 10 * (1 + again));
-        }
+        for (const auto& [ordinal, once_ms] : {std::pair{3, 10}, {4, 10}, {5, 20}})
+            for (const int again : {0, 2}) { // once, and again so often
+                model.receive(Bytes{3, static_cast<std::uint8_t>(ordinal), 100,
+                                    static_cast<std::uint8_t>(again), 0, 0});
+                int ms = 0;
+                for (; model.felt() > 0.0 && ms < 1000; ++ms)
+                    model.step();
+                QCOMPARE(ms, once_ms * (1 + again));
+            }
     }
 
+    void the_model_obeys_its_trigger_and_nothing_else() {
+        ModelHapticPad model;
+        model.receive(Bytes{2, 4, 100, 0, 0, 0});
+        model.receive(Bytes{3, 4, 100, 0, 0}); // cut short
+        QCOMPARE(model.ticks(), 0ul);
+    }
+    void the_model_tells_of_fingers_each_8_ms_and_once_that_they_are_gone() {
+        ModelHapticPad model;
+        const auto told = [&model](int ms) {
+            Bytes report, last;
+            int count = 0;
+            for (int i = 0; i < ms; ++i) {
+                model.step();
+                for (; model.report(report); ++count)
+                    last = report;
+            }
+            return std::pair(count, last);
+        };
+        QCOMPARE(told(80).first, 0);
+        model.touch(0, {0.0, 0.0});
+        QCOMPARE(told(7).first, 0);
+        QVERIFY(told(1) ==
+                std::pair(1, Bytes{1, 0x01, 0x00, 0x08, 0x00, 0x04, 0, 0x00, 0x08, 0x00, 0x04, 0}));
+        for (int i = 1; i < 17; ++i) { // each touch has a number, of four bits
+            model.lift(0);
+            model.touch(0, {0.0, 0.0});
+            QCOMPARE(int(told(8).second.at(1)), (i << 4 | 1) & 0xFF);
+        }
+        model.lift(0);
+        QCOMPARE(told(8).first, 1);
+        model.touch(0, {80.0, 50.0}, true); // beside the pad: the nearest that it can tell
+        model.touch(1, {-80.0, -50.0}, true);
+        QVERIFY(told(80) == std::pair(10, Bytes{1, 0x11, 0xFF, 0x0F, 0, 0, 0x21, 0, 0, 0xFF, 0x07, 1}));
+        model.lift(0);
+        model.lift(1);
+        QVERIFY(told(80) == std::pair(1, Bytes{1, 0x10, 0xFF, 0x0F, 0, 0, 0x20, 0, 0, 0xFF, 0x07, 0}));
+    }
     void the_model_tells_its_waveforms_and_how_long_each_is() {
         QCOMPARE(ModelHapticPad().feature(2),
                  (Bytes{0x06, 0x10, 0x03, 0x10, 0x08, 0x10, 0x04, 0x10, 10, 0, 10, 0, 10, 0, 10, 0}));

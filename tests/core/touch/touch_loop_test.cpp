@@ -1,75 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/touch/touch_loop.hpp"
-#include "touch_output_double.hpp"
+#include "touch_bench.hpp"
 
 #include <QTest>
 
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <vector>
 
 using namespace tp;
-using tp::testing::TouchOutputDouble;
-
-namespace {
-
-FlatScene upright_line(double x) {
-    FlatScene flat;
-    flat.names = {"line"};
-    flat.lines = {Polyline{{{x, -80.0}, {x, 80.0}}, false}};
-    return flat;
-}
-
-std::unique_ptr<const TouchScene> line_at(double x, bool tour = false) {
-    auto scene = make_touch_scene(upright_line(x)).value();
-    if (tour)
-        scene->tour = scene->flat.lines.front();
-    return scene;
-}
-
-struct Bench {
-    TouchOutputDouble output;
-    VirtualClock clock;
-    std::unique_ptr<TouchLoop> loop;
-
-    explicit Bench(const TouchSettings& settings = {}, TouchMeans means = TouchMeans::ticks) {
-        output.means = means;
-        loop = std::make_unique<TouchLoop>(output, output.capabilities(), clock, settings);
-        loop->engage();
-        loop->render(line_at(0.0));
-    }
-    void pass() {
-        clock.sleep_until(clock.now() + loop->period());
-        loop->tick();
-    }
-    void rest(double seconds) {
-        for (const double end = clock.now() + seconds; clock.now() < end;)
-            pass();
-    }
-    /// The finger goes to the right along y = 0 at `speed` mm/s; where it is when the first tick comes, or where it ends.
-    double go(double from, double to, double speed) {
-        const std::size_t before = output.tick_count;
-        double first = to;
-        for (double x = from; x < to; x += speed * loop->period()) {
-            loop->tell({x, 0.0});
-            pass();
-            if (output.tick_count > before && first == to)
-                first = x;
-        }
-        return first;
-    }
-};
-
-} // namespace
+using namespace tp::testing;
 
 class TouchLoopTest : public QObject {
     Q_OBJECT
 private slots:
     void a_line_that_is_crossed_ticks_once_and_there() {
-        Bench bench;
+        TouchBench bench;
         const double first = bench.go(-20.0, 20.0, 100.0);
         QCOMPARE(bench.output.tick_count.load(), std::size_t(1));
         QVERIFY(first >= 0.0 && first < 0.25);
@@ -84,7 +32,7 @@ private slots:
     }
 
     void friction_is_felt_on_the_line_and_not_beside_it_or_at_rest() {
-        Bench bench({}, TouchMeans::friction);
+        TouchBench bench({}, TouchMeans::friction);
         bench.go(-20.0, -5.0, 100.0);
         QCOMPARE(bench.output.level, 0.0);
         bench.go(-5.0, 0.0, 100.0);
@@ -99,7 +47,7 @@ private slots:
     void a_tick_comes_as_much_earlier_as_the_output_is_late() {
         TouchSettings settings;
         settings.latency_s = 0.040;
-        Bench bench(settings);
+        TouchBench bench(settings);
         const double first = bench.go(-40.0, 20.0, 100.0);
         QVERIFY(std::abs(first + 4.0) < 0.25); // 40 ms at 100 mm/s before the line
         bench.loop->set_latency(0.0);
@@ -111,7 +59,7 @@ private slots:
     void what_lies_ahead_is_bounded() {
         TouchSettings settings;
         settings.latency_s = 5.0;
-        Bench bench(settings);
+        TouchBench bench(settings);
         const double first = bench.go(-60.0, 20.0, 300.0);
         QVERIFY(first > -10.5 && first < -9.0); // mm
         for (const double wrong : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
@@ -126,12 +74,12 @@ private slots:
     void no_output_is_told_more_than_150_ms_before() {
         TouchSettings settings;
         settings.latency_s = 5.0;
-        Bench bench(settings);
+        TouchBench bench(settings);
         QVERIFY(std::abs(bench.go(-20.0, 20.0, 20.0) + 3.0) < 0.25); // 150 ms at 20 mm/s
     }
 
     void a_place_that_is_no_number_is_passed_over() {
-        Bench bench;
+        TouchBench bench;
         bench.go(-20.0, -5.0, 100.0);
         const Vec2 before = bench.loop->snapshot().finger();
         const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -143,7 +91,7 @@ private slots:
     }
 
     void before_a_finger_comes_nothing_is_known() {
-        Bench bench;
+        TouchBench bench;
         bench.loop->disengage();
         bench.pass();
         const TouchSnapshot view = bench.loop->snapshot();
@@ -161,7 +109,7 @@ private slots:
     }
 
     void what_it_knows_of_itself() {
-        Bench bench;
+        TouchBench bench;
         bench.loop->tell({-5.0, 3.0});
         bench.pass();
         const TouchSnapshot view = bench.loop->snapshot();
@@ -183,7 +131,7 @@ private slots:
     }
 
     void a_finger_set_down_elsewhere_has_crossed_nothing() {
-        Bench bench;
+        TouchBench bench;
         bench.go(-20.0, -5.0, 100.0);
         bench.loop->tell_lifted();
         bench.pass();
@@ -197,8 +145,28 @@ private slots:
         QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
     }
 
+    /// Nor does it come from where it was before, so that it would be thought to be fast.
+    void a_finger_set_down_elsewhere_rests() {
+        for (const bool told : {true, false}) {
+            TouchSettings settings;
+            settings.latency_s = 0.040;
+            TouchBench bench(settings);
+            bench.go(-30.0, -20.0, 100.0);
+            if (told) {
+                bench.loop->tell_lifted();
+                bench.pass();
+            }
+            bench.loop->tell_set_down({-2.0, 0.0});
+            for (int i = 0; i < 20; ++i) {
+                bench.pass();
+                bench.loop->tell({-2.0, 0.0});
+            }
+            QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
+        }
+    }
+
     void nobody_engaged_feels_nothing() {
-        Bench bench({}, TouchMeans::friction);
+        TouchBench bench({}, TouchMeans::friction);
         bench.go(-20.0, 0.0, 100.0);
         QVERIFY(bench.output.level > 0.5);
         bench.loop->disengage();
@@ -212,7 +180,7 @@ private slots:
     }
 
     void what_a_finger_passed_while_nothing_was_felt_it_has_not_crossed() {
-        Bench bench;
+        TouchBench bench;
         bench.go(-20.0, -5.0, 100.0);
         bench.loop->disengage();
         bench.pass();
@@ -224,7 +192,7 @@ private slots:
     }
 
     void a_lost_output_is_told_and_left_alone() {
-        Bench bench;
+        TouchBench bench;
         bench.go(-20.0, -5.0, 100.0);
         bench.output.unplugged = true;
         bench.go(-5.0, 20.0, 100.0);
@@ -240,12 +208,12 @@ private slots:
     }
 
     void what_the_output_refuses_is_counted() {
-        Bench bench;
+        TouchBench bench;
         bench.output.refuses = true;
         bench.go(-20.0, 20.0, 100.0);
         QCOMPARE(bench.loop->snapshot().undelivered, std::uint64_t(1));
         QCOMPARE(bench.loop->snapshot().ticks, std::uint64_t(0));
-        Bench brake({}, TouchMeans::friction);
+        TouchBench brake({}, TouchMeans::friction);
         brake.output.refuses = true;
         brake.loop->tell({30.0, 0.0});
         brake.pass();
@@ -253,14 +221,14 @@ private slots:
     }
 
     void choices_hold_at_once() {
-        Bench bench;
+        TouchBench bench;
         bench.loop->choose({0.3, 0.2});
         bench.go(-20.0, 20.0, 100.0);
         QVERIFY(bench.output.ticks[0] == Tick(0.3, 0.2, 0.008));
     }
 
     void a_tick_to_try_comes_once_also_where_nobody_is_engaged() {
-        Bench bench;
+        TouchBench bench;
         bench.loop->disengage();
         bench.loop->feel({0.9, 0.1, 0.02});
         bench.rest(0.05);
@@ -301,7 +269,7 @@ private slots:
     }
 
     void no_scene_is_nothing_and_another_one_is_felt_at_once() {
-        Bench bench;
+        TouchBench bench;
         bench.loop->render(nullptr);
         bench.go(-20.0, 20.0, 100.0);
         QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
@@ -311,95 +279,8 @@ private slots:
         QCOMPARE(bench.loop->snapshot().scene, std::uint64_t(3));
     }
 
-    void a_tour_ticks_more_strongly_toward_the_leading_place_and_ends() {
-        Bench bench;
-        bench.loop->tell({0.0, -80.0});
-        bench.pass();
-        bench.loop->render(line_at(0.0, true));
-        const auto last = [&bench] { return bench.loop->snapshot().tick_amplitude; };
-        bench.rest(2.0); // the finger stays behind
-        QVERIFY(bench.loop->snapshot().touring);
-        const std::size_t evenly = bench.output.tick_count;
-        QVERIFY(evenly >= 9 && evenly <= 11);
-        const double behind = last();
-        bench.loop->tell({TickLead::reach_mm, -80.0}); // it goes away
-        bench.rest(1.0);
-        const double away = last();
-        QVERIFY(away > 0.0 && away < 0.5 * behind);
-        bench.loop->tell({0.0, -80.0});
-        bench.rest(1.0);
-        QCOMPARE(last(), behind);
-        for (int i = 0; i < 10'000 && !bench.loop->snapshot().tour_finished; ++i) {
-            const TouchSnapshot view = bench.loop->snapshot();
-            bench.loop->tell(view.finger() + 0.2 * (view.leader() - view.finger()));
-            bench.pass();
-        }
-        QVERIFY(bench.loop->snapshot().tour_finished && !bench.loop->snapshot().touring);
-        QCOMPARE(bench.loop->snapshot().tour_progress, 1.0);
-        QVERIFY(last() > behind);
-        const std::size_t given = bench.output.tick_count;
-        bench.rest(1.0);
-        QCOMPARE(bench.output.tick_count.load(), given);
-    }
-
-    void what_leads_is_told_with_both_of_its_coordinates() {
-        Bench bench;
-        bench.loop->tell({5.0, -80.0});
-        bench.pass();
-        QVERIFY(bench.loop->snapshot().leader() == Vec2(0.0)); // nothing leads
-        bench.loop->render(line_at(5.0, true));
-        bench.pass();
-        const Vec2 leader = bench.loop->snapshot().leader();
-        QCOMPARE(leader.x, 5.0);
-        QVERIFY(leader.y >= -80.0 && leader.y < -79.0);
-    }
-
-    /// As when the machine has stood still.
-    void a_late_period_leads_nobody_far() {
-        Bench bench;
-        bench.loop->tell({0.0, -80.0});
-        bench.pass();
-        bench.loop->render(line_at(0.0, true));
-        bench.pass();
-        const Vec2 before = bench.loop->snapshot().leader();
-        bench.clock.sleep_until(bench.clock.now() + 5.0);
-        bench.loop->tick();
-        const double way = length(bench.loop->snapshot().leader() - before);
-        QVERIFY2(std::abs(way - 0.3) < 0.01, qPrintable(QString::number(way))); // of ten periods at 30 mm/s
-    }
-
-    void without_a_way_nobody_is_led() {
-        Bench bench;
-        bench.loop->tell({-5.0, 0.0});
-        auto scene = make_touch_scene(upright_line(0.0)).value();
-        scene->tour.emplace();
-        bench.loop->render(std::move(scene));
-        bench.pass();
-        QVERIFY(!bench.loop->snapshot().touring);
-        bench.loop->render(line_at(0.0, true));
-        bench.pass();
-        QVERIFY(bench.loop->snapshot().touring);
-        bench.loop->render(line_at(0.0)); // and no more
-        bench.pass();
-        QVERIFY(!bench.loop->snapshot().touring);
-        const std::size_t before = bench.output.tick_count;
-        bench.go(-5.0, 5.0, 100.0);
-        QCOMPARE(bench.output.tick_count.load(), before + 1);
-    }
-
-    void nobody_is_led_while_the_finger_is_up() {
-        Bench bench;
-        bench.loop->tell({0.0, -80.0});
-        bench.pass();
-        bench.loop->render(line_at(0.0, true));
-        bench.loop->tell_lifted();
-        bench.rest(1.0);
-        QCOMPARE(bench.output.tick_count.load(), std::size_t(0));
-        QCOMPARE(bench.loop->snapshot().tour_progress, 0.0);
-    }
-
     void stopping_switches_off_and_releases() {
-        Bench bench({}, TouchMeans::friction);
+        TouchBench bench({}, TouchMeans::friction);
         bench.go(-20.0, 0.0, 100.0);
         bench.loop->stop();
         QCOMPARE(bench.output.level, 0.0);
@@ -410,7 +291,7 @@ private slots:
     }
 
     void one_that_goes_away_leaves_nothing_to_be_felt() {
-        Bench bench({}, TouchMeans::friction);
+        TouchBench bench({}, TouchMeans::friction);
         bench.go(-20.0, 0.0, 100.0);
         QVERIFY(bench.output.level > 0.5);
         bench.loop.reset();

@@ -8,6 +8,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -100,8 +101,16 @@ private slots:
             const auto again = decode_set_up(bytes.view());
             QVERIFY(again && again->device_id == set_up.device_id && again->motors == set_up.motors);
             QCOMPARE(hex(encode(*again).view()), hex(bytes.view()));
-            for (std::size_t cut = 0; cut < bytes.size; ++cut)
+            // Its length is known with the second number of pins, behind both masks and the ways to turn.
+            const auto there = [](const auto& ports) {
+                return static_cast<std::size_t>(
+                    std::ranges::count_if(ports, [](const auto& one) { return one.has_value(); }));
+            };
+            const std::size_t known = 2 + 1 + there(set_up.motors) + 1 + there(set_up.encoders) + 2;
+            for (std::size_t cut = 0; cut < bytes.size; ++cut) {
                 QVERIFY(!decode_set_up(bytes.view().first(cut)));
+                QCOMPARE(set_up_length(bytes.view().first(cut)).has_value(), cut >= known);
+            }
         }
     }
 
@@ -124,6 +133,45 @@ private slots:
             SetUpBytes bad = good;
             bad.bytes[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(value);
             QVERIFY(!decode_set_up(bad.view()));
+        }
+        const auto encoder = [](float offset_deg, float counts) {
+            SetUp set_up;
+            set_up.encoders[2] = EncoderSetUp{Turn::clockwise, offset_deg, counts};
+            return decode_set_up(encode(set_up).view()).has_value();
+        };
+        QVERIFY(encoder(0.0f, 1.0f));
+        for (const float none : {nan, infinite, -infinite}) {
+            QVERIFY(!encoder(none, 1.0f));
+            QVERIFY(!encoder(0.0f, none));
+        }
+        QVERIFY(!encoder(0.0f, 0.0f)); // which never turns
+        using Bytes = std::vector<std::uint8_t>;
+        QVERIFY(decode_set_up(Bytes{1, 5, 0, 0, 0, 0}));
+        for (const Bytes& fifth_port : {Bytes{1, 5, 0x10, 0, 0, 0}, Bytes{1, 5, 0, 0x10, 0, 0}})
+            QVERIFY(!decode_set_up(fifth_port));
+    }
+
+    /// What is not said of an encoder is the simplest.
+    void an_encoder_counts_from_nothing_a_turn_at_a_time() {
+        SetUp set_up;
+        set_up.encoders[0].emplace();
+        QCOMPARE(hex(encode(set_up).view()), QByteArray("01 05 00 01 00 00 00 00 00 00 00 00 00 80 3f"));
+        QCOMPARE(hex(encode(Command{})), QByteArray("02 05 00 00 00 00 00 00 00 00"));
+        QCOMPARE(hex(encode(Reply{})), QByteArray("05 00 00 00 00 00 00 00 00"));
+    }
+
+    /// The longest frame that it may wait for, a byte that begins none, what it is set up as, and no torque.
+    void what_brings_a_board_back_into_step_is_no_longer_than_it_must_be() {
+        const Pantograph arms(HaplyGeneration::third);
+        const SetUp set_up = arms.set_up(arms.reference_deg());
+        for (const unsigned round : {0u, 1u, 2u, 3u}) {
+            const ResynchronisationBytes bytes = resynchronisation(set_up, round);
+            const std::size_t zeros = 556 + round % 2;
+            QCOMPARE(bytes.size, zeros + 1 + 26 + 10);
+            QCOMPARE(std::size_t(std::find_if(bytes.begin(), bytes.end(), [](auto byte) { return byte != 0; }) -
+                                 bytes.begin()),
+                     zeros);
+            QVERIFY(bytes.view()[zeros] > 2); // no type of a frame
         }
     }
 

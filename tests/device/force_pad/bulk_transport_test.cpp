@@ -5,13 +5,12 @@
 #include "device/force_pad/pad_frames.hpp"
 #include "device/registry.hpp"
 #include "device/usb/usb_devices.hpp"
-#include "found_pad_bench.hpp"
+#include "found_pad_judge.hpp"
 #include "mock_usb.hpp"
 #include "stranger.hpp"
 
 #include <QTest>
 
-#include <cmath>
 #include <cstdint>
 #include <libusb.h>
 #include <memory>
@@ -55,14 +54,7 @@ private slots:
         QCOMPARE(found.front().product, std::string("force pad"));
         {
             Bench bench(bed);
-            QVERIFY2(bench.loop, bench.error.c_str());
-            for (int i = 0; i < 1000; ++i)
-                bench.tick(true);
-            const ServoSnapshot view = bench.loop->snapshot();
-            QCOMPARE(view.fault, Fault::none);
-            QVERIFY(std::abs(view.x - 10.0) < 0.1);
-            QVERIFY(view.y < 2.0); // drawn to the line
-            QCOMPARE(bench.device->bad_frames(), std::uint64_t(0));
+            judge_a_thousand_frames(bench);
             QVERIFY(bed.seen().motors);
         }
         // The way out leaves no force, and the interface to others.
@@ -78,15 +70,7 @@ private slots:
         UsbPadBed bed;
         QVERIFY(bed.plug_in());
         Bench bench(bed);
-        QVERIFY2(bench.loop, bench.error.c_str());
-        for (int i = 0; i < 300; ++i)
-            bench.tick(true);
-        QCOMPARE(bench.loop->snapshot().fault, Fault::none);
-        bed.unplug();
-        bench.until([&] { return bench.loop->snapshot().fault == Fault::device_lost; });
-        QVERIFY(bench.loop->snapshot().force() == Vec2(0.0));
-        bench.loop->stop();
-        QVERIFY(!bench.device->write(SafeForce{}));
+        judge_unplugged_in_mid_touch(bench, [&] { bed.unplug(); });
     }
 
     void unplugged_it_is_lost_to_who_reads_and_who_writes() {
@@ -112,16 +96,10 @@ private slots:
         UsbPadBed bed;
         QVERIFY(bed.plug_in());
         Bench bench(bed);
-        QVERIFY2(bench.loop, bench.error.c_str());
-        for (int i = 0; i < 700; ++i)
-            bench.tick(true);
-        QVERIFY(bench.loop->snapshot().gain == 1.0);
         UsbPadBed::Behaviour silent;
         silent.silent = true;
-        bed.behave(silent);
-        QVERIFY(bench.ticks_until_let_go() <= 60);
-        bed.behave({});
-        bench.until([&] { return bench.loop->snapshot().fault == Fault::none; });
+        judge_silent_for_a_while(
+            bench, [&] { bed.behave(silent); }, [&] { bed.behave({}); });
     }
 
     void a_frame_that_the_pad_does_not_take_never_comes_late() {
@@ -232,11 +210,7 @@ private slots:
                  std::to_string(count).c_str()); // some came while these were read
     }
 
-    void another_device_with_the_same_ids_is_told_apart_data() {
-        QTest::addColumn<bool>("silent");
-        QTest::newRow("says other things") << false;
-        QTest::newRow("says nothing") << true;
-    }
+    void another_device_with_the_same_ids_is_told_apart_data() { other_devices(); }
     void another_device_with_the_same_ids_is_told_apart() {
         QFETCH(bool, silent);
         UsbPadBed bed;
@@ -245,9 +219,7 @@ private slots:
         (silent ? other.silent : other.other_device) = true;
         bed.behave(other);
         Bench bench(bed);
-        QVERIFY(!bench.loop);
-        QVERIFY2(bench.error.find("does not answer like a force pad") != std::string::npos,
-                 bench.error.c_str());
+        judge_another_device(bench);
     }
 
     void another_device_without_the_interface_is_not_listed() {
@@ -290,9 +262,7 @@ private slots:
         const std::vector<FoundPad> found = find_bulk();
         QCOMPARE(found.size(), std::size_t(1));
         QCOMPARE(found.front().serial_number, std::string("TPC-0001")); // who it is may everybody know
-        const Result<std::unique_ptr<ReportTransport>> opened = open_bulk(found.front());
-        QVERIFY(!opened.ok());
-        QVERIFY2(opened.error().find("udev/rules.d") != std::string::npos, opened.error().c_str());
+        judge_without_permission(open_bulk(found.front()));
     }
 
     void a_pad_with_another_number_or_at_another_place_is_not_opened() {

@@ -240,11 +240,52 @@ private slots:
         QCOMPARE(bench.script.count("05 02 01 e0"), 1); // −8191
         bench.tick({50.0, 0.0});
         QCOMPARE(bench.script.count("05 01 ff 7f"), 1);
+        bench.tick({-50.0, 0.0}); // no more of it than all
+        QCOMPARE(bench.script.count("05 01 01 80"), 1);
         QVERIFY(bench.device.assume(16.0, {-1.0, 1.0}));
         bench.script.told.clear();
         bench.tick({4.0, 4.0});
         QCOMPARE(bench.script.count("05 01 01 e0"), 1);
         QCOMPARE(bench.script.count("05 02 ff 1f"), 1);
+    }
+
+    /// A writer that hangs in the system for 20 ms.
+    void one_that_takes_nothing_is_said_and_gets_no_force_until_it_is_let_go() {
+        Bench bench;
+        QVERIFY(bench.device.open().ok());
+        bench.tick({1, 0});
+        bench.device.read(bench.now + 0.001); // what was taken is heard of here
+        bench.device.read(bench.now + 0.0205);
+        QVERIFY(!bench.device.motors_off());
+        bench.device.read(bench.now + 0.0215);
+        QVERIFY(bench.device.motors_off());
+        QVERIFY(bench.device.complaint().find("does not take what this computer sends") != std::string::npos);
+        bench.script.told.clear();
+        bench.now += 0.0215;
+        bench.tick({2, 0});
+        QCOMPARE(bench.script.count("05 01 00 00"), 1);
+        bench.tick({0, 0});
+        bench.tick({0, 0});
+        QVERIFY(!bench.device.motors_off());
+        QCOMPARE(bench.device.complaint(), std::string());
+        bench.tick({2, 0});
+        QCOMPARE(bench.script.count("05 01 ff 1f"), 1);
+    }
+
+    void without_its_guard_it_pulls_no_more_and_says_so() {
+        Bench bench;
+        QVERIFY(bench.device.open().ok());
+        bench.tick({1, 0});
+        bench.script.diary.word = ForceGuard::Word::gone;
+        bench.tick({1, 0.5});
+        bench.script.told.clear();
+        for (const Vec2 newtons : {Vec2(2, 0), Vec2(0, 0), Vec2(2, 1)}) {
+            bench.tick(newtons);
+            QVERIFY(bench.device.motors_off());
+        }
+        QVERIFY(bench.device.complaint().find("that watches over the motors") != std::string::npos);
+        QCOMPARE(bench.script.count("05 01"), bench.script.count("05 01 00 00"));
+        QCOMPARE(bench.script.count("05 02"), bench.script.count("05 02 00 00"));
     }
 
     void one_read_takes_64_reports() {
@@ -316,6 +357,35 @@ private slots:
         QCOMPARE(strange.script.opened, 0);
     }
 
+    void opened_again_it_starts_nothing_anew() {
+        Bench bench;
+        QVERIFY(bench.device.open().ok());
+        bench.script.to_say.push_back(bytes_of("02 0C")); // its motors are off
+        for (int i = 0; i < 7000; ++i)
+            bench.tick({0, 0}, 0.01);
+        QVERIFY(bench.device.open().ok());
+        bench.script.told.clear();
+        for (int i = 0; i < 10; ++i)
+            bench.tick({0, 0});
+        QCOMPARE(bench.script.count("0a"), 0);
+        QCOMPARE(bench.script.count("0c"), 0);
+    }
+
+    void before_it_is_opened_there_is_nothing_to_halt() {
+        Bench bench;
+        bench.device.halt();
+        bench.device.deliver();
+        bench.device.stop();
+        QVERIFY(!bench.device.lost() && !bench.device.motors_off());
+        QVERIFY(!bench.device.read(0.001));
+        QVERIFY(bench.script.told.empty());
+        QVERIFY(bench.device.open().ok());
+        bench.device.stop();
+        bench.script.told.clear();
+        bench.device.halt(); // nor after it
+        QVERIFY(bench.script.told.empty());
+    }
+
     void what_another_program_left_ends_before_a_force_is_loaded() {
         Bench bench;
         QVERIFY(bench.device.open().ok());
@@ -326,6 +396,7 @@ private slots:
         QVERIFY(first == wanted);
         for (const char* force : {"05 01 00 00", "05 02 00 00"})
             QCOMPARE(bench.script.count(force), 1);
+        QCOMPARE(bench.script.count("0b"), 0); // nothing is freed that a reset has ended
         bench.script.told.clear();
         bench.device.stop();
         for (const char* last : {"0a 01 03", "0a 02 03", "0b 01", "0b 02", "0c 02"})

@@ -119,6 +119,8 @@ private slots:
         stick.model.troubles.keeps_after_reset = true; // only freeing does
         stick.model.leave_effects(3);
         QVERIFY(stick.device.open().ok());
+        stick.link.advance();
+        QCOMPARE(stick.model.effects(), std::size_t(2));
     }
 
     void a_memory_without_room_is_said() {

@@ -42,6 +42,14 @@ private slots:
         }
     }
 
+    void what_leads_waits_4_mm_ahead_of_a_finger_that_does_not_come() {
+        TickLead lead(way, {0.0, 0.0});
+        for (int i = 0; i < 10'000; ++i)
+            lead.step({0.0, 0.0}, 0.001, choices);
+        QVERIFY(length(lead.leader() - Vec2(0.0, 4.0)) < 0.05);
+        QVERIFY(!lead.finished());
+    }
+
     void a_finger_that_follows_arrives_and_hears_no_more() {
         TickLead lead(way, {0.0, 0.0});
         double seconds = 0.0;

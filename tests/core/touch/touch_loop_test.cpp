@@ -93,6 +93,9 @@ private slots:
     void before_a_finger_comes_nothing_is_known() {
         TouchBench bench;
         bench.loop->disengage();
+        const TouchSnapshot none = bench.loop->snapshot(); // before the first period
+        QVERIFY(none.time == 0.0 && none.level == 0.0 && none.scene == 0 && none.periods == 0);
+        QVERIFY(!none.touched && !none.engaged && !none.lost && !none.touring && !none.tour_finished);
         bench.pass();
         const TouchSnapshot view = bench.loop->snapshot();
         QVERIFY(view.finger() == Vec2(0.0) && view.leader() == Vec2(0.0));
@@ -179,6 +182,20 @@ private slots:
         QVERIFY(!bench.loop->snapshot().engaged);
     }
 
+    void nobody_is_engaged_at_first() {
+        TouchOutputDouble output;
+        VirtualClock clock;
+        TouchLoop loop(output, output.capabilities(), clock, {});
+        loop.render(line_at(0.0));
+        for (double x = -5.0; x < 5.0; x += 0.1) {
+            loop.tell({x, 0.0});
+            clock.sleep_until(clock.now() + loop.period());
+            loop.tick();
+        }
+        QCOMPARE(output.tick_count.load(), std::size_t(0));
+        QVERIFY(!loop.snapshot().engaged);
+    }
+
     void what_a_finger_passed_while_nothing_was_felt_it_has_not_crossed() {
         TouchBench bench;
         bench.go(-20.0, -5.0, 100.0);
@@ -230,11 +247,15 @@ private slots:
     void a_tick_to_try_comes_once_also_where_nobody_is_engaged() {
         TouchBench bench;
         bench.loop->disengage();
-        bench.loop->feel({0.9, 0.1, 0.02});
-        bench.rest(0.05);
-        QCOMPARE(bench.output.tick_count.load(), std::size_t(1));
-        QVERIFY(bench.output.ticks[0] == Tick(0.9, 0.1, 0.02));
-        QVERIFY(std::abs(bench.loop->snapshot().tick_time - bench.loop->period()) < 1e-9);
+        for (const std::size_t count : {std::size_t(1), std::size_t(2)}) {
+            bench.pass();
+            const double asked = bench.clock.now();
+            bench.loop->feel({0.9, 0.1, 0.02});
+            bench.rest(0.05);
+            QCOMPARE(bench.output.tick_count.load(), count);
+            QVERIFY(bench.output.ticks[count - 1] == Tick(0.9, 0.1, 0.02));
+            QVERIFY(std::abs(bench.loop->snapshot().tick_time - asked - bench.loop->period()) < 1e-9);
+        }
     }
 
     void a_pad_tells_its_place_and_its_lift() {
@@ -288,6 +309,10 @@ private slots:
         QCOMPARE(bench.loop->snapshot().level, 0.0);
         QVERIFY(!bench.loop->snapshot().engaged);
         QVERIFY(bench.output.halts > 0);
+        const int halts = bench.output.halts;
+        bench.loop->disengage();
+        bench.pass();
+        QCOMPARE(bench.output.halts.load(), halts); // there is nothing more to be halted
     }
 
     void one_that_goes_away_leaves_nothing_to_be_felt() {

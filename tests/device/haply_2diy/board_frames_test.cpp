@@ -160,18 +160,32 @@ private slots:
         QCOMPARE(hex(encode(Reply{})), QByteArray("05 00 00 00 00 00 00 00 00"));
     }
 
-    /// The longest frame that it may wait for, a byte that begins none, what it is set up as, and no torque.
-    void what_brings_a_board_back_into_step_is_no_longer_than_it_must_be() {
+    void a_board_that_is_set_up_may_have_motors_and_encoders_at_any_port() {
+        SetUp set_up;
+        for (std::size_t port = 0; port < port_count; ++port) {
+            set_up.motors[port] = Turn::clockwise;
+            set_up.encoders[port] = EncoderSetUp{Turn::counter_clockwise, 1.0f, 4096.0f};
+        }
+        const SetUpBytes all = encode(set_up);
+        QCOMPARE(all.size, std::size_t(46));
+        QCOMPARE(set_up_length(all.view().first(13)),
+                 std::optional<std::size_t>()); // not known before
+        QCOMPARE(set_up_length(all.view().first(14)), std::optional<std::size_t>(46));
+        const std::vector<std::uint8_t> pins{1, 5, 0, 0, 3, 0, 0, 0, 2, 0, 0};
+        QCOMPARE(set_up_length(pins), std::optional<std::size_t>(11));
+        QVERIFY(!decode_set_up(pins)); // a 2diy has none
+    }
+
+    void the_way_back_into_step_grows_by_a_byte_in_each_second_round() {
         const Pantograph arms(HaplyGeneration::third);
         const SetUp set_up = arms.set_up(arms.reference_deg());
-        for (const unsigned round : {0u, 1u, 2u, 3u}) {
+        const std::size_t rest = 1 + encode(set_up).size + command_size;
+        for (unsigned round = 0; round < 4; ++round) {
             const ResynchronisationBytes bytes = resynchronisation(set_up, round);
-            const std::size_t zeros = 556 + round % 2;
-            QCOMPARE(bytes.size, zeros + 1 + 26 + 10);
-            QCOMPARE(std::size_t(std::find_if(bytes.begin(), bytes.end(), [](auto byte) { return byte != 0; }) -
-                                 bytes.begin()),
-                     zeros);
-            QVERIFY(bytes.view()[zeros] > 2); // no type of a frame
+            QCOMPARE(bytes.size, 556 + round % 2 + rest);
+            for (std::size_t i = 0; i < 556 + round % 2; ++i)
+                QCOMPARE(bytes.bytes[i], std::uint8_t(0));
+            QCOMPARE(bytes.bytes[556 + round % 2], std::uint8_t(3));
         }
     }
 

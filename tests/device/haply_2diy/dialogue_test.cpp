@@ -1,135 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is sent to a 2diy's board and when, and which of its answers are believed: each byte written by hand.
-#include "device/guard/simulated_guard.hpp"
-#include "device/haply_2diy/found_boards.hpp"
-#include "device/haply_2diy/haply_2diy.hpp"
-#include "device/haply_2diy/protocol/board_frames.hpp"
-#include "safe_force.hpp"
+#include "board_dialogue.hpp"
 
-#include <QTemporaryDir>
 #include <QTest>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace tp;
-using tp::testing::safe;
-
-namespace {
-
-/// A board that answers as a test has it, and keeps what it was sent.
-struct Script final : SerialLine {
-    const Pantograph arms{HaplyGeneration::third};
-    haply::Reply here = arms.reply_of(arms.reference_deg());
-    bool answers = true;
-    bool reads_fail = false;
-    bool writes_fail = false;
-    std::size_t at_once = 1000;  ///< bytes
-    std::size_t junk_before = 0; ///< bytes before each answer
-    std::deque<std::uint8_t> to_say;
-    std::vector<std::vector<std::uint8_t>> sent;
-    int reads = 0;
-
-    void say(const haply::Reply& reply) {
-        for (const std::uint8_t byte : haply::encode(reply))
-            to_say.push_back(byte);
-    }
-    int read(std::span<std::uint8_t> into, int) noexcept override {
-        ++reads;
-        if (reads_fail)
-            return -1;
-        const std::size_t count = std::min({into.size(), to_say.size(), at_once});
-        std::copy_n(to_say.begin(), count, into.begin());
-        to_say.erase(to_say.begin(), to_say.begin() + static_cast<std::ptrdiff_t>(count));
-        return static_cast<int>(count);
-    }
-    bool write(std::span<const std::uint8_t> bytes) noexcept override {
-        if (writes_fail)
-            return false;
-        sent.emplace_back(bytes.begin(), bytes.end());
-        if (answers) {
-            to_say.insert(to_say.end(), junk_before, 0xEE);
-            say(here);
-        }
-        return true;
-    }
-    std::optional<haply::Command> last_command() const {
-        if (sent.empty() || sent.back().size() != haply::command_size)
-            return std::nullopt;
-        return haply::decode_command(std::span(sent.back()).first<haply::command_size>());
-    }
-};
-
-struct Lent final : SerialLine {
-    explicit Lent(Script& lent) : script(lent) {}
-    int read(std::span<std::uint8_t> into, int wait_ms) noexcept override {
-        return script.read(into, wait_ms);
-    }
-    bool write(std::span<const std::uint8_t> bytes) noexcept override { return script.write(bytes); }
-    Script& script;
-};
-
-struct Bench {
-    Script script;
-    GuardDiary guard;
-    Haply2diy device{HaplyGeneration::third,
-                     [this]() -> Result<Haply2diy::Board> {
-                         return Haply2diy::Board{std::make_unique<Lent>(script),
-                                                 std::make_unique<SimulatedGuard>(guard),
-                                                 {},
-                                                 "X"};
-                     },
-                     LatestWriter::Thread::caller};
-    double now = 0.0;
-    Result<Capabilities> can = Error{"not open"};
-
-    /// Homed; from here on a test says what comes.
-    bool open() {
-        can = device.open();
-        const bool homed = can.ok() && device.home().ok();
-        script.answers = false;
-        script.to_say.clear();
-        script.sent.clear();
-        return homed;
-    }
-    /// Until its encoders are not believed any more.
-    bool falls_out_of_step() {
-        for (int i = 0; i < 25; ++i)
-            tick({0.5, 0.5});
-        return device.complaint().find("lost count") != std::string::npos;
-    }
-    std::optional<DeviceState> tick(Vec2 newtons, double dt = 0.001) {
-        const std::optional<DeviceState> state = device.read(now += dt);
-        device.write(safe(newtons));
-        device.deliver();
-        return state;
-    }
-    /// The reference pose, its first arm turned on by so much.
-    haply::Reply turned(double degrees) const {
-        std::array<double, 2> angles = script.arms.reference_deg();
-        angles[0] += degrees;
-        return script.arms.reply_of(angles);
-    }
-};
-
-} // namespace
+using namespace tp::testing;
 
 class HaplyDialogueTest : public QObject {
     Q_OBJECT
 private slots:
     void it_says_what_it_can() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         QCOMPARE(bench.can->continuous_force, 0.47 * bench.can->max_force);
         QCOMPARE(bench.can->delay, 0.002);
@@ -148,14 +40,16 @@ private slots:
     }
 
     void gone_without_a_stop_it_pulls_nothing() {
-        Script script;
+        BoardScript script;
         GuardDiary guard;
         {
             Haply2diy device(
                 HaplyGeneration::third,
                 [&]() -> Result<Haply2diy::Board> {
-                    return Haply2diy::Board{
-                        std::make_unique<Lent>(script), std::make_unique<SimulatedGuard>(guard), {}, "X"};
+                    return Haply2diy::Board{std::make_unique<LentScript>(script),
+                                            std::make_unique<SimulatedGuard>(guard),
+                                            {},
+                                            "X"};
                 },
                 LatestWriter::Thread::caller);
             QVERIFY(device.open().ok() && device.home().ok());
@@ -170,7 +64,7 @@ private slots:
     }
 
     void a_line_on_which_nothing_has_come_is_asked_once_in_a_tick() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         bench.script.reads = 0;
         bench.tick({0, 0});
@@ -184,7 +78,7 @@ private slots:
     void homing_is_done_where_the_board_counts_from_the_marks() {
         for (const double off : {0.0, 0.9, 1.1, -0.9, -1.1})
             for (const std::size_t arm : {0u, 1u}) {
-                Bench bench;
+                BoardDialogue bench;
                 QVERIFY(bench.open());
                 std::array<double, 2> angles = bench.script.arms.reference_deg();
                 angles[arm] += off;
@@ -198,14 +92,14 @@ private slots:
 
     /// At a port where another device is, whatever that says to each question.
     void what_answers_like_no_2diy_is_not_opened() {
-        haply::Reply elsewhere = Script().here; // than it was just told that its arms are
+        haply::Reply elsewhere = BoardScript().here; // than it was just told that its arms are
         elsewhere.angle_deg[0] += 1.5f;
-        haply::Reply other = Script().here;
+        haply::Reply other = BoardScript().here;
         other.device_id = 4;
-        haply::Reply nowhere = Script().here;
+        haply::Reply nowhere = BoardScript().here;
         nowhere.angle_deg[1] = 1e6f;
         for (const haply::Reply& answer : {elsewhere, other, nowhere}) {
-            Bench bench;
+            BoardDialogue bench;
             bench.script.here = answer;
             QVERIFY(!bench.open());
             QVERIFY2(bench.can.error().find("does not answer like") != std::string::npos,
@@ -220,7 +114,7 @@ private slots:
             for (const std::size_t junk : {0u, 5u, 256u}) {
                 if (at_once * 50 < junk + haply::reply_size) // longer than it waits
                     continue;
-                Bench bench;
+                BoardDialogue bench;
                 bench.script.at_once = at_once;
                 bench.script.junk_before = junk;
                 QVERIFY2(bench.open(), bench.can.error().c_str());
@@ -228,7 +122,7 @@ private slots:
     }
 
     void another_board_s_answer_is_none() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         haply::Reply other = bench.turned(0.0);
         other.device_id = 4;
@@ -240,7 +134,7 @@ private slots:
     }
 
     void an_answer_that_comes_in_two_pieces_is_one() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         const auto bytes = haply::encode(bench.turned(0.0));
         bench.script.to_say.assign(bytes.begin(), bytes.begin() + 4);
@@ -252,7 +146,7 @@ private slots:
 
     /// Bytes between two answers count once, however many they are.
     void garbage_is_one_bad_answer() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         bench.script.to_say.assign(7, 0xEE);
         bench.script.say(bench.turned(0.0));
@@ -266,7 +160,7 @@ private slots:
 
     /// One that is lost: the next two go out, then none for 5 ms, and none of the waiting ones is sent late.
     void commands_wait_for_answers_5_ms() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         for (int i = 1; i <= 6; ++i) {
             bench.tick({0.5, 0.1 * i});
@@ -282,7 +176,7 @@ private slots:
 
     /// Letting go waits for nothing.
     void no_force_goes_out_whatever_is_under_way() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         bench.tick({0.5, 0.5});
         bench.tick({0.4, 0.5});
@@ -298,7 +192,7 @@ private slots:
 
     /// After 20 ms its encoders are not believed any more; its motors pull nothing from then on.
     void a_board_that_is_silent_for_20_ms_is_brought_into_step() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         int ticks = 0;
         const auto brought_back = [&] {
@@ -324,7 +218,7 @@ private slots:
 
     /// What came, what waited and where it was belong to what was before.
     void opened_again_it_begins_as_new() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         bench.script.say(bench.turned(0.0));
         QVERIFY(bench.tick({0.5, 0.5}));
@@ -352,7 +246,7 @@ private slots:
     }
 
     void homed_again_it_pulls_and_believes_at_once() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         bench.script.say(bench.turned(0.0));
         QVERIFY(bench.tick({0.5, 0.5}));
@@ -373,7 +267,7 @@ private slots:
 
     /// A second long, each time with another number of bytes; then it is taken for gone.
     void a_board_that_stays_silent_is_brought_back_fifty_times() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         std::vector<std::size_t> sizes;
         int ticks = 0;
@@ -393,7 +287,7 @@ private slots:
 
     void one_that_is_gone_is_said_so() {
         for (const bool by_reading : {true, false}) {
-            Bench bench;
+            BoardDialogue bench;
             bench.device.halt(); // of nothing
             bench.script.reads_fail = by_reading;
             bench.script.writes_fail = !by_reading;
@@ -416,7 +310,7 @@ private slots:
     }
 
     void halted_it_lets_go() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         bench.tick({0.5, 0.5});
         QVERIFY(bench.script.last_command()->torque != (std::array<float, 2>{}));
@@ -429,7 +323,7 @@ private slots:
     }
 
     void places_go_on_as_fast_as_arms_turn_and_no_faster() {
-        Bench bench;
+        BoardDialogue bench;
         QVERIFY(bench.open());
         bench.script.say(bench.turned(0.0));
         QVERIFY(bench.tick({0, 0}));
@@ -440,64 +334,6 @@ private slots:
         QCOMPARE(moved->time, bench.now);
         bench.script.say(bench.turned(-5.0));
         QVERIFY(!bench.tick({0, 0}));
-    }
-
-    void a_board_that_is_set_up_may_have_motors_and_encoders_at_any_port() {
-        haply::SetUp set_up;
-        for (std::size_t port = 0; port < haply::port_count; ++port) {
-            set_up.motors[port] = haply::Turn::clockwise;
-            set_up.encoders[port] = haply::EncoderSetUp{haply::Turn::counter_clockwise, 1.0f, 4096.0f};
-        }
-        const haply::SetUpBytes all = haply::encode(set_up);
-        QCOMPARE(all.size, std::size_t(46));
-        QCOMPARE(haply::set_up_length(all.view().first(13)),
-                 std::optional<std::size_t>()); // not known before
-        QCOMPARE(haply::set_up_length(all.view().first(14)), std::optional<std::size_t>(46));
-        const std::vector<std::uint8_t> pins{1, 5, 0, 0, 3, 0, 0, 0, 2, 0, 0};
-        QCOMPARE(haply::set_up_length(pins), std::optional<std::size_t>(11));
-        QVERIFY(!haply::decode_set_up(pins)); // a 2diy has none
-    }
-
-    void the_way_back_into_step_grows_by_a_byte_in_each_second_round() {
-        const Pantograph arms(HaplyGeneration::third);
-        const haply::SetUp set_up = arms.set_up(arms.reference_deg());
-        const std::size_t rest = 1 + haply::encode(set_up).size + haply::command_size;
-        for (unsigned round = 0; round < 4; ++round) {
-            const haply::ResynchronisationBytes bytes = haply::resynchronisation(set_up, round);
-            QCOMPARE(bytes.size, 556 + round % 2 + rest);
-            for (std::size_t i = 0; i < 556 + round % 2; ++i)
-                QCOMPARE(bytes.bytes[i], std::uint8_t(0));
-            QCOMPARE(bytes.bytes[556 + round % 2], std::uint8_t(3));
-        }
-    }
-
-    void a_note_is_kept_for_each_board_of_a_name() {
-        const QTemporaryDir folder;
-        const QByteArray before = qgetenv("XDG_RUNTIME_DIR");
-        qputenv("XDG_RUNTIME_DIR", folder.path().toUtf8());
-        const HomedNote note = HomedNote::of_board("A/1", HaplyGeneration::third);
-        QVERIFY(!note.holds());
-        note.put();
-        QVERIFY(note.holds());
-        QVERIFY(std::filesystem::exists(folder.filePath("touchphoto-2diy-A_1").toStdString()));
-        QVERIFY(!HomedNote::of_board("A/2", HaplyGeneration::third).holds());
-        QVERIFY(!HomedNote::of_board("A/1", HaplyGeneration::first).holds());
-        const HomedNote nameless = HomedNote::of_board("", HaplyGeneration::third);
-        nameless.put();
-        QVERIFY(!nameless.holds());
-        note.forget();
-        QVERIFY(!note.holds());
-        qunsetenv("XDG_RUNTIME_DIR");
-        QVERIFY(!HomedNote::of_board("A/1", HaplyGeneration::third).holds());
-        if (!before.isNull())
-            qputenv("XDG_RUNTIME_DIR", before);
-    }
-
-    void vendors_are_known_in_capitals_or_not() {
-        for (const char* vendor : {"2341", "2A03", "2a03"})
-            QVERIFY2(is_arduino(vendor), vendor);
-        for (const char* vendor : {"", "234", "23411", "2342", "2z03", "2B03", "1a03"})
-            QVERIFY2(!is_arduino(vendor), vendor);
     }
 };
 

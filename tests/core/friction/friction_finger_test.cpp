@@ -241,6 +241,19 @@ private slots:
     }
 
     /// Hops so long that no sample lies between near the line and far from it.
+    /// As when the machine has stood still: one step may be farther than it takes to follow a line.
+    void a_step_beside_a_line_or_to_another_one_follows_none() {
+        Walk beside(line);
+        for (const double x : {-20.0, -14.0, -8.0})
+            beside.step({x, 1.2}, {80.0, 0.0});
+        QVERIFY(beside.of(LineEventKind::followed).empty());
+        const FlatScene two{{"one", "other"}, {{{{-40, 0}, {-10, 0}}, false}, {{{10, 0}, {40, 0}}, false}}};
+        Walk between(two);
+        between.step({-12.0, 0.0}, Vec2(0.0));
+        between.step({12.0, 0.0}, {80.0, 0.0});
+        QVERIFY(between.of(LineEventKind::followed).empty());
+    }
+
     void way_before_a_hop_does_not_count_as_following() {
         Walk walk(line);
         for (int i = 0; i < 3; ++i) {

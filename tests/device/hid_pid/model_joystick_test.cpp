@@ -35,6 +35,30 @@ private slots:
         }
     }
 
+    void a_stick_says_what_became_of_an_effect() {
+        using Bytes = std::vector<std::uint8_t>;
+        ModelJoystick model(open_controller());
+        model.troubles.room = 2;
+        const std::uint8_t create = model.wire().create, load = model.wire().block_load;
+        const auto loaded = [&](const Bytes& asked) {
+            Bytes answer;
+            return model.set_feature(asked) && model.get_feature(load, answer) ? answer : Bytes{};
+        };
+        QCOMPARE(loaded({create, 1}), (Bytes{load, 1, 1, 0xFF, 0xFF}));
+        QCOMPARE(loaded({create, 2}), (Bytes{load, 0, 3, 0xFF, 0xFF})); // of another kind
+        QCOMPARE(loaded({create, 1}), (Bytes{load, 2, 1, 0xFF, 0xFF}));
+        QCOMPARE(loaded({create}), (Bytes{load, 0, 3, 0xFF, 0xFF}));
+        QCOMPARE(loaded({create, 1}), (Bytes{load, 0, 2, 0xFF, 0xFF})); // there is no room
+        QCOMPARE(loaded({load, 1}), Bytes{});                           // nothing that can be set
+    }
+    void a_grip_goes_no_farther_than_its_lever() {
+        for (const Vec2 beyond : {Vec2(500.0, 20.0), Vec2(20.0, -500.0), Vec2(-500.0, 500.0)}) {
+            ModelJoystick model(open_controller());
+            model.place_grip(beyond);
+            model.step();
+            QVERIFY(length(model.grip() - glm::clamp(beyond, Vec2(-60.0), Vec2(60.0))) < 0.1);
+        }
+    }
     void a_stick_that_is_stopped_or_reset_pulls_nothing_more() {
         for (const std::uint8_t command : {std::uint8_t{3}, std::uint8_t{4}}) {
             JoystickToOpen stick;

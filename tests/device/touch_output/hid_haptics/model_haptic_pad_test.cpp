@@ -61,6 +61,7 @@ private slots:
         model.receive(Bytes{2, 4, 100, 0, 0, 0});
         model.receive(Bytes{3, 4, 100, 0, 0}); // cut short
         QCOMPARE(model.ticks(), 0ul);
+        QCOMPARE(model.waveform(), 0); // none yet
     }
     void the_model_tells_of_fingers_each_8_ms_and_once_that_they_are_gone() {
         ModelHapticPad model;

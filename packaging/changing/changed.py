@@ -134,7 +134,7 @@ def main() -> int:
             names = unreached(tests_of(build, "-L", f"^{words[2]}$"), set(sources), changed_programs(sources, changes))
         else:
             names = left_out(tests_of(build), set(sources), changed_tests(sources, changes), int(words[2]))
-    print("\n".join(names))
+    sys.stdout.writelines(f"{name}\n" for name in names)
     return 0
 
 

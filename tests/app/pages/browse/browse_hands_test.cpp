@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QKeyEvent>
+#include <QPoint>
 #include <QQuickItem>
 #include <QSignalSpy>
 #include <QTest>

@@ -6,6 +6,7 @@
 #include "page_window.hpp"
 
 #include <QAccessible>
+#include <QPoint>
 #include <QPointingDevice>
 #include <QQmlComponent>
 #include <QQuickItem>

@@ -34,10 +34,9 @@ Result<cv::Mat> decode_other_format(const Bytes& bytes) {
     const HushedThread hushed;
     Decode* const decode = decoder();
     if (!decode)
-        return Error{
-            "Pictures other than JPEG need the library " TP_OPENCV_CODECS " (Debian: " +
-            debian_package(TP_OPENCV_CODECS) +
-            "), which is not installed: install it or save the picture as JPEG."};
+        return Error{"Pictures other than JPEG need the library " TP_OPENCV_CODECS " (Debian: " +
+                     debian_package(TP_OPENCV_CODECS) +
+                     "), which is not installed: install it or save the picture as JPEG."};
     try {
         return decode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     } catch (const cv::Exception&) { // limits of OpenCV and of the decoders below it

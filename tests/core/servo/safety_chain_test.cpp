@@ -257,7 +257,6 @@ private slots:
         bench.run(1.0);
         QCOMPARE(bench.chain.fault(), Fault::stalled);
     }
-
 };
 
 QTEST_APPLESS_MAIN(SafetyChainTest)

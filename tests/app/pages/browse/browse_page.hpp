@@ -99,6 +99,6 @@ struct Page : tp::testing::BrowseBench {
 };
 
 inline bool act(QQuickWindow& window, const QString& name,
-         const QString& action = QAccessibleActionInterface::pressAction()) {
+                const QString& action = QAccessibleActionInterface::pressAction()) {
     return PageWindow::act(PageWindow::named(window, name), action);
 }

@@ -157,7 +157,8 @@ private slots:
         QTest::qWait(700); // so that the next tap is not its second
         page.voice.clear();
         tap(3, place);
-        QVERIFY2(page.voice.said().value(0).startsWith("The face. "), qPrintable(page.voice.said().join("|")));
+        QVERIFY2(page.voice.said().value(0).startsWith("The face. "),
+                 qPrintable(page.voice.said().join("|")));
         tap(2, place);
         QVERIFY(!page.session.device()->engaged());
         QTest::qWait(700);

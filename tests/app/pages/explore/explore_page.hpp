@@ -15,7 +15,8 @@ struct Page {
     tp::NotificationAnnouncer announcer;
     tp::Narrator narrator{voice, announcer};
     ExploreSounds sounds;
-    tp::ExploreSession session{narrator, sounds.earcons, sounds.guide, sounds.preferences, patient_settings()};
+    tp::ExploreSession session{narrator, sounds.earcons, sounds.guide, sounds.preferences,
+                               patient_settings()};
     PageWindow window{"Explore/ExplorePage.qml", &session};
 
     Page() { session.show(drawn_photo()); }

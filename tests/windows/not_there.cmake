@@ -16,4 +16,5 @@ set(not_there
   device.haply_2diy.found_boards # reads folders as Linux's; windows.found_boards is Windows's own
   device.haply_2diy.board_guard  # runs here, on programs for Windows: windows.board_guard
   device.haply_2diy.serial_port # asks Linux for pseudo-terminals; windows.board_guard opens COM ports
+  faces.extra_features         # knows pictures: needs OpenCV
   core.statistics.r_agrees)    # needs R

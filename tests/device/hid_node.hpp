@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <poll.h>
 #include <span>
 #include <string>
@@ -23,11 +24,16 @@ namespace tp::mock {
 /// no borders of reports; questions about it are answered on a thread of umockdev's.
 class HidNode {
 public:
-    explicit HidNode(const HidrawDevice& shown = {}) : shown_(shown), bed_(umockdev_testbed_new()) {
+    /// What the system call returns for a question of the HID class, with its data; negative for no answer.
+    using Answer = std::function<int(gulong request, std::span<std::uint8_t> data)>;
+
+    /// Without `answer` it answers what any node does.
+    explicit HidNode(const HidrawDevice& shown = {}, Answer answer = {})
+        : shown_(shown), answer_(std::move(answer)), bed_(umockdev_testbed_new()) {
         ioctls_ = UMOCKDEV_IOCTL_BASE(g_object_new(umockdev_ioctl_base_get_type(), nullptr));
         g_signal_connect(ioctls_, "handle-ioctl", G_CALLBACK(&HidNode::answer_of), this);
     }
-    virtual ~HidNode() {
+    ~HidNode() {
         if (file_ >= 0)
             ::close(file_);
         g_object_unref(ioctls_);
@@ -54,19 +60,20 @@ protected:
     }
     /// The device's end of the node; below 0 where it is not plugged in.
     int file() const { return file_; }
-    /// What the system call returns for a question of the HID class, with its data; negative for no answer.
-    virtual int answer(gulong request, std::span<std::uint8_t> data) {
+    int usual_answer(gulong request, std::span<std::uint8_t> data) const {
         return descriptor_answer(request, data, shown_.descriptor);
     }
 
 private:
     static gboolean answer_of(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
-        return answer_hid_class(client, [self](gulong request, std::span<std::uint8_t> data) {
-            return static_cast<HidNode*>(self)->answer(request, data);
+        const HidNode& node = *static_cast<const HidNode*>(self);
+        return answer_hid_class(client, [&node](gulong request, std::span<std::uint8_t> data) {
+            return node.answer_ ? node.answer_(request, data) : node.usual_answer(request, data);
         });
     }
 
     HidrawDevice shown_;
+    const Answer answer_;
     UMockdevTestbed* bed_;
     UMockdevIoctlBase* ioctls_ = nullptr;
     int file_ = -1;
@@ -76,6 +83,7 @@ private:
 class ListeningNode : public HidNode {
 public:
     using HidNode::HidNode;
+    virtual ~ListeningNode() = default;
 
     bool plug_in() {
         if (!HidNode::plug_in())

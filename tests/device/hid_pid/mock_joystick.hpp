@@ -22,8 +22,10 @@ class JoystickBed final : public ListeningNode {
 public:
     explicit JoystickBed(const JoystickWire& wire = plain_controller(),
                          std::span<const std::uint8_t> other_descriptor = {}, const HandlePlant& plant = {})
-        : ListeningNode({"force stick", "FS-0001",
-                         other_descriptor.empty() ? wire.descriptor : other_descriptor, "045e", "001b"}),
+        : ListeningNode(
+              {"force stick", "FS-0001", other_descriptor.empty() ? wire.descriptor : other_descriptor,
+               "045e", "001b"},
+              [this](gulong request, std::span<std::uint8_t> data) { return answer(request, data); }),
           model_(wire, plant) {
         model_.place_grip({10.0, 3.0});
     }
@@ -47,7 +49,7 @@ public:
     long commands() const { return commands_.load(); }
 
 private:
-    int answer(gulong request, std::span<std::uint8_t> data) override {
+    int answer(gulong request, std::span<std::uint8_t> data) {
         constexpr unsigned set_feature = 0x06;
         constexpr unsigned get_feature = 0x07;
         constexpr unsigned get_input = 0x0A;
@@ -64,7 +66,7 @@ private:
         if (_IOC_NR(request) == get_input && data[0] == model_.wire().axes)
             told = model_.axes_report();
         if (told.empty())
-            return ListeningNode::answer(request, data);
+            return usual_answer(request, data);
         std::copy_n(told.begin(), std::min(told.size(), data.size()), data.begin());
         return static_cast<int>(std::min(told.size(), data.size()));
     }

@@ -23,7 +23,10 @@ public:
         std::function<Bytes(std::uint8_t)> get_feature = [](auto) { return Bytes{}; }; ///< empty: refused
     };
 
-    HidBed(const HidrawDevice& shown, Answers answers) : HidNode(shown), answers_(std::move(answers)) {}
+    HidBed(const HidrawDevice& shown, Answers answers)
+        : HidNode(shown, [this, told = std::move(answers)](gulong request, std::span<std::uint8_t> data) {
+              return answer(told, request, data);
+          }) {}
 
     void unplug() { vanish(); }
     /// An input report.
@@ -43,20 +46,18 @@ public:
     }
 
 private:
-    int answer(gulong request, std::span<std::uint8_t> data) override {
+    int answer(const Answers& answers, gulong request, std::span<std::uint8_t> data) const {
         constexpr unsigned set_feature = 0x06;
         constexpr unsigned get_feature = 0x07;
         if (_IOC_NR(request) == set_feature)
-            return answers_.set_feature(data) ? static_cast<int>(data.size()) : -1;
+            return answers.set_feature(data) ? static_cast<int>(data.size()) : -1;
         if (_IOC_NR(request) != get_feature)
-            return HidNode::answer(request, data);
-        const Bytes told = answers_.get_feature(data[0]);
+            return usual_answer(request, data);
+        const Bytes told = answers.get_feature(data[0]);
         const std::size_t count = std::min(told.size(), data.size());
         std::copy_n(told.begin(), count, data.begin());
         return count > 0 ? static_cast<int>(count) : -1;
     }
-
-    Answers answers_;
 };
 
 } // namespace tp::mock

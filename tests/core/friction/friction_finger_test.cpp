@@ -7,6 +7,7 @@
 
 #include <limits>
 #include <numbers>
+#include <utility>
 
 using namespace tp;
 using namespace tp::testing;
@@ -192,6 +193,15 @@ private slots:
         QVERIFY(walk.events.back().contour == 0 && !walk.finger().following());
         walk.to({30, 2.5});
         QCOMPARE(walk.events.size(), std::size_t(2));
+    }
+
+    void following_is_within_a_millimetre_of_the_line() {
+        for (const auto& [beside, follows] : {std::pair{0.99, true}, {1.01, false}}) {
+            Walk walk(line);
+            walk.to({-30, beside});
+            walk.to({20, beside});
+            QCOMPARE(walk.finger().following(), follows);
+        }
     }
 
     void who_crosses_to_and_fro_does_not_follow() {

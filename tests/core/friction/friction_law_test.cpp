@@ -23,6 +23,14 @@ double moving(const FrictionChoices& choices, double distance) {
 class FrictionLawTest : public QObject {
     Q_OBJECT
 private slots:
+    void at_2_mm_a_second_a_finger_rests_and_from_6_on_it_feels_all() {
+        const FrictionLaw law(line, {});
+        QCOMPARE(law.share_at(2.0), 0.0);
+        QVERIFY(law.share_at(2.01) > 0.0 && law.share_at(5.99) < 1.0);
+        QCOMPARE(law.share_at(4.0), 0.5);
+        QCOMPARE(law.share_at(6.0), 1.0);
+    }
+
     void a_ridge_is_as_high_and_wide_and_shaped_as_chosen() {
         FrictionChoices choices;
         choices.width_mm = 4.0;

@@ -58,6 +58,12 @@ class Repeatable(unittest.TestCase):
         compiler = self.program("qmlcachegen", 'echo half >"$2"', "exit 3")
         self.assertEqual(subprocess.run([REPEATABLE, compiler, "-o", self.folder / "page.cpp"]).returncode, 3)
 
+    def test_a_compiler_that_is_told_its_output_in_another_way_is_left_alone(self):
+        compiler = self.program("qmlcachegen", 'cat "$1" >made.cpp')
+        (self.folder / "page.qml").write_text(ONE_WAY)
+        subprocess.run([REPEATABLE, compiler, "page.qml", "@words"], cwd=self.folder, check=True, timeout=60)
+        self.assertEqual((self.folder / "made.cpp").read_text(), ONE_WAY)
+
     def test_other_programs_are_run_as_they_are_with_one_time_for_all_files(self):
         other = self.program("rcc", 'echo "$QT_RCC_SOURCE_DATE_OVERRIDE $1|$2"', "exit 4")
         run = subprocess.run([REPEATABLE, other, "two words", "-o"], capture_output=True, text=True)

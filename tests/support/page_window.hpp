@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <memory>
 
-/// A page in a window of its own, for tests: what a screen reader finds in it, and every warning of Qt.
+/// A page in a window of its own, for tests: what a screen reader finds in it.
 class PageWindow : public QQuickView {
 public:
     /// `page` such as "Settings/SettingsPage.qml".
@@ -169,31 +169,4 @@ private:
         for (int i = 0; i < root->childCount(); ++i)
             collect(root->child(i), into);
     }
-};
-
-/// Remembers what Qt warns of while it lives: QML's faults above all. Made in a test's function or in its init(), not with the
-/// test, because Qt Test begins to listen in our place after that.
-class Warnings {
-public:
-    Warnings() {
-        all().clear();
-        before_ = qInstallMessageHandler(remember);
-    }
-    ~Warnings() { qInstallMessageHandler(before_); }
-    static QStringList& all() {
-        static QStringList warnings;
-        return warnings;
-    }
-
-private:
-    static void remember(QtMsgType type, const QMessageLogContext&, const QString& text) {
-        // The last two are Qt's own: its timer notices that a busy machine has drawn nothing for a while; the list of its
-        // file dialog (no page of ours has one of so many rows) loses its rows while it prepares the next ones.
-        const bool of_the_test_machine = text.startsWith("QStandardPaths") || text.startsWith("PulseAudio") ||
-                                         text.startsWith("QUnifiedTimer::stopAnimationDriver") ||
-                                         text.startsWith("DelegateModel::cancel: index out range");
-        if ((type == QtWarningMsg || type == QtCriticalMsg) && !of_the_test_machine)
-            all() << text;
-    }
-    QtMessageHandler before_ = nullptr;
 };

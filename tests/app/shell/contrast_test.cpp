@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "page_test.hpp"
 #include "page_window.hpp"
 #include "pixel_contrast.hpp"
 #include "whole_program.hpp"
@@ -173,12 +174,9 @@ QQuickItem* shown_ring(QQuickItem* below, const QQuickItem* target) {
 
 } // namespace
 
-class ContrastTest : public QObject {
+class ContrastTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() { QAccessible::setActive(true); }
-    void cleanup() { QCOMPARE(Warnings::all().join('\n'), QString()); }
-
     void the_ratio_is_that_of_the_recommendation() {
         QVERIFY(std::abs(contrast_ratio(qRgb(0, 0, 0), qRgb(255, 255, 255)) - 21.0) < 1e-9);
         QVERIFY(std::abs(contrast_ratio(qRgb(0x76, 0x76, 0x76), qRgb(255, 255, 255)) - 4.54) < 0.01);
@@ -219,7 +217,6 @@ private slots:
     void all_that_is_drawn_stands_out_data() { add_looks({1000, 3000}, {1000, 4600}); }
     void all_that_is_drawn_stands_out() {
         QFETCH(QSize, size);
-        const Warnings warnings;
         WholeProgram whole(choices());
         show(whole, size);
         QStringList weak;
@@ -237,7 +234,6 @@ private slots:
     void the_focus_ring_stands_out_and_is_whole_data() { add_looks({1280, 800}, {1280, 800}); }
     void the_focus_ring_stands_out_and_is_whole() {
         QFETCH(QSize, size);
-        const Warnings warnings;
         WholeProgram whole(choices());
         show(whole, size);
         QStringList weak;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "monkey.hpp"
+#include "page_test.hpp"
 #include "page_window.hpp"
 #include "whole_program.hpp"
 
@@ -18,11 +19,9 @@ int deeds_per_page() {
 
 } // namespace
 
-class MonkeyTest : public QObject {
+class MonkeyTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() { QAccessible::setActive(true); }
-
     void a_page_survives_and_escape_leads_home_data() {
         QTest::addColumn<QString>("page");
         for (const char* page :
@@ -31,7 +30,6 @@ private slots:
     }
     void a_page_survives_and_escape_leads_home() {
         QFETCH(QString, page);
-        const Warnings warnings;
         WholeProgram whole;
         QVERIFY(whole.shown());
         whole.shell().open(page);
@@ -48,7 +46,7 @@ private slots:
             const double newtons = whole.program->explore().finger()->newtons();
             QVERIFY2(newtons <= whole.program->preferences().choices().max_force_n + 1e-9, qPrintable(monkey.last()));
             QVERIFY2(whole.keeps_to_its_folder(), qPrintable(monkey.last()));
-            QVERIFY2(Warnings::all().isEmpty(), qPrintable(monkey.last() + ": " + Warnings::all().join('\n')));
+            QVERIFY2(warnings().isEmpty(), qPrintable(monkey.last() + ": " + warnings().join('\n')));
         }
         for (int i = 0; i < 5 && !whole.shell().home(); ++i)
             QTest::keyClick(whole.window.get(), Qt::Key_Escape);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "page_test.hpp"
 #include "page_window.hpp"
 #include "whole_program.hpp"
 
@@ -61,12 +62,9 @@ bool shows_a_place(const QQuickItem& item) {
 
 } // namespace
 
-class PagesTest : public QObject {
+class PagesTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() { QAccessible::setActive(true); }
-    void cleanup() { QCOMPARE(Warnings::all().join('\n'), QString()); }
-
     void everything_on_every_page_has_a_name_a_size_and_its_turn_data() {
         QTest::addColumn<QSize>("size");
         QTest::addColumn<double>("text");
@@ -79,7 +77,6 @@ private slots:
         QFETCH(QSize, size);
         QFETCH(double, text);
         QFETCH(QString, language);
-        const Warnings warnings;
         Choices choices = WholeProgram::asked();
         choices.text_scale = text;
         choices.language = language;
@@ -106,7 +103,6 @@ private slots:
     void written_from_right_to_left_every_page_is_the_other_way_round() {
         QFETCH(QSize, size);
         QFETCH(double, text);
-        const Warnings warnings;
         Choices choices = WholeProgram::asked();
         choices.text_scale = text;
         WholeProgram whole(choices);
@@ -154,7 +150,6 @@ private slots:
     }
 
     void escape_leads_home_from_everywhere() {
-        const Warnings warnings;
         WholeProgram whole;
         QVERIFY(whole.shown());
         for (const QString& page : every_page) {
@@ -167,7 +162,6 @@ private slots:
     }
 
     void a_lost_keyboard_comes_back_to_the_page() {
-        const Warnings warnings;
         WholeProgram whole;
         QVERIFY(whole.shown());
         for (const QString& page : every_page) {
@@ -184,7 +178,6 @@ private slots:
     }
 
     void alt_and_left_goes_back_whatever_a_page_does_with_arrows() {
-        const Warnings warnings;
         WholeProgram whole;
         QVERIFY(whole.shown());
         for (const QString& page : every_page) {
@@ -198,7 +191,6 @@ private slots:
     }
 
     void every_page_says_where_one_is_and_has_help() {
-        const Warnings warnings;
         WholeProgram whole;
         QVERIFY(whole.shown());
         for (const QString& page : every_page) {
@@ -214,7 +206,6 @@ private slots:
     }
 
     void the_programs_voice_says_what_tab_comes_to() {
-        const Warnings warnings;
         WholeProgram whole;
         QVERIFY(whole.shown());
         whole.shell().open("settings");
@@ -236,7 +227,6 @@ private slots:
     }
 
     void no_text_escapes_translation() {
-        const Warnings warnings;
         PseudoLocale pseudo;
         WholeProgram whole;
         QCoreApplication::installTranslator(&pseudo);
@@ -276,7 +266,6 @@ private slots:
     void no_text_is_clipped_in_a_language_of_longer_words() {
         QFETCH(QSize, size);
         QFETCH(double, text);
-        const Warnings warnings;
         LongerWords pseudo;
         Choices choices = WholeProgram::asked();
         choices.text_scale = text;
@@ -300,7 +289,6 @@ private slots:
     }
 
     void what_goes_wrong_below_the_pages_is_translated_too() {
-        const Warnings warnings;
         PseudoLocale pseudo;
         WholeProgram whole;
         settle(whole);
@@ -354,7 +342,6 @@ private slots:
     }
 
     void the_language_changes_while_the_program_runs() {
-        const Warnings warnings;
         WholeProgram whole;
         QVERIFY(whole.shown());
         whole.shell().open("settings");
@@ -368,7 +355,6 @@ private slots:
     }
 
     void colours_and_sizes_follow_at_once() {
-        const Warnings warnings;
         WholeProgram whole;
         QVERIFY(whole.shown());
         whole.shell().open("settings");

@@ -5,6 +5,7 @@
 // for work. What fills ends and what is lost goes on, so where it seems to grow the test goes on too, before it says so.
 #include "disturbances.hpp"
 #include "monkey.hpp"
+#include "page_test.hpp"
 #include "process_load.hpp"
 
 #include <QCoreApplication>
@@ -79,7 +80,7 @@ bool is_steady(std::span<const LoadLook> judged) {
 
 } // namespace
 
-class SoakTest : public QObject {
+class SoakTest : public PageTest {
     Q_OBJECT
 
     /// At home with nothing under way.
@@ -92,10 +93,7 @@ class SoakTest : public QObject {
     }
 
 private slots:
-    void initTestCase() { QAccessible::setActive(true); }
-
     void nothing_grows_and_nothing_is_left() {
-        const Warnings warnings;
         testing::DeviceSocket socket;
         DeviceAccess access = socket.access();
         access.look_every_ms = 200;
@@ -123,8 +121,8 @@ private slots:
                              whole.program->preferences().choices().max_force_n + 1e-9,
                          qPrintable(monkey.last()));
                 QVERIFY2(whole.keeps_to_its_folder(), qPrintable(monkey.last()));
-                QVERIFY2(Warnings::all().isEmpty(), qPrintable(monkey.last() + ", " + disturbances.last() +
-                                                               ": " + Warnings::all().join('\n')));
+                QVERIFY2(warnings().isEmpty(), qPrintable(monkey.last() + ", " + disturbances.last() + ": " +
+                                                          warnings().join('\n')));
                 if ((i + 1) % deeds_between != 0)
                     continue;
                 rest(whole);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The journeys of tests/e2e, by touch alone.
 #include "app/album/keeper/album_keeper.hpp"
+#include "page_test.hpp"
 #include "page_window.hpp"
 #include "places.hpp"
 #include "sound_files.hpp"
@@ -179,22 +180,11 @@ struct Caregiver : ByTouch {
 
 } // namespace
 
-class TouchJourneysTest : public QObject {
+class TouchJourneysTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        QVERIFY(no_pictures_.isValid());
-        qputenv("HOME", no_pictures_.path().toUtf8());
-    }
-    void cleanup() {
-        QCOMPARE(Warnings::all().join('\n'), QString());
-        qputenv("HOME", no_pictures_.path().toUtf8());
-    }
-
     void a_blind_person_from_the_first_start_to_a_search() {
         Visitor person;
-        const Warnings warnings;
         TouchHand& hand = person.hand;
         QVERIFY(person.exposed());
         // What is seen comes when it is ready; described_test.cpp waits for it.
@@ -319,7 +309,6 @@ private slots:
 
     void a_stroke_that_begins_on_a_row_scrolls_and_presses_nothing() {
         ByTouch person(WholeProgram::asked());
-        const Warnings warnings;
         person.whole.window->resize(600, 560);
         QVERIFY(person.exposed());
         QVERIFY(person.hears({"TouchPhoto, start page."}));
@@ -333,7 +322,6 @@ private slots:
 
     void a_caregiver_from_an_import_to_a_tactile_sheet() {
         Caregiver caregiver;
-        const Warnings warnings;
         TouchHand& hand = caregiver.hand;
         QVERIFY(caregiver.exposed());
 
@@ -410,9 +398,6 @@ private slots:
         QVERIFY(caregiver.hears({"The sheet is saved as "}));
         QCOMPARE(QDir(caregiver.whole.folder.filePath("Documents")).entryList({"*.pdf"}).size(), 1);
     }
-
-private:
-    QTemporaryDir no_pictures_; ///< where no test finds a folder of pictures
 };
 
 QTEST_MAIN(TouchJourneysTest)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "browse_page.hpp"
+#include "page_test.hpp"
 
-#include <QAccessible>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QKeyEvent>
@@ -10,21 +10,13 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include <optional>
-
 using namespace tp;
 using namespace tp::testing;
 using View = BrowseTrail::View;
 
-class BrowseHandsTest : public QObject {
+class BrowseHandsTest : public PageTest {
     Q_OBJECT
-    std::optional<Warnings> warnings_;
-
 private slots:
-    void initTestCase() { QAccessible::setActive(true); }
-    void init() { warnings_.emplace(); }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); } // QML's above all
-
     void arrow_keys() {
         Page page;
         QVERIFY(page.ready());

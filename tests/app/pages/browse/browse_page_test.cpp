@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "browse_page.hpp"
+#include "page_test.hpp"
 
 #include <QAccessible>
 #include <QColor>
@@ -11,21 +12,14 @@
 #include <QTest>
 
 #include <algorithm>
-#include <optional>
 
 using namespace tp;
 using namespace tp::testing;
 using View = BrowseTrail::View;
 
-class BrowsePageTest : public QObject {
+class BrowsePageTest : public PageTest {
     Q_OBJECT
-    std::optional<Warnings> warnings_;
-
 private slots:
-    void initTestCase() { QAccessible::setActive(true); }
-    void init() { warnings_.emplace(); }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); } // QML's above all
-
     void it_shows_the_photograph_and_its_words() {
         Page page;
         QVERIFY(page.ready());

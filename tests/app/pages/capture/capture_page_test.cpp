@@ -2,6 +2,7 @@
 // The page of the camera as a screen reader and a keyboard meet it.
 #include "app/pages/capture/capture_module.hpp"
 #include "capture_bench.hpp"
+#include "page_test.hpp"
 #include "page_window.hpp"
 
 #include <QSignalSpy>
@@ -10,14 +11,10 @@
 
 using namespace tp;
 
-class CapturePageTest : public QObject {
+class CapturePageTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        register_capture();
-    }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); }
+    void initTestCase() { register_capture(); }
 
     void everything_has_a_name_a_size_and_its_turn_data() {
         QTest::addColumn<QSize>("size");
@@ -28,7 +25,6 @@ private slots:
     }
     void everything_has_a_name_a_size_and_its_turn() {
         QFETCH(QSize, size);
-        const Warnings warnings;
         CaptureBench bench;
         bench.camera->both = bench.camera->torch = true;
         bench.enter();
@@ -44,7 +40,6 @@ private slots:
     }
 
     void keys_choose_and_ask() {
-        const Warnings warnings;
         CaptureBench bench;
         bench.enter();
         bench.see_for(0.3, {{0.5, 0.45}});
@@ -62,7 +57,6 @@ private slots:
     }
 
     void arrow_keys_are_the_hand_where_the_camera_is_simulated() {
-        const Warnings warnings;
         CaptureBench bench;
         bench.enter();
         PageWindow real("Capture/CapturePage.qml", bench.session.get());
@@ -83,7 +77,6 @@ private slots:
     }
 
     void a_minimised_window_switches_the_camera_off() {
-        const Warnings warnings;
         CaptureBench bench;
         bench.enter();
         PageWindow window("Capture/CapturePage.qml", bench.session.get());
@@ -98,7 +91,6 @@ private slots:
     }
 
     void without_a_camera_a_button_leads_to_import() {
-        const Warnings warnings;
         CaptureBench bench;
         bench.camera->why_not = "No camera was found on this computer.";
         bench.session->enter();

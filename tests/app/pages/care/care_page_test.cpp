@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "care_page.hpp"
+#include "page_test.hpp"
 
 #include <QAccessible>
 #include <QCoreApplication>
@@ -15,20 +16,12 @@
 #include <QRectF>
 #include <QSet>
 
-#include <optional>
-
 using namespace tp;
 namespace fs = std::filesystem;
 
-class CarePageTest : public QObject {
+class CarePageTest : public PageTest {
     Q_OBJECT
-    std::optional<Warnings> warnings_;
-
 private slots:
-    void initTestCase() { QAccessible::setActive(true); }
-    void init() { warnings_.emplace(); }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); } // QML's above all
-
     void it_loads_with_the_photographs_and_a_word_on_what_to_do() {
         Page page;
         QCOMPARE(page.window.status(), QQuickView::Ready);

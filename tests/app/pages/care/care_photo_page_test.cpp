@@ -2,6 +2,7 @@
 #include "app/album/keeper/name_languages.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "care_page.hpp"
+#include "page_test.hpp"
 #include "places.hpp"
 
 #include <QAccessible>
@@ -10,21 +11,13 @@
 #include <QQuickItem>
 #include <QQuickView>
 
-#include <optional>
-
 using namespace tp;
 namespace fs = std::filesystem;
 
 /// What is done to one photograph on the page: recording, naming, telling.
-class CarePhotoPageTest : public QObject {
+class CarePhotoPageTest : public PageTest {
     Q_OBJECT
-    std::optional<Warnings> warnings_;
-
 private slots:
-    void initTestCase() { QAccessible::setActive(true); }
-    void init() { warnings_.emplace(); }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); } // QML's above all
-
     void by_keys_alone_one_records_trims_deletes_and_undoes() {
         Page page({"a.png"});
         QVERIFY(page.tab_to("a.png, No description., 1 of 1"));

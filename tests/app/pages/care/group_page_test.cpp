@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "care_page.hpp"
 #include "known_faces.hpp"
+#include "page_test.hpp"
 
 #include <QAccessible>
 #include <QCoreApplication>
 #include <QStringList>
-
-#include <optional>
 
 using namespace tp;
 using namespace tp::testing;
@@ -42,15 +41,9 @@ struct PeoplePage : Page {
 
 } // namespace
 
-class GroupPageTest : public QObject {
+class GroupPageTest : public PageTest {
     Q_OBJECT
-    std::optional<Warnings> warnings_;
-
 private slots:
-    void initTestCase() { QAccessible::setActive(true); }
-    void init() { warnings_.emplace(); }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); } // QML's above all
-
     void by_keys_alone_all_are_named_and_taken_back() {
         PeoplePage page;
         QVERIFY(page.tab_to("People…"));

@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_page.hpp"
+#include "page_test.hpp"
 
-#include <QAccessible>
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineF>
 #include <QPointingDevice>
 #include <QTest>
 
-#include <optional>
-
 using namespace tp;
 
 /// What the page does for keys, the mouse and fingers on the screen.
-class ExploreKeysTest : public QObject {
+class ExploreKeysTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        register_explore();
-    }
-    void init() { warnings_.emplace(); }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); } // QML's above all
+    void initTestCase() { register_explore(); }
 
     void the_mouse_moves_the_hand_and_the_line_draws_the_finger() {
         Page page;
@@ -214,9 +207,6 @@ private slots:
         QTest::keyClick(&page.window, Qt::Key_N, Qt::ShiftModifier);
         QCOMPARE(page.voice.said().value(0), before);
     }
-
-private:
-    std::optional<Warnings> warnings_;
 };
 
 QTEST_MAIN(ExploreKeysTest)

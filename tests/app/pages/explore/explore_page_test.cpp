@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "explore_page.hpp"
+#include "page_test.hpp"
 
 #include <QAccessible>
 #include <QCoreApplication>
@@ -14,19 +15,12 @@
 #include <QTest>
 #include <QUrl>
 
-#include <optional>
-
 using namespace tp;
 
-class ExplorePageTest : public QObject {
+class ExplorePageTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        register_explore();
-    }
-    void init() { warnings_.emplace(); }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); } // QML's above all
+    void initTestCase() { register_explore(); }
 
     void it_loads_and_shows_the_photograph_and_the_lines() {
         Page page;
@@ -240,9 +234,6 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(page.session.view()->state(), ExploreView::State::Problem, 30000);
         QVERIFY(page.session.words()->sentence().contains("dropped.jpg"));
     }
-
-private:
-    std::optional<Warnings> warnings_;
 };
 
 QTEST_MAIN(ExplorePageTest)

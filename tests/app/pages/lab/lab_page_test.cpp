@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/lab/lab_module.hpp"
 #include "lab_bench.hpp"
+#include "page_test.hpp"
 #include "page_window.hpp"
 
-#include <QColor>
 #include <QDir>
 #include <QPointingDevice>
 #include <QQmlComponent>
@@ -13,14 +13,10 @@
 
 using namespace tp;
 
-class LabPageTest : public QObject {
+class LabPageTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        register_lab();
-    }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); }
+    void initTestCase() { register_lab(); }
 
     void everything_has_a_name_and_size_and_tab_goes_round_in_reading_order_data() {
         QTest::addColumn<QSize>("size");
@@ -35,7 +31,6 @@ private slots:
     void everything_has_a_name_and_size_and_tab_goes_round_in_reading_order() {
         QFETCH(QSize, size);
         QFETCH(double, scale);
-        const Warnings warnings;
         LabBench bench;
         PageWindow window(page, &bench.session, size);
         QVERIFY(window.exposed());
@@ -45,24 +40,9 @@ private slots:
         const QStringList tabbed = PageWindow::tab_order(window);
         QCOMPARE(tabbed, PageWindow::reading_order(window));
         QVERIFY(tabbed.size() > 25);
-        if (const QString folder = qEnvironmentVariable("TP_SCREENSHOTS"); !folder.isEmpty()) {
-            bench.session.scene()->choose(1);
-            bench.session.tuning()->chooseLaw(scale > 1.0 ? 1 : 0);
-            bench.hand(27.0, 10.0);
-            bench.session.servo()->start();
-            for (int i = 0; i < 300; ++i) {
-                bench.session.hand()->nudge(-0.1, 0.04);
-                bench.session.advance(0.03);
-            }
-            window.setColor(QColor(0x0e, 0x12, 0x17));
-            QMetaObject::invokeMethod(window.rootObject()->findChild<QQuickItem*>("panel"), "toTop");
-            QTest::qWait(300);
-            window.grabWindow().save(QString("%1/lab-%2x%3-%4.png").arg(folder).arg(size.width()).arg(size.height()).arg(scale));
-        }
     }
 
     void keys_alone_start_move_and_stop() {
-        const Warnings warnings;
         LabBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -87,7 +67,6 @@ private slots:
     }
 
     void a_screen_reader_turns_every_kind_of_control_and_takes_back() {
-        const Warnings warnings;
         LabBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -113,7 +92,6 @@ private slots:
     }
 
     void the_plots_are_sentences_for_a_screen_reader_and_are_drawn() {
-        const Warnings warnings;
         LabBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -132,7 +110,6 @@ private slots:
     }
 
     void mouse_and_finger_move_the_hand() {
-        const Warnings warnings;
         const std::unique_ptr<QPointingDevice> owned(QTest::createTouchDevice());
         QPointingDevice* touch = owned.get();
         LabBench bench;
@@ -154,7 +131,6 @@ private slots:
     }
 
     void a_recording_is_made_and_replayed_by_actions_and_nothing_can_be_turned_meanwhile() {
-        const Warnings warnings;
         LabBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/mend/mend_module.hpp"
 #include "mend_bench.hpp"
+#include "page_test.hpp"
 #include "page_window.hpp"
 
 #include <QAccessible>
@@ -9,8 +10,6 @@
 #include <QQuickItem>
 #include <QSet>
 #include <QTest>
-
-#include <optional>
 
 using namespace tp;
 
@@ -46,17 +45,10 @@ bool near_to(Vec2 one, Vec2 other, double within) { return length(one - other) <
 
 } // namespace
 
-class MendPageTest : public QObject {
+class MendPageTest : public PageTest {
     Q_OBJECT
-    std::optional<Warnings> warnings_;
-
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        register_mend();
-    }
-    void init() { warnings_.emplace(); }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); } // QML's above all
+    void initTestCase() { register_mend(); }
 
     void it_shows_photograph_lines_and_points() {
         MendWindow page;

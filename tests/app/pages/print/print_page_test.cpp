@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/print/print_module.hpp"
+#include "page_test.hpp"
 #include "page_window.hpp"
 #include "print_bench.hpp"
 
@@ -7,14 +8,10 @@
 
 using namespace tp;
 
-class PrintPageTest : public QObject {
+class PrintPageTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        register_print();
-    }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); }
+    void initTestCase() { register_print(); }
 
     void a_sheet_is_chosen_and_stored_by_a_screen_reader_data() {
         QTest::addColumn<QSize>("size");
@@ -23,7 +20,6 @@ private slots:
     }
     void a_sheet_is_chosen_and_stored_by_a_screen_reader() {
         QFETCH(QSize, size);
-        const Warnings warnings;
         PrintBench bench;
         PageWindow window("Print/PrintPage.qml", &bench.session, size);
         QVERIFY(window.exposed());

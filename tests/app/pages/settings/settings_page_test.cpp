@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/settings/settings_module.hpp"
+#include "page_test.hpp"
 #include "page_window.hpp"
 #include "settings_bench.hpp"
 
@@ -15,14 +16,10 @@
 
 using namespace tp;
 
-class SettingsPageTest : public QObject {
+class SettingsPageTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        register_settings();
-    }
-    void cleanup() { QCOMPARE(Warnings::all().join("; "), QString()); }
+    void initTestCase() { register_settings(); }
 
     void everything_has_a_name_and_size_and_tab_goes_round_in_reading_order_data() {
         QTest::addColumn<QSize>("size");
@@ -32,7 +29,6 @@ private slots:
     }
     void everything_has_a_name_and_size_and_tab_goes_round_in_reading_order() {
         QFETCH(QSize, size);
-        const Warnings warnings;
         SettingsBench bench;
         bench.preferences.change([](Choices& choices) { choices.folders = {"/home/x/Pictures/Familie"}; });
         bench.session.looks()->setTextScale(1.0);
@@ -46,7 +42,6 @@ private slots:
     }
 
     void a_screen_reader_changes_speech_colours_and_size() {
-        const Warnings warnings;
         SettingsBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -65,7 +60,6 @@ private slots:
     }
 
     void keys_alone_change_and_take_back() {
-        const Warnings warnings;
         SettingsBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -77,7 +71,6 @@ private slots:
     }
 
     void a_folder_is_chosen_by_actions_alone() {
-        const Warnings warnings;
         SettingsBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -103,7 +96,6 @@ private slots:
     }
     void a_joystick_is_measured_by_a_screen_reader_and_keys() {
         QFETCH(QSize, size);
-        const Warnings warnings;
         SettingsBench bench;
         bench.socket.hold_at({0.0, 100.0});
         bench.socket.be_a_joystick(8.0, {-1.0, 1.0});
@@ -151,7 +143,6 @@ private slots:
     }
     void a_device_is_chosen_and_calibrated_by_a_screen_reader_keys_and_touch() {
         QFETCH(QSize, size);
-        const Warnings warnings;
         SettingsBench bench;
         bench.socket.plug_in();
         bench.session.enter();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/start/start_module.hpp"
+#include "page_test.hpp"
 #include "page_window.hpp"
 #include "start_bench.hpp"
 
@@ -9,18 +10,15 @@
 
 using namespace tp;
 
-class StartPageTest : public QObject {
+class StartPageTest : public PageTest {
     Q_OBJECT
 private slots:
     void initTestCase() {
         StartBench::make_pictures_folder();
-        QAccessible::setActive(true);
         register_start();
     }
-    void cleanup() { QCOMPARE(Warnings::all(), QStringList()); }
 
     void the_questions_are_answered_by_number_keys_alone() {
-        const Warnings warnings;
         StartBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -35,7 +33,6 @@ private slots:
     }
 
     void they_are_answered_by_a_screen_reader_alone() {
-        const Warnings warnings;
         StartBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -56,7 +53,6 @@ private slots:
     }
 
     void they_are_answered_by_taps_alone_and_a_tap_beside_repeats() {
-        const Warnings warnings;
         StartBench bench;
         PageWindow window(page, &bench.session, {600, 1000});
         QVERIFY(window.exposed());
@@ -81,7 +77,6 @@ private slots:
     }
 
     void an_answer_has_the_keyboard_on_every_question() {
-        const Warnings warnings;
         StartBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -94,7 +89,6 @@ private slots:
     }
 
     void backspace_goes_back_and_at_the_first_leaves_the_key_to_others() {
-        const Warnings warnings;
         StartBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());
@@ -106,7 +100,6 @@ private slots:
     }
 
     void a_caregiver_sees_the_folders_in_a_list() {
-        const Warnings warnings;
         StartBench bench;
         PageWindow window(page, &bench.session);
         QVERIFY(window.exposed());

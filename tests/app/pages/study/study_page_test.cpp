@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The study page as keys, a mouse, a finger and a screen reader meet it; and what is seen of it.
 #include "app/pages/study/study_module.hpp"
+#include "page_test.hpp"
 #include "page_window.hpp"
 #include "study_bench.hpp"
 
@@ -34,14 +35,10 @@ QQuickItem* surface_of(PageWindow& window) { return window.rootObject()->findChi
 
 } // namespace
 
-class StudyPageTest : public QObject {
+class StudyPageTest : public PageTest {
     Q_OBJECT
 private slots:
-    void initTestCase() {
-        QAccessible::setActive(true);
-        register_study();
-    }
-    void cleanup() { QCOMPARE(Warnings::all().join("; "), QString()); }
+    void initTestCase() { register_study(); }
 
     void everything_has_a_name_a_size_and_its_turn_data() {
         QTest::addColumn<QSize>("size");
@@ -55,7 +52,6 @@ private slots:
     void everything_has_a_name_a_size_and_its_turn() {
         QFETCH(QSize, size);
         QFETCH(double, scale);
-        const Warnings warnings;
         StudyBench bench;
         bench.set_up(StudyBench::shapes);
         PageWindow window(page, bench.session.get(), size);
@@ -82,7 +78,6 @@ private slots:
     }
 
     void keys_alone_lead_through_a_sitting() {
-        const Warnings warnings;
         StudyBench bench;
         bench.set_up(StudyBench::shapes);
         PageWindow window(page, bench.session.get());
@@ -123,7 +118,6 @@ private slots:
     }
 
     void the_number_is_typed_and_the_keys_are_the_page_s_again() {
-        const Warnings warnings;
         StudyBench bench;
         bench.set_up(StudyBench::shapes);
         PageWindow window(page, bench.session.get());
@@ -148,7 +142,6 @@ private slots:
     }
 
     void the_researcher_asks_by_keys_how_the_study_stands() {
-        const Warnings warnings;
         StudyBench bench;
         bench.begin(StudyBench::shapes);
         bench.start();
@@ -175,7 +168,6 @@ private slots:
     }
 
     void a_screen_reader_does_it_too() {
-        const Warnings warnings;
         StudyBench bench;
         bench.set_up(StudyBench::shapes);
         PageWindow window(page, bench.session.get());
@@ -202,7 +194,6 @@ private slots:
     }
 
     void a_mouse_and_a_fingertip_move_the_hand_wherever_they_begin() {
-        const Warnings warnings;
         const std::unique_ptr<QPointingDevice> touch(QTest::createTouchDevice());
         StudyBench bench;
         bench.begin(StudyBench::shapes);
@@ -237,7 +228,6 @@ private slots:
     }
 
     void another_window_pauses() {
-        const Warnings warnings;
         StudyBench bench;
         bench.begin(StudyBench::shapes);
         PageWindow window(page, bench.session.get());
@@ -254,7 +244,6 @@ private slots:
 
     /// The same pixels, whatever lies under the finger.
     void nothing_of_the_scene_is_seen() {
-        const Warnings warnings;
         StudyBench bench;
         bench.begin(StudyBench::shapes);
         PageWindow window(page, bench.session.get());
@@ -284,7 +273,6 @@ private slots:
     }
 
     void who_tries_it_out_sees_the_scene() {
-        const Warnings warnings;
         StudyBench bench;
         bench.set_up(StudyBench::shapes);
         PageWindow window(page, bench.session.get());

@@ -77,7 +77,8 @@ def tell(rooms: list[Room], options: argparse.Namespace) -> int:
             print(f"tests/equivalent_mutants.txt: no such mutant any more:\n{entry.file}", *entry.difference, sep="\n    ")
         results += room.results()
     for room in rooms:
-        print(report.summary(room.name, room.results(), room.not_tried))
+        goal = options.goals[room.name].percent if room.name in options.goals else None
+        print(report.summary(room.name, room.results(), room.not_tried, goal))
     if len(rooms) > 1:
         print(report.summary("all", results, sum(room.not_tried for room in rooms)))
     if options.at_least is None or report.is_enough(results, options.at_least):

@@ -7,6 +7,7 @@ import argparse
 import os
 import pathlib
 
+from goals import read_goals
 from places import OPERATORS
 from report import LEAST_JUDGED
 
@@ -21,7 +22,9 @@ A run goes on where the last one stopped: what became of each mutant stands in b
 test can notice is listed with its reason in tests/equivalent_mutants.txt. tests/MUTANTS.md has the scores.""")
     parser.add_argument("rooms", nargs="*", metavar="ROOM",
                         help="a folder, such as core/servo; without one all of packaging/mutation/rooms.txt")
+    parser.add_argument("--quick", action="store_true", help="of these only rooms of which a mutant is judged quickly")
     parser.add_argument("--sample", type=int, metavar="N", help="only N of the mutants, chosen at random")
+    parser.add_argument("--each", type=int, metavar="N", help="only N of each room's, chosen at random")
     parser.add_argument("--seed", default="1", help="of that choice (%(default)s)")
     parser.add_argument("--changed-since", metavar="COMMIT", help="only in lines that changed since then")
     parser.add_argument("--file", metavar="NAME", action="append", help="only in files of this name; may be repeated")
@@ -34,10 +37,8 @@ test can notice is listed with its reason in tests/equivalent_mutants.txt. tests
                         help="the house, built in build/release (%(default)s)")
     options = parser.parse_args()
     options.root = options.root.resolve()
-    options.rooms = [room.strip("/") for room in options.rooms] or _all_rooms(options.root)
+    options.goals = read_goals(options.root)
+    options.rooms = [room.strip("/") for room in options.rooms] or list(options.goals)
+    if options.quick:
+        options.rooms = [room for room in options.rooms if room in options.goals and options.goals[room].quick]
     return options
-
-
-def _all_rooms(root: pathlib.Path) -> list[str]:
-    lines = (root / "packaging/mutation/rooms.txt").read_text(encoding="utf-8").splitlines()
-    return [line.split()[0] for line in lines if line.strip() and not line.startswith("#")]

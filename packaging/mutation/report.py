@@ -66,10 +66,12 @@ def is_enough(results: list[str], at_least: float) -> bool:
     return judged(results)[1] < LEAST_JUDGED or share(results) >= at_least
 
 
-def summary(name: str, results: list[str], not_tried: int) -> str:
+def summary(name: str, results: list[str], not_tried: int, goal: float | None = None) -> str:
+    """`goal`: how many per cent are to be noticed, where that is known."""
     noticed, of = judged(results)
     counts = collections.Counter(results)
-    besides = [f"{counts[kind]} {words}" for kind, words in (
+    besides = [] if goal is None else [f"goal {goal:g} %" + ("" if share(results) >= goal else ", not met")]
+    besides += [f"{counts[kind]} {words}" for kind, words in (
         (UNBUILDABLE, "do not compile"), (SAME, "make the same program"), (LISTED, LISTED)) if counts[kind]]
     if not_tried:
         besides.append(f"{not_tried} not tried")

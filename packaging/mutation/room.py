@@ -51,8 +51,11 @@ def rooms_with_mutants(program: Program, options: argparse.Namespace, listed: li
                      and (not options.file or os.path.basename(file) in options.file)}
         room = Room(program, name, listed, files)
         rooms.append(room)
-        candidates += [(room, mutant) for mutant in room.mutants
-                       if changed is None or changed[mutant.file] & set(mutant.lines(room.content(mutant)))]
+        mutants = [mutant for mutant in room.mutants
+                   if changed is None or changed[mutant.file] & set(mutant.lines(room.content(mutant)))]
+        if options.each is not None and options.each < len(mutants):
+            mutants = random.Random(options.seed).sample(mutants, options.each)
+        candidates += [(room, mutant) for mutant in mutants]
     if options.sample is not None and options.sample < len(candidates):
         candidates = random.Random(options.seed).sample(candidates, options.sample)
     for room in rooms:

@@ -133,6 +133,20 @@ class Run(unittest.TestCase):
         self.assertEqual(chosen.count("room/"), 4)
         self.assertNotEqual(chosen, self.mutate("--list", "--sample", "4", "--seed", "b"))
 
+    def test_a_rooms_goal_is_told_and_a_sample_of_each_room_is_taken(self):
+        self.build(BLUNT)
+        self.write("packaging/mutation/rooms.txt", "# room, goal\nroom 92\n")
+        command = [sys.executable, MUTATE, "--root", self.root]
+        said = subprocess.run([*command, "--each", "4"], capture_output=True, text=True, check=True).stdout
+        self.assertIn("room: 0 of 4 mutants noticed, 0.0 % (goal 92 %, not met)", said)
+        self.assertEqual(len(self.record()), 4)
+        said = subprocess.run([*command, "--quick"], capture_output=True, text=True, check=True).stdout
+        self.assertIn("There is no mutant.", said)
+        self.write("packaging/mutation/rooms.txt", "room 92 quick\n")
+        self.build(SHARP)
+        said = subprocess.run([*command, "--quick", "--file", "limit.hpp"], capture_output=True, text=True, check=True).stdout
+        self.assertIn("room: 2 of 2 mutants noticed, 100.0 % (goal 92 %)", said)
+
     def test_a_listed_equivalent_does_not_count_and_a_stale_one_is_told(self):
         self.build(BLUNT)
         _, of = self.counts(self.mutate())

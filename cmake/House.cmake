@@ -104,6 +104,7 @@ tp_may(tp_folders      ${below_app} tp_controls tp_narration  USES Qt6::Quick)
 tp_may(tp_feedbackd    tp_base tp_touch tp_device  USES Qt6::Core Qt6::DBus)
 tp_may(tp_devices      tp_base tp_files tp_geometry tp_guidance tp_friction tp_touch tp_servo tp_device tp_sentences tp_feedbackd  USES Qt6::Core)
 tp_may(tp_finger      tp_base tp_geometry tp_guidance tp_friction tp_touch tp_servo tp_device tp_sentences tp_devices  USES Qt6::Core)
+# … among them the rooms of app/album that are at work as long as the program is
 tp_may(tp_open_album   tp_base tp_files tp_sentences tp_recordings tp_metadata tp_index tp_keeper tp_preferences  USES Qt6::Core)
 tp_may(tp_grouping     tp_base tp_geometry tp_metadata tp_index tp_identity tp_people tp_open_album  USES Qt6::Core)
 tp_may(tp_looking      tp_base tp_metadata tp_index tp_open_album tp_seen tp_sight tp_words  USES Qt6::Core)

@@ -97,7 +97,7 @@ JpegHeader jpeg_header(const Bytes& bytes) {
     return header;
 }
 
-Result<cv::Mat> decode_jpeg(const Bytes& bytes, const JpegHeader& header, int shrink) {
+Result<cv::Mat> decode_jpeg(const Bytes& bytes, const JpegHeader& header, int shrink, JpegDamage damage) {
     if (header.scan == 0)
         return jpeg_cut_short;
     const Decoder decoder(tjInitDecompress());
@@ -118,9 +118,10 @@ Result<cv::Mat> decode_jpeg(const Bytes& bytes, const JpegHeader& header, int sh
                       pixels.rows, cmyk ? TJPF_CMYK : TJPF_BGR, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0) {
         if (tjGetErrorCode(decoder.get()) == TJERR_FATAL)
             return damaged_jpeg;
-        if (const Error harm = judged(tjGetErrorStr2(decoder.get())); !harm.sentence.empty())
+        const Error harm = judged(tjGetErrorStr2(decoder.get()));
+        if (damage == JpegDamage::refused && !harm.sentence.empty())
             return harm;
-        if (!ends_properly(bytes, header.scan))
+        if (damage == JpegDamage::refused && !ends_properly(bytes, header.scan))
             return jpeg_cut_short;
     }
     return cmyk ? from_cmyk(pixels, header.adobe) : pixels;

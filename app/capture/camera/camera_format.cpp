@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/capture/camera/camera_format.hpp"
 
-#include "app/capture/camera/frame_pixels.hpp"
+#include "app/capture/camera/mapped_picture.hpp"
 
 #include <tuple>
 

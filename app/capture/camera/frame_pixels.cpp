@@ -1,118 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/capture/camera/frame_pixels.hpp"
 
-#include <QByteArray>
-#include <QImage>
+#include "app/capture/camera/mapped_picture.hpp"
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstring>
 #include <optional>
 
 namespace tp {
 
 namespace {
 
-using Form = QVideoFrameFormat;
-
-/// Of one plane without gaps between its rows, how OpenCV makes BGR of it.
-struct PlaneForm {
-    Form::PixelFormat form;
-    int type;
-    int to_bgr;
-};
-constexpr std::array plane_forms{
-    PlaneForm{Form::Format_BGRA8888, CV_8UC4, cv::COLOR_BGRA2BGR},
-    PlaneForm{Form::Format_BGRX8888, CV_8UC4, cv::COLOR_BGRA2BGR},
-    PlaneForm{Form::Format_RGBA8888, CV_8UC4, cv::COLOR_RGBA2BGR},
-    PlaneForm{Form::Format_RGBX8888, CV_8UC4, cv::COLOR_RGBA2BGR},
-    PlaneForm{Form::Format_YUYV, CV_8UC2, cv::COLOR_YUV2BGR_YUYV},
-    PlaneForm{Form::Format_UYVY, CV_8UC2, cv::COLOR_YUV2BGR_UYVY},
-    PlaneForm{Form::Format_Y8, CV_8UC1, cv::COLOR_GRAY2BGR},
-};
-
-/// Of a plane of brightness and, in half the size, one or two of colour.
-struct YuvForm {
-    Form::PixelFormat form;
-    int planes;
-    int to_bgr;
-};
-constexpr std::array yuv_forms{
-    YuvForm{Form::Format_NV12, 2, cv::COLOR_YUV2BGR_NV12},
-    YuvForm{Form::Format_NV21, 2, cv::COLOR_YUV2BGR_NV21},
-    YuvForm{Form::Format_YUV420P, 3, cv::COLOR_YUV2BGR_I420},
-    YuvForm{Form::Format_YV12, 3, cv::COLOR_YUV2BGR_YV12},
-};
-
-template <typename List>
-auto found_in(const List& list, Form::PixelFormat form) {
-    return std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.form == form; });
-}
-
-/// `rows` of `row_bytes` each, out of a plane whose rows may lie further apart; false where the plane is too short.
-bool copy_rows(const QVideoFrame& frame, int plane, int rows, int row_bytes, uchar* to) {
-    const int apart = frame.bytesPerLine(plane);
-    const uchar* from = frame.bits(plane);
-    if (from == nullptr || apart < row_bytes ||
-        static_cast<long long>(apart) * (rows - 1) + row_bytes > frame.mappedBytes(plane))
-        return false;
-    for (int y = 0; y < rows; ++y)
-        std::memcpy(to + static_cast<std::ptrdiff_t>(y) * row_bytes,
-                    from + static_cast<std::ptrdiff_t>(y) * apart, static_cast<std::size_t>(row_bytes));
-    return true;
-}
-
-cv::Mat bgr_of_plane(const QVideoFrame& frame, const PlaneForm& form) {
-    cv::Mat pixels(frame.height(), frame.width(), form.type), bgr;
-    const int row_bytes = frame.width() * static_cast<int>(pixels.elemSize());
-    if (!copy_rows(frame, 0, frame.height(), row_bytes, pixels.data))
-        return {};
-    cv::cvtColor(pixels, bgr, form.to_bgr);
-    return bgr;
-}
-
-cv::Mat bgr_of_yuv(const QVideoFrame& frame, const YuvForm& form) {
-    const int width = frame.width(), height = frame.height();
-    if (width % 2 != 0 || height % 2 != 0 || frame.planeCount() != form.planes)
-        return {};
-    cv::Mat pixels(height * 3 / 2, width, CV_8UC1), bgr;
-    uchar* to = pixels.data;
-    if (!copy_rows(frame, 0, height, width, to))
-        return {};
-    to += static_cast<std::ptrdiff_t>(width) * height;
-    const int colour_row = form.planes == 2 ? width : width / 2;
-    for (int plane = 1; plane < form.planes; ++plane) {
-        if (!copy_rows(frame, plane, height / 2, colour_row, to))
-            return {};
-        to += static_cast<std::ptrdiff_t>(colour_row) * (height / 2);
+/// What of a mapped frame may be read, as Qt tells it.
+MappedPicture mapped(const QVideoFrame& frame) {
+    MappedPicture picture{frame.pixelFormat(), frame.size(), {}};
+    for (int plane = 0; plane < frame.planeCount(); ++plane) {
+        const int bytes = frame.mappedBytes(plane);
+        const bool there = frame.bits(plane) != nullptr && bytes > 0;
+        picture.planes.push_back(
+            {{frame.bits(plane), there ? static_cast<std::size_t>(bytes) : 0}, frame.bytesPerLine(plane)});
     }
-    cv::cvtColor(pixels, bgr, form.to_bgr);
-    return bgr;
-}
-
-cv::Mat bgr_of_jpeg(const QVideoFrame& frame) {
-    const auto* bytes = reinterpret_cast<const char*>(frame.bits(0));
-    QImage picture;
-    picture.loadFromData(QByteArray::fromRawData(bytes, frame.mappedBytes(0)), "JPG");
-    if (picture.isNull())
-        return {};
-    picture = picture.convertToFormat(QImage::Format_BGR888);
-    return cv::Mat(picture.height(), picture.width(), CV_8UC3, picture.bits(),
-                   static_cast<std::size_t>(picture.bytesPerLine()))
-        .clone();
-}
-
-cv::Mat bgr_of(const QVideoFrame& frame) {
-    const Form::PixelFormat form = frame.pixelFormat();
-    if (const auto plane = found_in(plane_forms, form); plane != plane_forms.end())
-        return bgr_of_plane(frame, *plane);
-    if (const auto yuv = found_in(yuv_forms, form); yuv != yuv_forms.end())
-        return bgr_of_yuv(frame, *yuv);
-    return form == Form::Format_Jpeg ? bgr_of_jpeg(frame) : cv::Mat();
+    return picture;
 }
 
 /// How many degrees the frame must be turned clockwise to be upright.
@@ -139,20 +48,15 @@ std::optional<cv::RotateFlags> turn_by(int degrees) {
 
 } // namespace
 
-bool is_read(Form::PixelFormat form) {
-    return form == Form::Format_Jpeg || found_in(plane_forms, form) != plane_forms.end() ||
-           found_in(yuv_forms, form) != yuv_forms.end();
-}
-
 cv::Mat upright_pixels(QVideoFrame frame) {
-    if (!is_read(frame.pixelFormat()) || frame.width() <= 0 || frame.height() <= 0 ||
-        !frame.map(QVideoFrame::ReadOnly))
+    // Before it is mapped: Qt divides by half a frame's height where that has planes.
+    if (!can_be_read(frame.pixelFormat(), frame.size()) || !frame.map(QVideoFrame::ReadOnly))
         return {};
-    cv::Mat pixels = bgr_of(frame);
+    cv::Mat pixels = bgr_of(mapped(frame));
     frame.unmap();
     if (pixels.empty())
         return {};
-    if (frame.surfaceFormat().scanLineDirection() == Form::BottomToTop)
+    if (frame.surfaceFormat().scanLineDirection() == QVideoFrameFormat::BottomToTop)
         cv::flip(pixels, pixels, 0);
     if (frame.mirrored())
         cv::flip(pixels, pixels, 1);

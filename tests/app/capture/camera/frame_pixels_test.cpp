@@ -2,13 +2,12 @@
 // Frames of Qt's cameras become upright pixels, whatever their form; which form a camera is switched on with.
 #include "app/capture/camera/camera_format.hpp"
 #include "app/capture/camera/frame_pixels.hpp"
+#include "app/capture/camera/mapped_picture.hpp"
 
-#include <QBuffer>
-#include <QByteArray>
-#include <QImage>
 #include <QTest>
 
 #include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include <cstdlib>
 #include <cstring>
@@ -127,6 +126,19 @@ private slots:
         frame.unmap();
         const cv::Mat pixels = upright_pixels(frame);
         QVERIFY(about(pixels.at<cv::Vec3b>(3, 5), 150, 150, 150));
+    }
+
+    void a_jpeg_is_found_in_the_memory_that_is_larger_than_it() {
+        std::vector<unsigned char> jpeg;
+        cv::imencode(".jpg", cv::Mat(48, 64, CV_8UC3, cv::Scalar(0, 0, 255)), jpeg);
+        QVideoFrame frame(Form(QSize(64, 48), Form::Format_Jpeg));
+        QVERIFY(frame.map(QVideoFrame::WriteOnly));
+        QVERIFY(frame.mappedBytes(0) > static_cast<int>(jpeg.size()));
+        std::memcpy(frame.bits(0), jpeg.data(), jpeg.size());
+        frame.unmap();
+        const cv::Mat pixels = upright_pixels(frame);
+        QCOMPARE(pixels.size(), cv::Size(64, 48));
+        QVERIFY(is_red(pixels.at<cv::Vec3b>(24, 32)));
     }
 
     void turned_data() {

@@ -51,7 +51,7 @@ tp_may(tp_identity    tp_base tp_geometry tp_decode tp_face_base tp_models tp_co
                        USES opencv_core opencv_imgproc opencv_dnn)
 set(of_faces tp_decode tp_face_base tp_models tp_detect tp_contours tp_edges tp_pieces tp_judge)
 tp_may(tp_extract      tp_base tp_geometry ${of_faces}  USES opencv_core Threads::Threads)
-tp_may(tp_evaluation   tp_base tp_geometry ${of_faces} tp_extract  USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
+tp_may(tp_evaluation   tp_base tp_files tp_geometry ${of_faces} tp_extract  USES opencv_core opencv_imgproc PkgConfig::turbojpeg)
 
 # audio: what is heard and recorded
 tp_may(tp_speech       tp_base  USES Qt6::Core Qt6::TextToSpeech)
@@ -92,7 +92,7 @@ tp_may(tp_seeing       tp_base tp_geometry tp_aiming tp_face_base tp_identity tp
 tp_may(tp_shutter      tp_base tp_files tp_geometry tp_aiming tp_exiv2 tp_face_base tp_extract tp_recordings tp_metadata
                        tp_keeper tp_seen tp_sight tp_words tp_frames tp_seeing
                        USES opencv_core opencv_imgproc PkgConfig::exiv2 PkgConfig::turbojpeg Qt6::Core)
-tp_may(tp_camera       tp_base tp_geometry tp_aiming tp_handheld tp_decode tp_frames
+tp_may(tp_camera       tp_base tp_files tp_geometry tp_aiming tp_handheld tp_decode tp_frames
                        USES Qt6::Multimedia opencv_core opencv_imgproc)
 
 # app/parts: what pages share

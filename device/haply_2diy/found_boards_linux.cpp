@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/files/first_line.hpp"
 #include "device/haply_2diy/found_boards.hpp"
+#include "device/told_name.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 
 namespace tp {
@@ -10,10 +11,8 @@ namespace tp {
 namespace {
 
 std::string first_word(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    std::string word;
-    in >> word;
-    return word;
+    const std::string words = told_name(first_line(file));
+    return words.substr(0, words.find(' '));
 }
 
 /// The folder of the USB device that a port belongs to: the nearest one above it with a vendor id. Empty

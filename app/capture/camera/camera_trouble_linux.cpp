@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/capture/camera/camera_trouble.hpp"
+#include "core/files/first_line.hpp"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <linux/videodev2.h>
 #include <optional>
 #include <sys/ioctl.h>
@@ -52,9 +52,7 @@ bool is_called(const fs::path& node, const std::string& name, const fs::path& na
         if (name == std::string(card, strnlen(card, sizeof capability->card)))
             return true;
     }
-    std::ifstream file(names / node.filename() / "name");
-    std::string line;
-    return std::getline(file, line) && line == name;
+    return !name.empty() && first_line(names / node.filename() / "name") == name;
 }
 
 /// Nothing where it can be opened and nobody else streams from it.

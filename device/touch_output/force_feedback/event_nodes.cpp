@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/touch_output/force_feedback/event_nodes.hpp"
 
+#include "core/files/first_line.hpp"
+#include "device/told_name.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <fstream>
 #include <system_error>
 
 namespace tp {
@@ -17,19 +19,10 @@ constexpr std::string_view wireless = "0005";        ///< BUS_BLUETOOTH
 constexpr std::string_view made_by_program = "0006"; ///< BUS_VIRTUAL
 constexpr unsigned word_of_kernel = 8 * sizeof(long);
 
-std::string told_by_kernel(const std::filesystem::path& file) {
-    constexpr std::size_t most = 1024;
-    std::ifstream in(file);
-    std::string line(most, '\0');
-    in.read(line.data(), static_cast<std::streamsize>(most));
-    line.resize(static_cast<std::size_t>(in.gcount()));
-    return line.substr(0, line.find('\n'));
-}
-
 /// What is built in has the name of its driver, which tells a person nothing.
 std::string name_for_person(const std::filesystem::path& device, bool game_pad) {
-    const std::string bus = told_by_kernel(device / "id/bustype");
-    const std::string name = told_name(told_by_kernel(device / "name"));
+    const std::string bus = first_line(device / "id/bustype");
+    const std::string name = told_name(first_line(device / "name"));
     const bool plugged = bus == wired || bus == wireless || bus == made_by_program;
     if (!name.empty() && (game_pad || plugged))
         return name;
@@ -55,16 +48,6 @@ std::bitset<768> kernel_bits(std::string_view text, unsigned word_bits) {
     return bits;
 }
 
-std::string told_name(std::string_view text) {
-    constexpr std::size_t longest = 80;
-    std::string name;
-    for (const char letter : text)
-        if (letter >= ' ' && letter <= '~' && letter != '"' && name.size() < longest)
-            name += letter;
-    const std::size_t first = name.find_first_not_of(' ');
-    return first == name.npos ? std::string() : name.substr(first, name.find_last_not_of(' ') + 1 - first);
-}
-
 std::vector<FoundFeedback> find_feedback_below(const std::filesystem::path& inputs,
                                                const std::filesystem::path& nodes) {
     std::vector<FoundFeedback> all;
@@ -75,18 +58,18 @@ std::vector<FoundFeedback> find_feedback_below(const std::filesystem::path& inpu
         const std::filesystem::path device = at->path() / "device";
         if (!node.string().starts_with("event"))
             continue;
-        const auto effects = kernel_bits(told_by_kernel(device / "capabilities/ff"), word_of_kernel);
+        const auto effects = kernel_bits(first_line(device / "capabilities/ff"), word_of_kernel);
         if (effects.none())
             continue;
         const bool game_pad =
-            kernel_bits(told_by_kernel(device / "capabilities/key"), word_of_kernel)[game_pad_button];
+            kernel_bits(first_line(device / "capabilities/key"), word_of_kernel)[game_pad_button];
         FeedbackBits bits;
         for (std::size_t i = 0; i < bits.size(); ++i)
             bits[i] = effects[i];
         const FeedbackKind kind = feedback_kind(bits, game_pad);
         if (kind != FeedbackKind::none)
             all.push_back({(nodes / node).string(), name_for_person(device, game_pad),
-                           told_name(told_by_kernel(device / "uniq")), kind});
+                           told_name(first_line(device / "uniq")), kind});
     }
     std::sort(all.begin(), all.end(), [](const FoundFeedback& a, const FoundFeedback& b) {
         return a.path.size() != b.path.size() ? a.path.size() < b.path.size() : a.path < b.path;

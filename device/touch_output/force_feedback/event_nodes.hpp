@@ -36,7 +36,4 @@ Result<std::unique_ptr<FeedbackNode>> open_feedback(const FoundFeedback& found);
 /// None where it is something else.
 std::bitset<768> kernel_bits(std::string_view text, unsigned word_bits);
 
-/// What the kernel writes of a device, without what is no printable letter of ASCII, and not longer than a person listens to.
-std::string told_name(std::string_view text);
-
 } // namespace tp

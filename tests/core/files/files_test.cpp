@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/first_line.hpp"
 #include "core/files/folder_lock.hpp"
 #include "core/files/photo_endings.hpp"
 #include "core/files/whole_file.hpp"
@@ -55,6 +56,22 @@ private slots:
             QCOMPARE(content(file), bytes);
         }
         QCOMPARE(files_here(), 1L);
+    }
+
+    void the_first_line_is_without_its_end_and_never_longer_than_it_may_be() {
+        const auto of = [this](const std::string& bytes) {
+            return replace_file(root_ / "a", bytes).empty() ? first_line(root_ / "a") : "not written";
+        };
+        QCOMPARE(of("Webcam\n"), std::string("Webcam"));
+        QCOMPARE(of("Webcam"), std::string("Webcam"));
+        QCOMPARE(of("\nWebcam\n"), std::string());
+        QCOMPARE(of(""), std::string());
+        QCOMPARE(of(std::string(longest_first_line, 'x')), std::string(longest_first_line, 'x'));
+        QCOMPARE(of(std::string(1 << 20, 'x')), std::string(longest_first_line, 'x'));
+        QCOMPARE(first_line(root_ / "none"), std::string());
+        QCOMPARE(first_line(root_), std::string());
+        QCOMPARE(::mkfifo((root_ / "pipe").c_str(), 0600), 0);
+        QCOMPARE(first_line(root_ / "pipe"), std::string()); // and waits for nobody who writes into it
     }
 
     void owner_only_is_so_from_the_first_byte() {

@@ -18,6 +18,19 @@ void put(const std::filesystem::path& file, const std::string& words) {
     std::ofstream(file) << words << '\n';
 }
 
+/// A port of the USB device `usb`, as the kernel shows it below `root`.
+void add(const std::filesystem::path& root, const char* tty, const std::string& usb,
+         const std::string& vendor, const std::string& serial) {
+    const std::filesystem::path device = root / "devices" / usb;
+    const std::filesystem::path interface = device / (usb + ":1.0");
+    std::filesystem::create_directories(interface);
+    put(device / "idVendor", vendor);
+    if (!serial.empty())
+        put(device / "serial", serial);
+    std::filesystem::create_directories(root / "tty" / tty);
+    std::filesystem::create_directory_symlink(interface, root / "tty" / tty / "device");
+}
+
 } // namespace
 
 class FoundBoardsTest : public QObject {
@@ -27,19 +40,9 @@ private slots:
     void boards_are_found_by_their_usb_vendor() {
         const QTemporaryDir folder;
         const std::filesystem::path root = folder.path().toStdString();
-        const auto add = [&root](const char* tty, const char* usb, const char* vendor, const char* serial) {
-            const std::filesystem::path device = root / "devices" / usb;
-            const std::filesystem::path interface = device / (std::string(usb) + ":1.0");
-            std::filesystem::create_directories(interface);
-            put(device / "idVendor", vendor);
-            if (*serial != '\0')
-                put(device / "serial", serial);
-            std::filesystem::create_directories(root / "tty" / tty);
-            std::filesystem::create_directory_symlink(interface, root / "tty" / tty / "device");
-        };
-        add("ttyACM1", "1-2", "2341", "7523031393535120A0D1");
-        add("ttyACM0", "1-3", "2a03", "");
-        add("ttyUSB0", "1-4", "0403", "A900");
+        add(root, "ttyACM1", "1-2", "2341", "7523031393535120A0D1");
+        add(root, "ttyACM0", "1-3", "2a03", "");
+        add(root, "ttyUSB0", "1-4", "0403", "A900");
         std::filesystem::create_directories(root / "tty" / "tty0"); // a console
         const std::vector<FoundBoard> found = find_boards_below(root / "tty", "/dev");
         QCOMPARE(found.size(), std::size_t(2));
@@ -48,6 +51,20 @@ private slots:
         QCOMPARE(found[1].path, std::string("/dev/ttyACM1"));
         QCOMPARE(found[1].serial_number, std::string("7523031393535120A0D1"));
         QVERIFY(find_boards_below(root / "none", "/dev").empty());
+    }
+
+    void what_a_board_tells_of_itself_can_be_said_and_is_never_long() {
+        const QTemporaryDir folder;
+        const std::filesystem::path root = folder.path().toStdString();
+        add(root, "ttyACM0", "1-2", "2341", std::string(1 << 20, '7'));
+        add(root, "ttyACM1", "1-3", "2341",
+            "75\x1b[2J\xe2\x80\xae"
+            "30\"D1 and more");
+        add(root, "ttyACM2", "1-4", std::string(1 << 20, '2'), "A900");
+        const std::vector<FoundBoard> found = find_boards_below(root / "tty", "/dev");
+        QCOMPARE(found.size(), std::size_t(2));
+        QCOMPARE(found[0].serial_number, std::string(80, '7'));
+        QCOMPARE(found[1].serial_number, std::string("75[2J30D1"));
     }
 };
 

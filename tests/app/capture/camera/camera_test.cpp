@@ -114,6 +114,20 @@ private slots:
         QCOMPARE(why_silent("Another", true, at.places), CameraTrouble::unplugged);
     }
 
+    void a_name_that_has_no_end_is_no_camera_s() {
+        const QString name(5000, 'x');
+        const Places at(name);
+        QCOMPARE(why_silent(name.toStdString(), true, at.places), CameraTrouble::unplugged);
+        const Places last(name.left(1024));
+        QCOMPARE(why_silent(name.left(1024).toStdString(), true, last.places), CameraTrouble::silent);
+    }
+
+    void a_camera_without_a_name_is_none_whose_name_is_not_told() {
+        const Places at("Webcam");
+        at.put("names/video0/name", "");
+        QCOMPARE(why_silent("", true, at.places), CameraTrouble::unplugged);
+    }
+
     void only_the_newest_frame_is_taken_and_only_once() {
         NewestFrame frames;
         NewestFrame::Taken taken;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which of a kernel's input devices are offered, by folders like those of its sysfs.
 #include "byte_mutants.hpp"
+#include "device/told_name.hpp"
 #include "device/touch_output/force_feedback/event_nodes.hpp"
 #include "device/touch_output/force_feedback/plugged_feedback.hpp"
 #include "nodes_check.hpp"

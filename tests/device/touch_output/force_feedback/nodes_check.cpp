@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nodes_check.hpp"
 
+#include "device/told_name.hpp"
 #include "device/touch_output/force_feedback/event_nodes.hpp"
 #include "memory_folder.hpp"
 

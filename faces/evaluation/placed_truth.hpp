@@ -17,7 +17,8 @@ struct PlacedPortrait {
 
 /// Reads a truth file: JSON, for each photo (relative to `photos`) the points [x, y] of
 /// "eye_on_the_left_of_the_picture" (the person's right one), "eye_on_the_right_of_the_picture", "outer_lip",
-/// "inner_lip" and "outline". An error where it cannot be read or a photo lacks a contour.
+/// "inner_lip" and "outline". An error where it cannot be read, has more than 16 MB or 8
+/// levels, or a photo lacks a contour.
 Result<std::vector<PlacedPortrait>> read_placed_truth(const std::filesystem::path& file,
                                                       const std::filesystem::path& photos);
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/experiment/trial_table.hpp"
+#include "corpus.hpp"
 #include "experiment_check.hpp"
+#include "places.hpp"
 
 #include <QTest>
 
 #include <random>
+#include <set>
+#include <string>
 
 using namespace tp;
 using namespace tp::test;
@@ -110,6 +114,16 @@ private slots:
         QCOMPARE(read_trials(small_experiment(), "a,b\n").error(),
                  std::string("The table of trials is not one of this experiment: its columns are others."));
         QCOMPARE(read_trials(small_experiment(), "").error(), std::string("The table of trials is empty."));
+    }
+    void of_the_fuzzer_s_corpus_only_what_is_whole_is_read() {
+        const std::set<std::string> whole{
+            "two_trials",  "no_trials", "no_trials_and_no_end", "torn", "ends_of_another_system",
+            "fifty_trials"};
+        for (const Seed& seed : corpus(in_source("tests/core/experiment/trial_corpus"))) {
+            QCOMPARE(complaint_about_trials(seed.text), std::string());
+            QVERIFY2(read_trials(small_experiment(), seed.text).ok() == whole.contains(seed.name),
+                     seed.name.c_str());
+        }
     }
     void any_bytes_are_refused_in_a_sentence() {
         std::mt19937 random(3);

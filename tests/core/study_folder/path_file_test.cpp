@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/packing/gzip.hpp"
 #include "core/study_folder/path_file.hpp"
+#include "corpus.hpp"
+#include "places.hpp"
 #include "study_folder_check.hpp"
 
 #include <QTest>
 
 #include <limits>
 #include <random>
+#include <set>
+#include <string>
 
 using namespace tp;
 using namespace tp::test;
@@ -97,6 +101,18 @@ private slots:
             QCOMPARE(read_path_bytes(bytes.substr(0, cut)).error(),
                      std::string("The finger's path cannot be unpacked: it ends too soon."));
         QVERIFY(read_path("/nowhere/x.csv.gz").error().find("x.csv.gz") != std::string::npos);
+    }
+    void of_the_fuzzers_corpora_only_what_is_whole_is_read() {
+        const std::set<std::string> whole{"two_samples", "no_samples", "five_hundred_samples",
+                                          "two_megabytes_of_samples"};
+        for (const Seed& seed : corpus(in_source("tests/core/study_folder/path_text_corpus"))) {
+            QCOMPARE(complaint_about_path_text(seed.text), std::string());
+            QVERIFY2(read_path_text(seed.text).ok() == whole.contains(seed.name), seed.name.c_str());
+        }
+        for (const Seed& seed : corpus(in_source("tests/core/study_folder/path_corpus"))) {
+            QCOMPARE(complaint_about_path(seed.text), std::string());
+            QVERIFY2(read_path_bytes(seed.text).ok() == whole.contains(seed.name), seed.name.c_str());
+        }
     }
     void any_bytes_are_refused_in_a_sentence() {
         std::mt19937 random(5);

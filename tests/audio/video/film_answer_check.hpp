@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tp::test {
+
+inline constexpr int answered_side = 10; ///< px; of the picture for which there is memory
+
+/// What does not hold where a decoder of videos answers these bytes, with memory for `answered_side` squared pixels; empty
+/// where all is well.
+std::string complaint_about_film_answer(std::string_view bytes);
+/// What they are taken for: "picture", "end" or "sentence".
+std::string kind_of_film_answer(std::string_view bytes);
+
+} // namespace tp::test

@@ -14,7 +14,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <mutex>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tp {
 
@@ -118,6 +124,61 @@ void print(const WildSummary& all) {
         print_covers(*all.covers);
 }
 
+/// What is measured until now: one thread adds, another may want the figures of it at any time.
+class WildSoFar {
+public:
+    void add(WildPhoto photo) {
+        const std::lock_guard lock(mutex_);
+        photos_.push_back(std::move(photo));
+    }
+    std::vector<WildPhoto> photos() const {
+        const std::lock_guard lock(mutex_);
+        return photos_;
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<WildPhoto> photos_;
+};
+
+const WildLabels* known(const std::optional<WildLabels>& labels) { return labels ? &*labels : nullptr; }
+
+/// The sentence that says why not, else empty.
+std::string measure(const Photographs& photographs, WildSoFar& so_far) {
+    BatchProgress progress(photographs.files.size());
+    return run_wild_bench(photographs.files, photographs.folder, [&](WildPhoto photo) {
+        say(progress.next(photo.name));
+        if (!photo.was_read())
+            say_problem(photo.problem, photo.name);
+        so_far.add(std::move(photo));
+    });
+}
+
+/// All but the sheet, which looks at photographs again. The sentence that says why not, else empty.
+std::string write_figures(const fs::path& out, const std::vector<WildPhoto>& photos,
+                          const WildSummary& summary, const WildLabels* labels) {
+    for (const auto& written :
+         {write_wild_table(out, photos, labels), write_wild_summary(out, summary), plot_wild(out, summary)})
+        if (!written)
+            return written.error();
+    return {};
+}
+
+void write_so_far(const fs::path& out, const WildSoFar& so_far, const std::optional<WildLabels>& labels,
+                  std::size_t all) {
+    const std::vector<WildPhoto> photos = so_far.photos();
+    if (photos.empty())
+        return say("Stopped before the first photograph was done; there are no figures.");
+    const WildSummary summary = summary_of(photos, known(labels));
+    if (const std::string problem = write_figures(out, photos, summary, known(labels)); !problem.empty())
+        return say_problem(problem);
+    print(summary);
+    std::fflush(stdout); // the end that follows does not
+    say("Stopped after " + std::to_string(photos.size()) + " of " + std::to_string(all) +
+        "; the figures are of these.");
+    say("worst.png is drawn only where all are done.");
+}
+
 } // namespace
 
 int bench_wild(const VerbLine& line) {
@@ -139,30 +200,23 @@ int bench_wild(const VerbLine& line) {
     if (!QFileInfo(line.text("out")).isWritable()) // said now, not after an hour
         return refused("Nothing can be written to the folder " + line.text("out").toStdString() + ".");
 
-    BatchProgress progress(photographs->files.size());
-    const auto tell = [&](const WildPhoto& photo) {
-        say(progress.next(photo.name));
-        if (!photo.was_read())
-            say_problem(photo.problem, photo.name);
-    };
-    LongWork::finish_when_stopped("Stopping after this photograph, with the figures of those that are done.");
-    const auto photos = run_wild_bench(photographs->files, photographs->folder, tell, LongWork::stop_asked());
-    if (!photos)
-        return refused(photos.error());
-    const WildLabels* known = labels ? &*labels : nullptr;
-    const WildSummary summary = summary_of(*photos, known);
     const fs::path out = line.text("out").toStdString();
-    for (const auto& written :
-         {write_wild_table(out, *photos, known), write_wild_summary(out, summary), plot_wild(out, summary),
-          write_wild_sheet(out, *photos, worst_of(*photos, known, tiles))})
-        if (!written)
-            return refused(written.error());
-    print(summary);
-    if (photos->size() < photographs->files.size()) {
-        say("Stopped after " + std::to_string(photos->size()) + " of " +
-            std::to_string(photographs->files.size()) + "; the figures are of these.");
-        return LongWork::stop_code();
+    WildSoFar so_far;
+    {
+        const LastWords figures([&] { write_so_far(out, so_far, labels, photographs->files.size()); },
+                                LastWords::Said::at_once);
+        if (const std::string problem = measure(*photographs, so_far); !problem.empty())
+            return refused(problem);
+        const std::vector<WildPhoto> photos = so_far.photos();
+        if (const std::string problem =
+                write_figures(out, photos, summary_of(photos, known(labels)), known(labels));
+            !problem.empty())
+            return refused(problem);
+        if (const auto sheet = write_wild_sheet(out, photos, worst_of(photos, known(labels), tiles)); !sheet)
+            return refused(sheet.error());
     }
+    const WildSummary summary = summary_of(so_far.photos(), known(labels));
+    print(summary);
     return summary.unread.empty() ? exit_done : exit_bad_input;
 }
 

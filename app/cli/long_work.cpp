@@ -30,7 +30,6 @@ public:
     void begin(std::string verb) {
         const std::lock_guard lock(mutex_);
         what_ = std::move(verb);
-        finishing_.clear();
         done_ = 0.0;
         number_ = all_ = 0;
         said_ = began_ = Steady::now();
@@ -56,15 +55,6 @@ public:
         done_ = 0.0;
         number_ = number;
         all_ = all;
-    }
-    void finish_when_stopped(std::string sentence) {
-        const std::lock_guard lock(mutex_);
-        finishing_ = std::move(sentence);
-    }
-    /// What is said while the verb finishes; empty: it is not waited for.
-    std::string finishing() {
-        const std::lock_guard lock(mutex_);
-        return finishing_;
     }
     void said() {
         const std::lock_guard lock(mutex_);
@@ -106,7 +96,7 @@ private:
     static std::string behind_comma(const std::string& words) { return words.empty() ? "" : ", " + words; }
 
     std::mutex mutex_;
-    std::string what_, finishing_;
+    std::string what_;
     double done_ = 0.0;
     std::size_t number_ = 0, all_ = 0;
     Steady::time_point began_ = Steady::now(), said_ = began_, turn_began_ = began_;
@@ -118,6 +108,7 @@ std::stop_source stop_wanted;
 std::optional<StopSignal> heeding;
 std::mutex last_words_mutex; ///< held from the last words to the end
 std::function<void()> last_words;
+bool said_at_once = false;
 
 /// Looks after the verb from a thread of its own, so that it need not look itself.
 class Watch {
@@ -137,9 +128,7 @@ private:
         while (!over_within(glance)) {
             if (StopSignal::asked()) {
                 stop_wanted.request_stop();
-                if (const std::string sentence = how_far.finishing(); !sentence.empty())
-                    std::fprintf(stderr, "%s\n", sentence.c_str());
-                else if (!over_within(good_order))
+                if (end_is_due_at_once() || !over_within(good_order))
                     end_now();
                 return;
             }
@@ -150,6 +139,10 @@ private:
     bool over_within(std::chrono::milliseconds time) {
         std::unique_lock lock(mutex_);
         return changed_.wait_for(lock, time, [this] { return over_; });
+    }
+    static bool end_is_due_at_once() {
+        const std::lock_guard lock(last_words_mutex);
+        return said_at_once;
     }
     [[noreturn]] static void end_now() {
         const std::lock_guard lock(last_words_mutex);
@@ -186,20 +179,21 @@ void LongWork::share(double done) { how_far.share(done); }
 void LongWork::item(std::string what, std::size_t number, std::size_t all) {
     how_far.item(std::move(what), number, all);
 }
-void LongWork::finish_when_stopped(std::string sentence) { how_far.finish_when_stopped(std::move(sentence)); }
 void LongWork::said() { how_far.said(); }
 
 const std::atomic<bool>& LongWork::stop_asked() { return StopSignal::asked(); }
 std::stop_token LongWork::stop_token() { return stop_wanted.get_token(); }
 int LongWork::stop_code() { return StopSignal::exit_code(); }
 
-LastWords::LastWords(std::function<void()> words) {
+LastWords::LastWords(std::function<void()> words, Said said) {
     const std::lock_guard lock(last_words_mutex);
     last_words = std::move(words);
+    said_at_once = said == Said::at_once;
 }
 LastWords::~LastWords() {
     const std::lock_guard lock(last_words_mutex);
     last_words = {};
+    said_at_once = false;
 }
 
 PersonsTurn::PersonsTurn() { how_far.wait_for_person(1); }

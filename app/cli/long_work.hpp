@@ -32,10 +32,6 @@ public:
     /// A line went to stderr, so that the person knows for a while.
     static void said();
 
-    /// From now on the end waits, however long, until the verb has written what it has; the person is told
-    /// so.
-    static void finish_when_stopped(std::string sentence);
-
     /// The person wants an end.
     static const std::atomic<bool>& stop_asked();
     static std::stop_token stop_token();
@@ -53,10 +49,14 @@ public:
 };
 
 /// While one lives, what is said or done where a verb is ended that did not come to its end by itself; called
-/// from another thread, and nothing of the verb ends meanwhile.
+/// from another thread, and nothing of the verb ends meanwhile. It is to take a fraction of a second: the person waits.
 class LastWords {
 public:
-    explicit LastWords(std::function<void()> words);
+    enum class Said {
+        late,   ///< where the verb does not come to its end soon
+        at_once ///< it never does by itself
+    };
+    explicit LastWords(std::function<void()> words, Said said = Said::late);
     ~LastWords();
     LastWords(const LastWords&) = delete;
     LastWords& operator=(const LastWords&) = delete;

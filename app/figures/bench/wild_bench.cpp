@@ -164,28 +164,22 @@ WildPhoto compared(const Extraction& ours, const Extraction& mesh) {
     return photo;
 }
 
-Result<std::vector<WildPhoto>> run_wild_bench(const std::vector<std::filesystem::path>& files,
-                                              const std::filesystem::path& folder,
-                                              const std::function<void(const WildPhoto&)>& done,
-                                              const std::atomic<bool>& stop) {
+std::string run_wild_bench(const std::vector<std::filesystem::path>& files,
+                           const std::filesystem::path& folder, const std::function<void(WildPhoto)>& take) {
     auto ours = FaceExtractor::create();
     if (!ours)
-        return Error{ours.error()};
+        return ours.error();
     auto mesh = FaceExtractor::create({"embedded", "mesh", RefinementStage::close_looks});
     if (!mesh)
-        return Error{mesh.error()};
-    std::vector<WildPhoto> photos;
+        return mesh.error();
     for (const std::filesystem::path& file : files) {
-        if (stop)
-            break;
         const Extraction found = ours->extract(file);
         WildPhoto photo = compared(found, found.width > 0 ? mesh->extract(file) : Extraction{});
         photo.file = file;
         photo.name = file.lexically_relative(folder).string();
-        done(photo);
-        photos.push_back(std::move(photo));
+        take(std::move(photo));
     }
-    return photos;
+    return {};
 }
 
 WildSummary summary_of(const std::vector<WildPhoto>& photos, const WildLabels* labels) {

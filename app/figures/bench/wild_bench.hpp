@@ -6,7 +6,6 @@
 #include "faces/extract/face_extractor.hpp"
 
 #include <array>
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -46,13 +45,10 @@ struct WildPhoto {
     bool is_said_covered(std::size_t contour) const;
 };
 
-/// Measures `files` one after the other and tells `done` of each; ends before the next one once `stop` is
-/// true. The names are from `folder`. An error where an extractor cannot be made; a photograph that cannot be
-/// read has its sentence.
-Result<std::vector<WildPhoto>> run_wild_bench(const std::vector<std::filesystem::path>& files,
-                                              const std::filesystem::path& folder,
-                                              const std::function<void(const WildPhoto&)>& done,
-                                              const std::atomic<bool>& stop);
+/// Measures `files` one after the other and hands each to `take`. The names are from `folder`. A sentence where an
+/// extractor cannot be made, else empty; a photograph that cannot be read has its own.
+std::string run_wild_bench(const std::vector<std::filesystem::path>& files,
+                           const std::filesystem::path& folder, const std::function<void(WildPhoto)>& take);
 
 /// Compares what both found in one photograph, in pixels of the same picture: our largest face with the
 /// mesh's whose eyes and mouth have their middle within 0.4 of our face's size.

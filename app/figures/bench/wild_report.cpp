@@ -10,6 +10,7 @@ namespace tp {
 namespace {
 
 constexpr double least_percent = 0.1, most_percent = 10.0; ///< of the plot
+constexpr double unseen_percent = 0.1; ///< of the contours: less than a pixel of its height
 
 std::string cell_of(const std::optional<double>& value) { return value ? cell(*value) : std::string(); }
 
@@ -32,20 +33,19 @@ std::string labels_of(const WildPhoto& photo, const WildLabels* labels) {
     return words;
 }
 
-/// Shares in percent over percent, from `least_percent` to `most_percent`.
+/// Shares in percent over percent, from `least_percent` to `most_percent`, without steps that nobody would see.
 std::vector<Vec2> shares(const std::vector<double>& sorted) {
-    std::vector<Vec2> line;
-    const double each = sorted.empty() ? 0.0 : 100.0 / static_cast<double>(sorted.size());
-    for (std::size_t i = 0; i < sorted.size(); ++i) {
-        const double share = each * static_cast<double>(i + 1);
-        if (sorted[i] > most_percent)
-            break;
-        if (line.empty())
-            line.push_back({std::max(sorted[i], least_percent), 0.0});
-        line.push_back({std::max(sorted[i], least_percent), share});
-    }
-    if (!line.empty())
-        line.push_back({most_percent, line.back().y});
+    const auto shown = static_cast<std::size_t>(std::upper_bound(sorted.begin(), sorted.end(), most_percent) -
+                                                sorted.begin());
+    if (shown == 0)
+        return {};
+    const double each = 100.0 / static_cast<double>(sorted.size());
+    std::vector<Vec2> line{{std::max(sorted.front(), least_percent), 0.0}};
+    for (std::size_t i = 0; i < shown; ++i)
+        if (const double share = each * static_cast<double>(i + 1);
+            share - line.back().y >= unseen_percent || i + 1 == shown)
+            line.push_back({std::max(sorted[i], least_percent), share});
+    line.push_back({most_percent, line.back().y});
     return line;
 }
 

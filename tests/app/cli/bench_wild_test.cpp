@@ -134,8 +134,15 @@ private slots:
         const Run run = ended(process);
         QCOMPARE(run.code, 130);
         QVERIFY2(run.err.contains(" of 200; the figures are of these.\n"), run.err.constData());
-        QVERIFY(run.out.startsWith("photographs: ") && !run.out.startsWith("photographs: 200\n"));
-        QVERIFY(QFile::exists(path("stopped/wild.csv")));
+        QFile table(path("stopped/wild.csv"));
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const auto done = table.readAll().count('\n') - 1;
+        QVERIFY2(done >= 3 && done < 200 &&
+                     run.out.startsWith("photographs: " + QByteArray::number(done) + '\n') &&
+                     run.err.contains("Stopped after " + QByteArray::number(done) + " of 200; "),
+                 run.out.constData());
+        for (const char* name : {"wild_summary.csv", "wild.png", "wild.svg"})
+            QVERIFY2(QFile::exists(path("stopped") + "/" + name), name);
     }
 };
 

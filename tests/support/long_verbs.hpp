@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+#include <QTemporaryDir>
+
+#include <set>
+#include <vector>
+
+namespace tp::test {
+
+/// A verb of touchphoto-lab that can take more than two seconds, and words with which it does.
+struct LongVerb {
+    QString name; ///< as the table in app/cli/VERBS.md names it
+    QStringList words;
+    QString leaves; ///< regular expression: files that it may leave, whole, when it is stopped
+    QString models = QStringLiteral("models"); ///< folder of the models that are plugged in
+};
+
+/// Something large for each of them, in a folder that goes with it. What cannot be written ends the program.
+class LongWorkInputs {
+public:
+    LongWorkInputs();
+
+    /// All long verbs, but for those that a program alone cannot bring to work (`devices tick`).
+    const std::vector<LongVerb>& verbs() const { return verbs_; }
+    /// Begins the verb; its stderr is the process's channel.
+    void start(QProcess& process, const LongVerb& verb) const;
+
+    QString path(const QString& name) const { return folder_.filePath(name); }
+    /// All files there now, by their names in the folder.
+    std::set<QString> files() const;
+
+private:
+    void add(const char* name, const QString& words, const char* leaves = "",
+             const char* models = "models"); ///< a word behind @ is a file's name in the folder
+
+    QTemporaryDir folder_;
+    std::vector<LongVerb> verbs_;
+};
+
+/// The verbs, with what makes them long, that the table in app/cli/VERBS.md names.
+std::set<QString> long_verbs_of_manual();
+
+} // namespace tp::test

@@ -12,16 +12,14 @@
 
 namespace tp {
 
-/// A mouse or a finger that takes hold of a point, or of a whole feature, and moves it:
+/// A mouse or a finger that takes hold of a point, or of a whole feature, and moves it. Places are window pixels of the drawing
+/// surface.
 ///
-///            | grab(): something is there | dragTo() another place | drop()          | cancel(), turning
-///            back, leaving
-///     Free   | Held                       | Free                   | Free            | Free
-///     Held   | Held                       | Moving                 | Free            | Free
-///     Moving | Held                       | Moving                 | Free: it stays  | Free: as if it had
-///     never been moved
-///
-/// Places are window pixels of the drawing surface.
+/// |        | grab: something is there | dragTo: another place | drop           | cancel, turning back, leaving  |
+/// |--------|--------------------------|-----------------------|----------------|--------------------------------|
+/// | Free   | Held                     |                       |                |                                |
+/// | Held   | Held                     | Moving                | Free           | Free                           |
+/// | Moving | Held                     | Moving                | Free: it stays | Free: as if never moved        |
 class MendDrag final : public QObject {
     Q_OBJECT
     QML_ELEMENT

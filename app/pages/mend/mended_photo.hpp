@@ -15,13 +15,15 @@
 
 namespace tp {
 
-/// The photograph whose contours are mended, one for all parts of the page, and what can be done with it:
+/// The photograph whose contours are mended, one for all parts of the page, and what can be done with it. Who looks away while
+/// another one is read has again what there was to work on.
 ///
-///             | look()    | show(): usable | show(): not | look_away()
-///     Empty   | Looking   | Ready          | Problem     | Empty
-///     Looking | Looking   | Ready          | Problem     | Ready where there was something to work on, else
-///     Empty Ready   | Looking   | Ready          | Problem     | Ready Problem | Looking   | Ready | Problem
-///     | Problem
+/// |         | look    | show: usable | show: not usable | look_away                    |
+/// |---------|---------|--------------|------------------|------------------------------|
+/// | Empty   | Looking | Ready        | Problem          |                              |
+/// | Looking |         | Ready        | Problem          | Ready; Empty: there was none |
+/// | Ready   | Looking |              | Problem          |                              |
+/// | Problem | Looking | Ready        |                  |                              |
 class MendedPhoto : public QObject {
     Q_OBJECT
     QML_ELEMENT

@@ -14,10 +14,25 @@ namespace tp {
 /// grip stands free, is drawn a little to the right and then away from the person, more strongly each time until it
 /// moves, and back, to see that it was understood; then a person holds it with a scale.
 ///
-/// It only says what it wants (`assumed`, `pull`); who drives the stick lets it pull through the servo's safety chain.
+/// It only says what it wants (`assumed`, `pull`); who drives the stick lets it pull through the servo's safety chain. In `right`
+/// and `away` it wants by turns nothing, until the grip has been still, and a pull, until the grip has moved.
+///
+/// |          | went out and came back | a Failure | weighed  | too light to be weighed | nobody weighs |
+/// |----------|------------------------|-----------|----------|-------------------------|---------------|
+/// | right    | away                   | failed    |          |                         |               |
+/// | away     | weigh                  | failed    |          |                         |               |
+/// | weigh    |                        |           | measured | weigh, more strongly    | failed        |
+/// | measured |                        |           |          |                         |               |
+/// | failed   |                        |           |          |                         |               |
 class JoystickTrial {
 public:
-    enum class Step { right, away, weigh, measured, failed };
+    enum class Step {
+        right,    ///< it is learned which way the first axis pulls, and from which strength on the grip moves
+        away,     ///< the same of the second
+        weigh,    ///< it pulls away from the person, who holds it with a scale
+        measured, ///< `assumed` is what the stick is
+        failed    ///< `failure` says why
+    };
     enum class Failure {
         none,
         not_still,    ///< the grip moved while nothing pulled

@@ -19,20 +19,15 @@ ExploreSession::ExploreSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
       ear_(servo_, view_, finger_, tour_, zoom_, choices_, words_, earcons, guide, now_),
       hand_(servo_, view_, finger_, tour_, ear_, words_, now_),
       device_(servo_, view_, finger_, tour_, ear_, choices_, words_, settings),
-      touch_(servo_, view_, tour_, ear_, choices_, words_, device_, settings) {
-    timer_.setInterval(poll_ms);
-    timer_.setTimerType(Qt::PreciseTimer);
-    connect(&timer_, &QTimer::timeout, this, &ExploreSession::poll);
-    connect(&view_, &ExploreView::replaced, this, &ExploreSession::stir);
+      touch_(servo_, view_, tour_, ear_, choices_, words_, device_, settings),
+      watch_(servo_, view_, finger_, tour_, ear_, device_, touch_, now_),
+      gestures_(view_, walk_, finger_, tour_, zoom_, device_) {
     connect(&walk_, &ExploreWalk::setting_out, this, &ExploreSession::stop_everything);
-    connect(&hand_, &ExploreHand::meant, this, &ExploreSession::perform);
+    connect(&hand_, &ExploreHand::meant, &gestures_, &ExploreGestures::perform);
+    connect(&gestures_, &ExploreGestures::stop_or_start_asked, this, &ExploreSession::stopOrStart);
     connect(&device_, &ExploreDevice::disabled, this, &ExploreSession::stop_everything);
-    servo_.when_stirred([this] { stir(); });
-    connect(&tour_, &ExploreTour::changed, this, [this] { servo_.stir(); }); // its names are told by the poll
     QCoreApplication::instance()->installEventFilter(this);
 }
-
-ExploreSession::~ExploreSession() { servo_.when_stirred({}); }
 
 /// The texts are asked for anew in another language.
 bool ExploreSession::eventFilter(QObject* watched, QEvent* event) {
@@ -48,9 +43,7 @@ bool ExploreSession::eventFilter(QObject* watched, QEvent* event) {
 
 void ExploreSession::enter() {
     const bool was_here = device_.here();
-    away_ = false;
-    servo_.wake();
-    stir();
+    watch_.enter();
     words_.enter();
     ear_.enter();
     device_.enter();
@@ -72,12 +65,8 @@ void ExploreSession::leave() {
     stop_everything();
     ear_.leave();
     words_.leave();
-    away_ = true;
-    servo_.rest();
-    follow_view();
+    watch_.leave();
 }
-
-void ExploreSession::follow_view() { view_.ready() && !away_ ? timer_.start() : timer_.stop(); }
 
 // --- the photograph ---
 
@@ -126,59 +115,6 @@ bool ExploreSession::stop() {
 void ExploreSession::stopOrStart() {
     if (!stop())
         device_.engage();
-}
-
-void ExploreSession::perform(TouchGestures::Gesture gesture) {
-    using enum TouchGestures::Gesture;
-    switch (gesture) {
-    case none:
-        return;
-    case double_tap:
-    case three_finger_tap:
-        return finger_.whereAmI();
-    case double_tap_and_hold: {
-        const QPointF place = view_.frame().from_surface(finger_.felt_place());
-        return zoom_.zoomHere(place.x(), place.y());
-    }
-    case two_finger_tap:
-        toured_before_tap_ = tour_.touring();
-        return stopOrStart();
-    case two_finger_double_tap: // its first tap has stopped or started the force already
-        if (toured_before_tap_)
-            return;
-        if (!device_.engaged())
-            device_.engage();
-        return tour_.toggle();
-    case two_finger_swipe_right: // as in Browse, where one finger to the right is the next photograph
-        return walk_.next();
-    case two_finger_swipe_left:
-        return walk_.previous();
-    }
-}
-
-void ExploreSession::stir() {
-    quiet_.stir();
-    follow_view();
-}
-
-/// A finger that is only drawn, up for a while, with nothing left to tell: the threads of the servo end.
-void ExploreSession::rest_where_quiet(const ServoSnapshot& seen, double now) {
-    const bool quiet = finger_.up() && !tour_.touring() && device_.shows(seen.fault);
-    if (!quiet_.due(quiet, now) || !servo_.park())
-        return;
-    timer_.stop();
-    device_.watch(servo_.snapshot().fault, now); // of its last tick
-}
-
-void ExploreSession::poll() {
-    const ServoSnapshot seen = servo_.snapshot();
-    const double now = now_();
-    finger_.poll(seen, now);
-    device_.watch(seen.fault, now);
-    touch_.watch();
-    tour_.follow(seen.tour_progress, now);
-    ear_.hear();
-    rest_where_quiet(seen, now);
 }
 
 } // namespace tp

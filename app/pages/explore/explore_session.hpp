@@ -5,22 +5,21 @@
 #include "app/pages/explore/explore_device.hpp"
 #include "app/pages/explore/explore_ear.hpp"
 #include "app/pages/explore/explore_finger.hpp"
+#include "app/pages/explore/explore_gestures.hpp"
 #include "app/pages/explore/explore_hand.hpp"
 #include "app/pages/explore/explore_settings.hpp"
 #include "app/pages/explore/explore_touch.hpp"
 #include "app/pages/explore/explore_tour.hpp"
 #include "app/pages/explore/explore_view.hpp"
 #include "app/pages/explore/explore_walk.hpp"
+#include "app/pages/explore/explore_watch.hpp"
 #include "app/pages/explore/explore_words.hpp"
 #include "app/pages/explore/explore_zoom.hpp"
-#include "app/pages/explore/rest_watch.hpp"
-#include "app/pages/explore/touch_gestures.hpp"
 #include "app/parts/finger/finger_servo.hpp"
 #include "app/parts/finger/page_clock.hpp"
 
 #include <QEvent>
 #include <QObject>
-#include <QTimer>
 #include <QUrl>
 #include <QtQml/qqmlregistration.h>
 
@@ -50,7 +49,6 @@ public:
     /// All must outlive the session.
     ExploreSession(Narrator& narrator, EarconPlayer& earcons, SonifiedGuide& guide, Preferences& preferences,
                    ExploreSettings settings = {});
-    ~ExploreSession() override;
 
     ExploreWords* words() { return &words_; }
     ExploreChoices* choices() { return &choices_; }
@@ -63,6 +61,7 @@ public:
     ExploreHand* hand() { return &hand_; }
     ExploreDevice* device() { return &device_; }
     ExploreTouch* touch() { return &touch_; }
+    const ExploreWatch& watch() const { return watch_; }
 
     /// The page comes into sight: says where one is and what can be done. The force is as it was.
     Q_INVOKABLE void enter();
@@ -79,9 +78,6 @@ public:
     /// A photograph that is loaded already.
     void show(std::shared_ptr<const LoadedPhoto> photo) { view_.show(std::move(photo)); }
 
-    /// The finger has been up for a while: nothing ticks until somebody comes.
-    bool at_rest() const { return servo_.parked(); }
-
     /// Stops what sounds or moves: tour, guide, force, the search for faces in a photograph just opened.
     /// False where nothing did.
     Q_INVOKABLE bool stop();
@@ -92,15 +88,8 @@ signals:
     void backAsked();
 
 private:
-    static constexpr int poll_ms = 16;
-
     bool eventFilter(QObject* watched, QEvent* event) override;
     void stop_everything();
-    void perform(TouchGestures::Gesture gesture);
-    void follow_view();
-    void poll();
-    void stir();
-    void rest_where_quiet(const ServoSnapshot& seen, double now);
 
     PageClock now_;
     FingerServo servo_;
@@ -115,10 +104,8 @@ private:
     ExploreHand hand_;
     ExploreDevice device_;
     ExploreTouch touch_;
-    RestWatch quiet_;
-    QTimer timer_;      ///< while there is something to feel, the page is in sight and not at rest
-    bool away_ = false; ///< the page is out of sight
-    bool toured_before_tap_ = false; ///< what the first of two taps has stopped
+    ExploreWatch watch_;
+    ExploreGestures gestures_;
 };
 
 } // namespace tp

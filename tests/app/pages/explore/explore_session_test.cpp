@@ -19,8 +19,6 @@ constexpr int outline = 3;
 
 struct Bench {
     double time = 100.0;
-    std::vector<bool>
-        walked; ///< forward or not, each time that the album was asked for the photograph beside
     RecordingVoice voice;
     RecordingAnnouncer announcer;
     Narrator narrator{voice, announcer};
@@ -28,16 +26,8 @@ struct Bench {
     ExploreSession session;
 
     explicit Bench(int faces = 1, std::vector<QString> names = {})
-        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings()) {
+        : session(narrator, sounds.earcons, sounds.guide, sounds.preferences, settings_at(time)) {
         session.show(drawn_photo(faces, std::move(names)));
-    }
-    ExploreSettings settings() {
-        ExploreSettings settings = settings_at(time);
-        settings.beside = [this](const QString&, bool forward) {
-            walked.push_back(forward);
-            return QString();
-        };
-        return settings;
     }
     /// A place so many millimetres right of and above a feature's first point (sheet frame).
     QPointF by(int feature, double right = 0.0, double up = 0.0) const {
@@ -66,15 +56,11 @@ struct Bench {
         for (int i = 0; i < fingers; ++i)
             session.hand()->fingerUp(i);
     }
-    void swipe(double across) {
-        time += 0.2;
-        for (int i = 0; i < 2; ++i)
-            down(QPointF(60.0, 40.0 + 20.0 * i), i);
-        for (int i = 0; i < 2; ++i)
-            session.hand()->fingerMoved(i, 60.0 + across, 40.0 + 20.0 * i);
-        time += 0.3;
-        for (int i = 0; i < 2; ++i)
-            session.hand()->fingerUp(i);
+    bool comes_to_rest() {
+        QTest::qWait(40); // it is quiet
+        time += RestWatch::after_s + 0.5;
+        return QTest::qWaitFor([this] { return session.watch().state() == ExploreWatch::State::resting; },
+                               20'000);
     }
     QString said() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
 };
@@ -291,60 +277,29 @@ private slots:
         QVERIFY(!bench.sounds.guide.sounds());
     }
 
-    void two_taps_with_two_fingers_start_a_tour_and_end_one() {
-        for (const bool engaged_before : {true, false}) {
-            Bench bench;
-            if (!engaged_before)
-                bench.session.stop();
-            bench.tap(2, bench.by(left_eye));
-            bench.tap(2, bench.by(left_eye));
-            QVERIFY(bench.session.tour()->touring());
-            bench.time += 2.0;
-            bench.tap(2, bench.by(left_eye));
-            bench.tap(2, bench.by(left_eye));
-            QVERIFY(!bench.session.tour()->touring());
-        }
-    }
-
-    void two_fingers_go_to_the_next_and_the_previous_photograph() {
+    void escape_and_enter_act_at_rest_as_they_do_awake() {
         Bench bench;
-        bench.swipe(30.0);
-        QCOMPARE(bench.walked, std::vector<bool>({true}));
-        QCOMPARE(bench.said(), QString("No photograph with a face comes after this one."));
-        bench.time += 2.0;
-        bench.swipe(-30.0);
-        QCOMPARE(bench.walked, std::vector<bool>({true, false}));
-        QCOMPARE(bench.said(), QString("No photograph with a face comes before this one."));
-        QVERIFY(bench.session.device()->engaged()); // nothing was stopped
-        QVERIFY(!bench.sounds.guide.sounds());
+        QVERIFY(bench.comes_to_rest());
+        QVERIFY(bench.session.stop());
+        QVERIFY(!bench.session.device()->engaged());
+        QVERIFY(bench.comes_to_rest());
+        bench.session.stopOrStart();
+        QVERIFY(bench.session.device()->engaged());
+        bench.down(bench.left_of_outline(2.0));
+        QTRY_VERIFY(bench.session.finger()->newtons() > 0.1);
     }
 
-    void double_tap_and_hold_zooms_to_what_is_there_and_out_where_nothing_is() {
-        Bench bench(1, {"Anna"});
-        bench.tap(1, bench.by(2)); // the lips
-        bench.tap(1, bench.by(2), 0.8);
-        QCOMPARE(bench.said(), QString("Zoomed to the mouth of Anna."));
-        QCOMPARE(bench.session.view()->featureCount(), 1);
-        bench.time += 2.0;
-        const QPointF corner(1.0, 1.0);
-        bench.tap(1, corner);
-        bench.tap(1, corner, 0.8);
-        QVERIFY(bench.said().startsWith("There is nothing more") || bench.said().startsWith("Zoomed out"));
-        bench.session.zoom()->zoomOut();
-        bench.time += 2.0;
-        bench.tap(1, bench.left_of_outline(40.0));
-        bench.tap(1, bench.left_of_outline(40.0), 0.8);
-        QCOMPARE(bench.said(), QString("This is the whole picture."));
-        bench.time += 2.0;
-        bench.tap(1, bench.by(left_eye));
-        bench.tap(1, bench.by(left_eye), 0.8);
-        QCOMPARE(bench.said(), QString("Zoomed to the eyes of Anna."));
-        QCOMPARE(bench.session.view()->featureCount(), 2);
-        bench.time += 2.0;
-        bench.tap(1, bench.by(left_eye));
-        bench.tap(1, bench.by(left_eye), 0.8);
-        QCOMPARE(bench.said(), QString("Zoomed to the left eye of Anna."));
-        QCOMPARE(bench.session.view()->featureCount(), 1);
+    void a_page_that_is_left_at_rest_is_felt_when_one_comes_back() {
+        Bench bench;
+        QVERIFY(bench.comes_to_rest());
+        bench.session.leave();
+        QVERIFY(!bench.session.device()->engaged());
+        QVERIFY(bench.session.watch().state() == ExploreWatch::State::away);
+        bench.session.enter();
+        QVERIFY(bench.session.device()->engaged());
+        QVERIFY(bench.session.watch().state() == ExploreWatch::State::watching);
+        bench.down(bench.left_of_outline(2.0));
+        QTRY_VERIFY(bench.session.finger()->newtons() > 0.1);
     }
 
     void a_tour_of_the_face_can_be_stopped_while_a_name_is_spoken() {

@@ -19,22 +19,22 @@ private slots:
 
     void what_is_plugged_in_and_out_is_seen_while_it_watches() {
         DeviceSocket socket;
-        DeviceConnector desk(socket.access());
-        desk.watch(true);
-        QVERIFY(!desk.knows());
-        QTRY_VERIFY(desk.knows());
-        QVERIFY(desk.there().empty()); // the simulated one is none
+        DeviceConnector connector(socket.access());
+        connector.watch(true);
+        QVERIFY(!connector.knows());
+        QTRY_VERIFY(connector.knows());
+        QVERIFY(connector.there().empty()); // the simulated one is none
         socket.plug_in();
-        QTRY_COMPARE(desk.there().size(), std::size_t(1));
-        QCOMPARE(desk.there().front().serial_number, std::string(DeviceSocket::serial_number));
+        QTRY_COMPARE(connector.there().size(), std::size_t(1));
+        QCOMPARE(connector.there().front().serial_number, std::string(DeviceSocket::serial_number));
         socket.unplug();
-        QTRY_VERIFY(desk.there().empty());
-        desk.watch(false);
-        QVERIFY(!desk.knows());
+        QTRY_VERIFY(connector.there().empty());
+        connector.watch(false);
+        QVERIFY(!connector.knows());
         socket.plug_in();
-        desk.watch(true);
-        QTRY_VERIFY(desk.knows());
-        QCOMPARE(desk.there().size(), std::size_t(1));
+        connector.watch(true);
+        QTRY_VERIFY(connector.knows());
+        QCOMPARE(connector.there().size(), std::size_t(1));
     }
 
     void a_word_that_something_was_plugged_in_has_it_looked_for_at_once() {
@@ -47,60 +47,61 @@ private slots:
             return std::shared_ptr<void>(
                 &tell, [](void* words) { *static_cast<std::function<void()>*>(words) = nullptr; });
         };
-        DeviceConnector desk(access);
+        DeviceConnector connector(access);
         QVERIFY(!tell);
-        desk.watch(true);
-        QTRY_VERIFY(desk.knows());
-        QVERIFY(desk.there().empty());
+        connector.watch(true);
+        QTRY_VERIFY(connector.knows());
+        QVERIFY(connector.there().empty());
         socket.plug_in();
         tell();
-        QTRY_COMPARE(desk.there().size(), std::size_t(1));
-        QSignalSpy looks(&desk, &DeviceConnector::looked);
+        QTRY_COMPARE(connector.there().size(), std::size_t(1));
+        QSignalSpy looks(&connector, &DeviceConnector::looked);
         QTRY_VERIFY(!looks.isEmpty()); // once more, for nodes that come later
-        desk.watch(false);
+        connector.watch(false);
         QVERIFY(!tell); // nobody is asked to tell any more
     }
 
     void a_device_is_opened_or_says_why_not() {
         DeviceSocket socket;
         socket.plug_in();
-        DeviceConnector desk(socket.access());
+        DeviceConnector connector(socket.access());
         std::shared_ptr<OpenDevice> open;
         QString refusal;
-        connect(&desk, &DeviceConnector::opened, this,
+        connect(&connector, &DeviceConnector::opened, this,
                 [&](const std::shared_ptr<OpenDevice>& one) { open = one; });
-        connect(&desk, &DeviceConnector::refused, this, [&](const QString& sentence) { refusal = sentence; });
-        desk.watch(true);
-        QTRY_COMPARE(desk.there().size(), std::size_t(1));
+        connect(&connector, &DeviceConnector::refused, this,
+                [&](const QString& sentence) { refusal = sentence; });
+        connector.watch(true);
+        QTRY_COMPARE(connector.there().size(), std::size_t(1));
         socket.refuse("Another program uses the force pad. Close that program and try again.");
-        desk.open(desk.there().front());
-        QVERIFY(desk.opening());
+        connector.open(connector.there().front());
+        QVERIFY(connector.opening());
         QTRY_VERIFY(refusal.contains("Close that program"));
-        QVERIFY(!desk.opening());
+        QVERIFY(!connector.opening());
         socket.refuse({});
-        desk.open(desk.there().front());
+        connector.open(connector.there().front());
         QTRY_VERIFY(open != nullptr);
         QCOMPARE(open->can.serial_number, std::string(DeviceSocket::serial_number));
         QVERIFY(socket.in_use());
-        desk.release(std::make_unique<DeviceDrive>(std::move(open->device), open->can, ServoSettings{}));
+        connector.release(std::make_unique<DeviceDrive>(std::move(open->device), open->can, ServoSettings{}));
         QTRY_VERIFY(!socket.in_use());
     }
 
     void what_is_not_wanted_any_more_is_given_back() {
         DeviceSocket socket;
         socket.plug_in();
-        DeviceConnector desk(socket.access());
+        DeviceConnector connector(socket.access());
         int answers = 0;
-        connect(&desk, &DeviceConnector::opened, this, [&] { ++answers; });
-        desk.watch(true);
-        QTRY_COMPARE(desk.there().size(), std::size_t(1));
-        desk.open(desk.there().front());
-        desk.cancel();
-        QVERIFY(!desk.opening());
+        connect(&connector, &DeviceConnector::opened, this, [&] { ++answers; });
+        connector.watch(true);
+        QTRY_COMPARE(connector.there().size(), std::size_t(1));
+        connector.open(connector.there().front());
+        connector.cancel();
+        QVERIFY(!connector.opening());
         QTRY_COMPARE(socket.opened(), 1);
         QTRY_VERIFY(!socket.in_use());
-        desk.open(desk.there().front());
-        desk.open(desk.there().front()); // the newest wish is answered
+        connector.open(connector.there().front());
+        connector.open(connector.there().front()); // the newest wish is answered
         QTRY_COMPARE(socket.opened(), 3);
         QTRY_COMPARE(answers, 1);
     }

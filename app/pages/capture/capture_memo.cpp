@@ -4,61 +4,35 @@
 #include "app/album/keeper/photo_files.hpp"
 
 #include <string>
-#include <utility>
 
 namespace tp {
 
 CaptureMemo::CaptureMemo(CaptureAlbum& album, Recorder& recorder, CaptureTeller& teller)
-    : album_(album), recorder_(recorder), teller_(teller) {
-    connect(&recorder_, &Recorder::state_changed, this, [this] {
-        if (running_ && recorder_.state() == RecorderState::recording && !std::exchange(heard_, true))
-            teller_.sound(Earcon::recording_started);
-    });
-    connect(&recorder_, &Recorder::said, this, [this](const QString& sentence) {
-        if (running_)
-            teller_.tell(sentence);
-    });
-    connect(&recorder_, &Recorder::done, this, [this](const FinishedRecording& recording) {
-        if (running_)
-            keep(recording);
-    });
-    connect(&recorder_, &Recorder::failed, this, [this](const QString& sentence) {
-        if (!running_)
-            return;
-        end();
+    : album_(album), teller_(teller), take_(recorder) {
+    connect(&take_, &RecorderTake::heard, this, [this] { teller_.sound(Earcon::recording_started); });
+    connect(&take_, &RecorderTake::said, this, [this](const QString& sentence) { teller_.tell(sentence); });
+    connect(&take_, &RecorderTake::done, this, &CaptureMemo::keep);
+    connect(&take_, &RecorderTake::failed, this, [this](const QString& sentence) {
+        emit changed();
         teller_.problem(sentence);
     });
 }
 
 void CaptureMemo::start(const std::filesystem::path& photo, const QString& language) {
-    if (running_ || recorder_.state() != RecorderState::idle)
+    if (!take_.can_begin())
         return teller_.problem(tr("The recorder is still busy. Try again in a moment."));
     teller_.silence(); // the microphone listens
-    running_ = true;
-    heard_ = finishing_ = false;
     photo_ = photo;
     RecordingPlan plan;
     plan.folder = tags_folder(photo);
     plan.notes.label.kind = RecordingKind::memo;
     plan.notes.label.language = language.toStdString();
-    recorder_.start(plan);
-    emit changed();
-}
-
-bool CaptureMemo::finish() {
-    if (!running_ || std::exchange(finishing_, true))
-        return false;
-    recorder_.finish();
-    return true;
-}
-
-void CaptureMemo::end() {
-    running_ = false;
+    take_.begin(plan);
     emit changed();
 }
 
 void CaptureMemo::keep(const FinishedRecording& recording) {
-    end();
+    emit changed();
     teller_.sound(Earcon::recording_stopped);
     album_.run(
         [photo = photo_, file = recording.file.filename().string()](AlbumKeeper& keeper, PhotographStore&) {

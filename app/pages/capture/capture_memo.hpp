@@ -3,7 +3,7 @@
 
 #include "app/pages/capture/capture_album.hpp"
 #include "app/pages/capture/capture_teller.hpp"
-#include "audio/sound/recorder.hpp"
+#include "audio/sound/recorder_take.hpp"
 
 #include <QObject>
 #include <QString>
@@ -14,7 +14,7 @@
 namespace tp {
 
 /// A memo spoken for the photograph that was just taken. Whatever happens to the page meanwhile, what was recorded stays with
-/// the photograph.
+/// the photograph. Its states are a take's (RecorderTake).
 class CaptureMemo final : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -25,12 +25,12 @@ public:
     /// All must outlive it.
     CaptureMemo(CaptureAlbum& album, Recorder& recorder, CaptureTeller& teller);
 
-    bool running() const { return running_; }
+    bool running() const { return take_.running(); }
 
     /// `language` of what is spoken, BCP 47.
     void start(const std::filesystem::path& photo, const QString& language);
     /// Ends it and keeps it, in its own time. False: none was running, or it was asked for before.
-    bool finish();
+    bool finish() { return take_.finish(); }
 
 signals:
     void changed();
@@ -39,15 +39,11 @@ signals:
 
 private:
     void keep(const FinishedRecording& recording);
-    void end();
 
     CaptureAlbum& album_;
-    Recorder& recorder_;
     CaptureTeller& teller_;
+    RecorderTake take_;
     std::filesystem::path photo_;
-    bool running_ = false;
-    bool heard_ = false;     ///< something was recorded
-    bool finishing_ = false; ///< the recorder was told to end
 };
 
 } // namespace tp

@@ -47,28 +47,27 @@ std::string list_take(AlbumKeeper& keeper, const fs::path& photo, const std::str
 
 Take::Take(CaredPhoto& photo, RecordingList& list, Recorder& recorder, CareTeller& teller,
            std::function<QString()> language)
-    : photo_(photo), list_(list), recorder_(recorder), teller_(teller), language_(std::move(language)) {
-    connect(&recorder_, &Recorder::state_changed, this, &Take::follow_state);
+    : photo_(photo), list_(list), recorder_(recorder), teller_(teller), language_(std::move(language)),
+      take_(recorder) {
+    connect(&recorder_, &Recorder::state_changed, this, [this] {
+        if (!running())
+            return;
+        emit changed();
+        emit levelChanged();
+    });
     connect(&recorder_, &Recorder::time_changed, this, [this] {
-        if (running_)
+        if (running())
             emit timeChanged();
     });
     connect(&recorder_, &Recorder::level_changed, this, [this] {
-        if (running_)
+        if (running())
             emit levelChanged();
     });
-    connect(&recorder_, &Recorder::said, this, [this](const QString& sentence) {
-        if (running_)
-            teller_.tell(sentence);
-    });
-    connect(&recorder_, &Recorder::done, this, [this](const FinishedRecording& recording) {
-        if (running_)
-            keep(recording);
-    });
-    connect(&recorder_, &Recorder::failed, this, [this](const QString& sentence) {
-        if (!running_)
-            return;
-        end();
+    connect(&take_, &RecorderTake::heard, this, [this] { teller_.sound(Earcon::recording_started); });
+    connect(&take_, &RecorderTake::said, this, [this](const QString& sentence) { teller_.tell(sentence); });
+    connect(&take_, &RecorderTake::done, this, &Take::keep);
+    connect(&take_, &RecorderTake::failed, this, [this](const QString& sentence) {
+        become(State::None);
         teller_.problem(sentence);
     });
 }
@@ -81,7 +80,7 @@ void Take::setKind(int kind) {
 }
 
 QString Take::stateText() const {
-    if (!running_)
+    if (!running())
         return {};
     switch (recorder_.state()) {
     case RecorderState::recording:
@@ -97,10 +96,10 @@ QString Take::stateText() const {
     return tr("Waiting for the microphone…");
 }
 
-QString Take::time() const { return CareWords::clock(running_ ? recorder_.recorded_s() : 0.0); }
+QString Take::time() const { return CareWords::clock(running() ? recorder_.recorded_s() : 0.0); }
 
 double Take::level() const {
-    const bool on = running_ && recorder_.state() == RecorderState::recording;
+    const bool on = running() && recorder_.state() == RecorderState::recording;
     return on ? std::clamp(1.0 - recorder_.peak_dbfs() / quietest_shown_dbfs, 0.0, 1.0) : 0.0;
 }
 
@@ -127,42 +126,25 @@ void Take::startAgain() {
 }
 
 void Take::begin(const RecordingLabel& label, const std::string& instead_of) {
-    if (!photo_.is_open() || running_)
+    if (!photo_.is_open() || running())
         return;
-    if (recorder_.state() != RecorderState::idle) {
-        teller_.problem(tr("The recorder is still busy. Try again in a moment."));
-        return;
-    }
-    if (photo_.may_move()) {
-        teller_.problem(tr("The album is still being changed. Try again in a moment."));
-        return;
-    }
+    if (!take_.can_begin())
+        return teller_.problem(tr("The recorder is still busy. Try again in a moment."));
+    if (photo_.may_move())
+        return teller_.problem(tr("The album is still being changed. Try again in a moment."));
     emit begins();
     teller_.silence();
-    running_ = true;
-    heard_ = asking_ = false;
     place_ = photo_.place();
     instead_of_ = instead_of;
     RecordingPlan plan;
     plan.folder = tags_folder(place_.photo);
     plan.notes.label = label;
-    recorder_.start(plan);
-    emit changed();
-    emit timeChanged();
-    emit levelChanged();
-}
-
-void Take::follow_state() {
-    if (!running_)
-        return;
-    if (recorder_.state() == RecorderState::recording && !std::exchange(heard_, true))
-        teller_.sound(Earcon::recording_started);
-    emit changed();
-    emit levelChanged();
+    take_.begin(plan);
+    become(State::Running);
 }
 
 void Take::pauseOrGoOn() {
-    if (!running_ || asking_)
+    if (state_ != State::Running)
         return;
     if (recorder_.state() == RecorderState::paused) {
         teller_.silence();
@@ -173,38 +155,33 @@ void Take::pauseOrGoOn() {
     }
 }
 
-void Take::finish() {
-    if (running_)
-        recorder_.finish();
-}
+void Take::finish() { take_.finish(); }
 
 void Take::askDiscard() {
-    if (!running_)
+    if (state_ != State::Running)
         return;
     recorder_.pause();
-    asking_ = true;
-    emit changed();
+    become(State::Asking);
     teller_.tell(tr("Discard what was recorded? It cannot be brought back."));
 }
 
 void Take::discard() {
-    if (!running_ || !asking_)
+    if (!asking())
         return;
-    end();
-    recorder_.discard();
+    take_.discard();
+    become(State::None);
     teller_.did(Earcon::deleted, tr("Discarded. Nothing was changed."));
 }
 
 void Take::keepOn() {
-    if (!asking_)
+    if (!asking())
         return;
-    asking_ = false;
-    emit changed();
+    become(State::Running);
     teller_.answer(tr("Kept. The recording is paused."));
 }
 
-void Take::end() {
-    running_ = asking_ = false;
+void Take::become(State state) {
+    state_ = state;
     emit changed();
     emit timeChanged();
     emit levelChanged();
@@ -213,7 +190,7 @@ void Take::end() {
 void Take::keep(const FinishedRecording& recording) {
     teller_.sound(Earcon::recording_stopped);
     const std::string file = recording.file.filename().string();
-    end();
+    become(State::None);
     photo_.change(
         place_,
         [file, instead_of = instead_of_](AlbumKeeper& keeper, const fs::path& photo) {

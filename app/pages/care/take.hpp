@@ -4,7 +4,7 @@
 #include "app/pages/care/care_teller.hpp"
 #include "app/pages/care/cared_photo.hpp"
 #include "app/pages/care/recording_list.hpp"
-#include "audio/sound/recorder.hpp"
+#include "audio/sound/recorder_take.hpp"
 
 #include <QtQml/qqmlregistration.h>
 
@@ -14,7 +14,14 @@
 namespace tp {
 
 /// A recording being made for the photograph, anew or in place of another: begun, paused, finished, or thrown away after
-/// asking. Whatever happens to the page meanwhile, what was recorded stays with the photograph that it was begun for.
+/// asking. Whatever happens to the page meanwhile, what was recorded stays with the photograph that it was begun for. What the
+/// recorder does for it is a RecorderTake's.
+///
+/// |         | start, startAgain | askDiscard | keepOn  | discard | kept, failed |
+/// |---------|-------------------|------------|---------|---------|--------------|
+/// | None    | Running           |            |         |         |              |
+/// | Running |                   | Asking     |         |         | None         |
+/// | Asking  |                   |            | Running | None    | None         |
 class Take final : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -30,15 +37,22 @@ class Take final : public QObject {
     Q_PROPERTY(double level READ level NOTIFY levelChanged) ///< 0–1 for a meter, −60 to 0 dBFS
     Q_PROPERTY(QString levelText READ levelText NOTIFY levelChanged)
 public:
+    enum class State {
+        None,    ///< nothing is recorded
+        Running, ///< it is recorded, paused or made into a file
+        Asking   ///< it is paused, and asked whether it may be thrown away
+    };
+
     /// All must outlive it. `language` of what is spoken, BCP 47.
     Take(CaredPhoto& photo, RecordingList& list, Recorder& recorder, CareTeller& teller,
          std::function<QString()> language);
 
     int kind() const { return kind_; }
     void setKind(int kind);
-    bool running() const { return running_; }
-    bool paused() const { return running_ && recorder_.state() == RecorderState::paused; }
-    bool asking() const { return asking_; }
+    State state() const { return state_; }
+    bool running() const { return state_ != State::None; }
+    bool paused() const { return running() && recorder_.state() == RecorderState::paused; }
+    bool asking() const { return state_ == State::Asking; }
     QString stateText() const;
     QString time() const;
     double level() const;
@@ -63,19 +77,17 @@ signals:
 
 private:
     void begin(const RecordingLabel& label, const std::string& instead_of);
-    void follow_state();
     void keep(const FinishedRecording& recording);
-    void end();
+    void become(State state);
 
     CaredPhoto& photo_;
     RecordingList& list_;
     Recorder& recorder_;
     CareTeller& teller_;
     std::function<QString()> language_;
+    RecorderTake take_;
     int kind_ = 0;
-    bool running_ = false; ///< the recorder works for this one
-    bool asking_ = false;
-    bool heard_ = false;      ///< something was recorded
+    State state_ = State::None;
     PhotoPlace place_;        ///< that it was begun for
     std::string instead_of_;  ///< file of the recording that it replaces; empty: none
 };

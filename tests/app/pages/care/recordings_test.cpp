@@ -150,39 +150,6 @@ private slots:
 
     // --- recording ---
 
-    void a_take_is_recorded_saved_and_chosen() {
-        CareBench bench;
-        bench.open("a.jpg");
-        Take& take = *bench.session->take();
-        take.setKind(static_cast<int>(RecordingKind::story));
-        take.start();
-        QVERIFY(take.running());
-        bench.hear(2.0);
-        CARE_TRY_COMPARE(take.stateText(), QString("Recording"));
-        QVERIFY(bench.sounded(Earcon::recording_started));
-        CARE_TRY_COMPARE(take.time(), QString("0:02"));
-        QVERIFY(take.level() > 0.8);
-        QCOMPARE(take.levelText(), QString("good"));
-        bool stop_sounded = false;
-        connect(&take, &Take::changed, &take, [&] {
-            if (!take.running())
-                stop_sounded = stop_sounded || bench.sounded(Earcon::recording_stopped);
-        });
-        take.finish();
-        CARE_TRY_VERIFY(!take.running());
-        QVERIFY(stop_sounded);
-        QVERIFY(bench.rests());
-        QCOMPARE(bench.last_said(), QString("Recorded: 2 seconds. Saved."));
-        QVERIFY(bench.sounded(Earcon::saved));
-        const PhotoRecord record = bench.record();
-        QCOMPARE(record.tags.size(), std::size_t{1});
-        QVERIFY(record.tags[0].label.kind == RecordingKind::story);
-        QCOMPARE(record.tags[0].label.language, std::string("en"));
-        QCOMPARE(record.tags[0].duration_s, 2.0);
-        QVERIFY(!record.tags[0].label.recorded.empty());
-        QCOMPARE(bench.session->recordings()->chosen(), 0);
-    }
-
     void a_photograph_that_is_deleted_takes_the_recording_that_is_being_made_along() {
         CareBench bench;
         bench.open("a.jpg");
@@ -229,84 +196,6 @@ private slots:
         QCOMPARE(bench.record().tags.size(), std::size_t{1});
     }
 
-    void a_pause_is_left_out() {
-        CareBench bench;
-        bench.open("a.jpg");
-        Take& take = *bench.session->take();
-        take.start();
-        bench.hear(1.0);
-        take.pauseOrGoOn();
-        CARE_TRY_VERIFY(take.paused());
-        QCOMPARE(take.level(), 0.0);
-        take.pauseOrGoOn();
-        CARE_TRY_VERIFY(!take.paused());
-        bench.hear(1.0);
-        take.finish();
-        CARE_TRY_VERIFY(!take.running());
-        QVERIFY(bench.rests());
-        QCOMPARE(bench.record().tags.at(0).duration_s, 2.0);
-    }
-
-    void nothing_is_thrown_away_before_it_was_asked() {
-        CareBench bench;
-        bench.open("a.jpg");
-        Take& take = *bench.session->take();
-        take.start();
-        bench.hear(1.0);
-        take.discard();
-        QVERIFY(take.running());
-        take.askDiscard();
-        CARE_TRY_VERIFY(take.paused());
-        QVERIFY(take.asking());
-        QCOMPARE(bench.last_said(), QString("Discard what was recorded? It cannot be brought back."));
-        take.keepOn();
-        QVERIFY(!take.asking() && take.running());
-        take.askDiscard();
-        take.discard();
-        QVERIFY(!take.running());
-        CARE_TRY_COMPARE(bench.recorder.state(), RecorderState::idle);
-        QVERIFY(bench.rests());
-        QVERIFY(bench.record().tags.empty());
-    }
-
-    void a_recording_is_made_anew_in_its_place_and_the_old_one_is_in_the_trash() {
-        TwoRecordings bench;
-        bench.list().choose(1);
-        bench.list().move(-1); // the story first
-        QVERIFY(bench.rests());
-        bench.list().setPerson("Anna");
-        QVERIFY(bench.rests());
-        bench.session->take()->startAgain();
-        bench.hear(3.0);
-        bench.session->take()->finish();
-        CARE_TRY_VERIFY(!bench.session->take()->running());
-        QVERIFY(bench.rests());
-        QCOMPARE(texts(bench.list()), QStringList({"Story, about Anna", "Memo"}));
-        QCOMPARE(bench.list().chosen(), 0);
-        QCOMPARE(bench.list().chosen_tag()->duration_s, 3.0);
-        QVERIFY(!fs::exists(tags_folder(bench.photo("a.jpg")) / bench.story));
-        QVERIFY(bench.album->keeper_for(bench.photo("a.jpg")).is_in_trash(bench.photo("a.jpg"), bench.story));
-    }
-
-    void what_is_recorded_again_is_of_now() {
-        CareBench bench({"a.jpg"});
-        RecordingLabel old{RecordingKind::story, {}, {}, {}, {}, {}};
-        old.recorded = "2020-05-01T10:00:00+02:00";
-        const auto sound = a_sound(bench.folder, "sounds/old.wav", 1.0, 500.0);
-        QVERIFY(
-            bench.album->keeper_for(bench.photo("a.jpg")).add_recording(bench.photo("a.jpg"), sound, old));
-        bench.open("a.jpg");
-        bench.session->recordings()->choose(0);
-        QCOMPARE(bench.session->recordings()->chosen_tag()->label.recorded, old.recorded);
-        bench.session->take()->startAgain();
-        bench.hear(1.0);
-        bench.session->take()->finish();
-        CARE_TRY_VERIFY(!bench.session->take()->running());
-        QVERIFY(bench.rests());
-        const RecordingLabel& label = bench.session->recordings()->chosen_tag()->label;
-        QVERIFY2(label.recorded > old.recorded, label.recorded.c_str());
-    }
-
     void a_take_belongs_to_the_photograph_that_it_was_begun_for() {
         CareBench bench({"a.jpg", "b.jpg"});
         bench.open("a.jpg");
@@ -342,15 +231,6 @@ private slots:
         CARE_TRY_VERIFY(!bench.session->take()->running());
         QVERIFY(bench.rests());
         QCOMPARE(bench.record().tags.size(), std::size_t{1});
-    }
-
-    void where_nothing_can_be_written_it_is_told_and_nothing_runs() {
-        CareBench bench;
-        bench.open("a.jpg");
-        bench.folder.write("album/a.jpg.tags", "a file in the place of the folder");
-        bench.session->take()->start();
-        CARE_TRY_VERIFY(!bench.session->take()->running());
-        QVERIFY(bench.last_said().startsWith("The recording cannot be made: "));
     }
 
     // --- listening and trimming ---

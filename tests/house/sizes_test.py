@@ -28,6 +28,13 @@ class Sizes(unittest.TestCase):
         self.assertEqual(found({"core/a.cpp": "x\n" * 401}), ["core/a.cpp: has 401 lines; at most 400 have one purpose"])
         self.assertEqual(len(found({"app/b/c.qml": "x\n" * 401, "faces/d.hpp": "x\n" * 401, "tests/e.cpp": "x\n" * 401})), 2)
 
+    def test_a_session_and_its_header_have_250_together(self):
+        header, source = "app/pages/a/a_session.hpp", "app/pages/a/a_session.cpp"
+        self.assertEqual(found({header: "x\n" * 100, source: "x\n" * 150, "app/pages/b/b_session.hpp": "x\n" * 250}), [])
+        self.assertEqual(found({header: "x\n" * 101, source: "x\n" * 150}),
+                         ["app/pages/a/a_session: has 251 lines with its header; at most 250 are a small root of named parts"])
+        self.assertEqual(found({"app/pages/a/a_session_words.cpp": "x\n" * 251, "core/a/a_session.cpp": "x\n" * 251}), [])
+
     def test_data_may_be_longer_and_is_listed_only_then(self):
         self.assertEqual(found({"core/a.cpp": "x\n" * 401}, ["core/a.cpp"]), [])
         self.assertEqual(found({"core/a.cpp": "x\n"}, ["core/a.cpp"]), ["core/a.cpp: is in the list of long files without need"])

@@ -27,7 +27,8 @@ void CaptureAiming::begin(HeldCamera held) {
     aiming_ = Aiming(aim_, held);
     now_.reset();
     good_since_.reset();
-    good_ = hushed_ = unsaid_ = taken_ = false;
+    aimed_ = Aimed::Sought;
+    words_ = Words::Open;
     whole_ = true;
     people_.clear();
     pulses_.forget();
@@ -42,44 +43,46 @@ void CaptureAiming::end() {
 
 bool CaptureAiming::hush() {
     quiet();
-    return !std::exchange(hushed_, true);
+    return std::exchange(words_, Words::Hushed) != Words::Hushed;
 }
 
 void CaptureAiming::listen() {
-    if (std::exchange(hushed_, false))
-        unsaid_ = true;
+    if (words_ == Words::Hushed)
+        words_ = Words::Owed;
 }
 
 void CaptureAiming::see(const AimFrame& frame) {
     now_s_ = frame.time_s;
-    if (unsaid_ && !hushed_ && !teller_.speaking()) {
-        unsaid_ = false;
+    if (words_ == Words::Owed && !teller_.speaking()) {
+        words_ = Words::Open;
         aiming_.aim_at(aim_); // what was not said is said now
     }
     aiming_.with_tone(tone());
     const AimAnswer answer = aiming_.see(frame);
     now_ = answer.now;
-    good_ = answer.good;
-    taken_ = taken_ && good_;
-    if (!good_)
+    if (!answer.good) {
+        aimed_ = Aimed::Sought;
         good_since_.reset();
-    else if (!good_since_)
-        good_since_ = now_s_;
+    } else {
+        if (aimed_ == Aimed::Sought)
+            aimed_ = Aimed::Reached;
+        if (!good_since_)
+            good_since_ = now_s_;
+    }
     if (answer.say)
         say(*answer.say);
     hear(answer.tone);
     emit changed();
-    if (answer.take && choices_.by_itself())
+    if (answer.take && aimed_ != Aimed::Taken && choices_.by_itself())
         emit take_asked();
 }
 
 void CaptureAiming::say(const AimInstruction& instruction) {
-    if (taken_)
+    if (aimed_ == Aimed::Taken || words_ == Words::Hushed)
         return aiming_.sentence_ended(now_s_);
-    if (hushed_ || teller_.speaking()) {
-        unsaid_ = true;
-        aiming_.sentence_ended(now_s_);
-        return;
+    if (teller_.speaking()) {
+        words_ = Words::Owed;
+        return aiming_.sentence_ended(now_s_);
     }
     QStringList words;
     if (const QString people = AimWords::people(instruction); people != people_) {
@@ -101,7 +104,7 @@ void CaptureAiming::quiet() {
 }
 
 void CaptureAiming::hear(const AimTone& tone) {
-    if (hushed_ || !tone.sounds) {
+    if (words_ == Words::Hushed || !tone.sounds) {
         pulses_.forget();
         return quiet();
     }

@@ -18,6 +18,22 @@ namespace tp {
 
 /// Leads the hand: of each frame one instruction, said where nothing else is being said, and a tone, which is also felt, or
 /// felt instead, where the person has chosen ticks.
+///
+/// What the hand has reached:
+///
+/// |          | a frame that is not good | a good frame | taken | begin    |
+/// |----------|--------------------------|--------------|-------|----------|
+/// | Sought   |                          | Reached      | Taken |          |
+/// | Reached  | Sought                   |              | Taken | Sought   |
+/// | Taken    | Sought                   |              |       | Sought   |
+///
+/// Whether words are said:
+///
+/// |        | one comes over other words | silence at a frame | hush   | listen | begin |
+/// |--------|----------------------------|--------------------|--------|--------|-------|
+/// | Open   | Owed                       |                    | Hushed |        |       |
+/// | Owed   |                            | Open               | Hushed |        | Open  |
+/// | Hushed |                            |                    |        | Owed   | Open  |
 class CaptureAiming final : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -27,29 +43,42 @@ class CaptureAiming final : public QObject {
     Q_PROPERTY(QString advice READ advice NOTIFY changed)
     Q_PROPERTY(bool good READ good NOTIFY changed)
 public:
+    enum class Aimed {
+        Sought,  ///< the frame is not as it was wished
+        Reached, ///< it is
+        Taken    ///< it has been since the photograph was taken: that all is well is told no more
+    };
+    enum class Words {
+        Open,  ///< each is said as it comes
+        Owed,  ///< what is to be done is said anew as soon as nothing else is being said
+        Hushed ///< neither words nor tone nor ticks
+    };
+
     /// All must outlive it.
     CaptureAiming(CaptureChoices& choices, CaptureTeller& teller, SonifiedGuide& guide, CaptureTouch& touch);
     /// Nothing sounds or is felt behind it.
     ~CaptureAiming() override { quiet(); }
 
     QString advice() const;
-    bool good() const { return now_ && good_; }
+    bool good() const { return now_ && aimed_ != Aimed::Sought; }
+    Aimed aimed() const { return aimed_; }
+    Words words() const { return words_; }
 
     /// A camera begins that lies so in the hand.
     void begin(HeldCamera held);
     void end();
     void see(const AimFrame& frame);
-    /// Neither words nor tone nor ticks until `listen`. False where it was so already.
+    /// False where it was so already.
     bool hush();
     void listen();
-    /// The photograph was taken: that all is well is told no more until it was not.
-    void taken() { taken_ = true; }
+    /// The photograph was taken.
+    void taken() { aimed_ = Aimed::Taken; }
     /// Says who is seen, what is cut off, and what to do.
     void tell_all();
 
 signals:
     void changed();
-    /// The frame was good for a while.
+    /// The frame was good for a while, and no photograph was taken of it, where the shutter acts by itself.
     void take_asked();
 
 private:
@@ -67,12 +96,10 @@ private:
     AimPulses pulses_;
     Aim aim_;
     std::optional<AimInstruction> now_;
-    bool good_ = false;
+    Aimed aimed_ = Aimed::Sought;
+    Words words_ = Words::Open;
     double now_s_ = 0.0;               ///< the last frame's
     std::optional<double> good_since_; ///< s
-    bool hushed_ = false;
-    bool unsaid_ = false; ///< something was to be said while something else was being said
-    bool taken_ = false;  ///< and the frame is good since
     bool whole_ = true;   ///< the next way is said in a whole sentence
     QString people_;      ///< who was told of last
 };

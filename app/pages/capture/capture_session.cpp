@@ -25,17 +25,10 @@ CaptureSession::CaptureSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
       camera_(std::move(parts.camera), std::move(parts.make_look)),
       touch_(choices_, teller_, std::move(parts.touch)), aiming_(choices_, teller_, guide, touch_),
       album_(std::move(parts.folder)), shutter_(album_, std::move(parts.people), teller_),
-      memo_(album_, recorder, teller_), moment_(album_, choices_, moment, teller_) {
-    connect(&camera_, &CaptureCamera::began, this, [this] {
-        aiming_.begin(camera_.held());
-        moment_.begin();
-        teller_.sound(Earcon::ready);
-    });
-    connect(&camera_, &CaptureCamera::seen, &touch_, &CaptureTouch::watch);
-    connect(&camera_, &CaptureCamera::seen, &aiming_, &CaptureAiming::see);
-    connect(&camera_, &CaptureCamera::seen, this, [this] { fresh_ = fresh_ || !aiming_.good(); });
+      memo_(album_, recorder, teller_), moment_(album_, choices_, moment, teller_),
+      sight_(camera_, touch_, aiming_, shutter_, memo_, moment_, teller_) {
     connect(&aiming_, &CaptureAiming::take_asked, this, [this] {
-        if (fresh_ && !memo_.running() && shutter_.shown() < 0)
+        if (!memo_.running() && shutter_.shown() < 0)
             take();
     });
     connect(&shutter_, &CaptureShutter::touched, this, &CaptureSession::touched);
@@ -43,10 +36,7 @@ CaptureSession::CaptureSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
     connect(&shutter_, &CaptureShutter::not_kept, &moment_, &CaptureMoment::drop);
     connect(&moment_, &CaptureMoment::touched, this, &CaptureSession::touched);
     connect(&memo_, &CaptureMemo::touched, this, &CaptureSession::touched);
-    connect(&memo_, &CaptureMemo::changed, this, &CaptureSession::be_silent_for_memo);
     connect(&camera_, &CaptureCamera::failed, this, [this] {
-        aiming_.end();
-        moment_.end();
         teller_.problem(camera_.problem() + ' ' + tr("Press I to import photographs of another camera."));
     });
 }
@@ -54,25 +44,8 @@ CaptureSession::CaptureSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
 CaptureSession::~CaptureSession() { camera_.switch_off(); }
 
 void CaptureSession::enter() {
-    here_ = true;
     greet();
-    if (in_sight_)
-        come_into_sight();
-}
-
-void CaptureSession::come_into_sight() {
-    camera_.switch_on();
-    touch_.enter();
-}
-
-void CaptureSession::go_out_of_sight() {
-    memo_.finish();
-    shutter_.forget();
-    camera_.switch_off();
-    moment_.end();
-    aiming_.end();
-    touch_.leave();
-    teller_.silence();
+    sight_.enter();
 }
 
 void CaptureSession::greet() {
@@ -86,19 +59,6 @@ void CaptureSession::greet() {
            "at once."));
 }
 
-void CaptureSession::leave() {
-    here_ = false;
-    go_out_of_sight();
-}
-
-void CaptureSession::setInSight(bool in_sight) {
-    if (std::exchange(in_sight_, in_sight) == in_sight || !here_)
-        return;
-    if (in_sight)
-        return come_into_sight();
-    go_out_of_sight();
-}
-
 void CaptureSession::take() {
     if (memo_.finish())
         return;
@@ -106,7 +66,6 @@ void CaptureSession::take() {
         return tellAll();
     if (shutter_.taking())
         return;
-    fresh_ = false;
     moment_.shutter();
     teller_.sound(Earcon::contour_crossed);
     aiming_.taken();
@@ -120,18 +79,6 @@ void CaptureSession::recordMemo() {
         return teller_.answer(tr("Take a photograph first; then you can record a memo for it."));
     const QString& chosen = preferences_.choices().language;
     memo_.start(shutter_.photo(), chosen.isEmpty() ? QLocale().bcp47Name() : chosen);
-}
-
-/// The microphone listens.
-void CaptureSession::be_silent_for_memo() {
-    if (memo_.running()) {
-        aiming_.hush();
-        moment_.end();
-    } else {
-        aiming_.listen();
-        if (camera_.state() == CaptureCamera::On)
-            moment_.begin();
-    }
 }
 
 bool CaptureSession::stop() {
@@ -161,11 +108,6 @@ void CaptureSession::setLight(bool on) {
         return teller_.answer(tr("This camera has no light."));
     camera_.light(on);
     teller_.answer(on ? tr("Light on.") : tr("Light off."));
-}
-
-void CaptureSession::tryAgain() {
-    if (camera_.state() == CaptureCamera::Failed && here_ && in_sight_)
-        camera_.switch_on();
 }
 
 void CaptureSession::moveCamera(double right, double up, double clockwise, double closer) {

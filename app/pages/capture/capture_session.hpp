@@ -9,6 +9,7 @@
 #include "app/pages/capture/capture_memo.hpp"
 #include "app/pages/capture/capture_moment.hpp"
 #include "app/pages/capture/capture_shutter.hpp"
+#include "app/pages/capture/capture_sight.hpp"
 #include "app/pages/capture/capture_teller.hpp"
 #include "app/pages/capture/capture_touch.hpp"
 #include "app/parts/narration/narrator.hpp"
@@ -66,9 +67,9 @@ public:
     /// The page comes into sight: says where one is; the camera goes on.
     Q_INVOKABLE void enter();
     /// The page goes out of sight: the camera goes off, and nothing of what it saw is kept.
-    Q_INVOKABLE void leave();
+    Q_INVOKABLE void leave() { sight_.leave(); }
     /// The window is hidden or minimised, or is there again.
-    Q_INVOKABLE void setInSight(bool in_sight);
+    Q_INVOKABLE void setInSight(bool in_sight) { sight_.show_window(in_sight); }
 
     /// Takes the photograph; ends a memo that is being recorded.
     Q_INVOKABLE void take();
@@ -83,7 +84,7 @@ public:
     /// The other camera, where there is one.
     Q_INVOKABLE void turnRound();
     Q_INVOKABLE void setLight(bool on);
-    Q_INVOKABLE void tryAgain();
+    Q_INVOKABLE void tryAgain() { sight_.try_again(); }
     /// Whoever has no camera brings photographs of another one.
     Q_INVOKABLE void importInstead() { emit importAsked(); }
     /// At a desk: by so many steps to the right, up, clockwise and closer.
@@ -96,9 +97,6 @@ signals:
 
 private:
     void greet();
-    void come_into_sight();
-    void go_out_of_sight();
-    void be_silent_for_memo();
 
     Preferences& preferences_;
     CaptureTeller teller_;
@@ -110,9 +108,7 @@ private:
     CaptureShutter shutter_;
     CaptureMemo memo_;
     CaptureMoment moment_;
-    bool fresh_ = true; ///< the frame was not good since the last photograph: the next may be taken by itself
-    bool here_ = false; ///< the page is open
-    bool in_sight_ = true; ///< and its window is to be seen
+    CaptureSight sight_;
 };
 
 } // namespace tp

@@ -2,27 +2,15 @@
 #pragma once
 
 #include "app/pages/capture/capture_session.hpp"
-#include "app/parts/controls/recording_announcer.hpp"
-#include "audio/speech/recording_voice.hpp"
-#include "fake_loudspeaker.hpp"
-#include "fake_microphone.hpp"
-#include "sound_files.hpp"
-#include "touch_socket.hpp"
+#include "capture_ground.hpp"
 
-#include <QDir>
-#include <QMetaObject>
-#include <QString>
-#include <QStringList>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <opencv2/core/mat.hpp>
 
-#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -115,6 +103,19 @@ public:
     }
     bool moved_by_keys() const override { return movable; }
 
+    /// What is seen on its frames.
+    tp::CaptureCamera::MakeLook look() {
+        return [this] { return [this](const tp::CameraFrame& frame) { return film->seen_on(frame); }; };
+    }
+    /// A frame, until the page has seen it.
+    void show(tp::CaptureCamera& page, const tp::AimFrame& frame) {
+        int heard = 0;
+        const auto counts = QObject::connect(&page, &tp::CaptureCamera::seen, &page, [&] { ++heard; });
+        film->show(frame);
+        QTRY_COMPARE(heard, 1);
+        QObject::disconnect(counts);
+    }
+
     std::string why_not;
     bool on = false, both = false, torch = false, lit = false, movable = false;
     int opened = 0;
@@ -123,26 +124,17 @@ public:
 };
 
 /// The page's session before a camera of the test's, in the frames' time.
-struct CaptureBench {
-    explicit CaptureBench(tp::Choices choices = told()) {
-        preferences.set(choices);
+struct CaptureBench : CaptureGround {
+    explicit CaptureBench(const tp::Choices& choices = told()) : CaptureGround(choices) {
         auto made = std::make_unique<FakeCamera>();
         camera = made.get();
         tp::CaptureSession::Parts parts;
         parts.camera = std::move(made);
-        parts.make_look = [this] {
-            return [this](const tp::CameraFrame& frame) { return camera->film->seen_on(frame); };
-        };
-        parts.folder = [this] { return std::filesystem::path(album().toStdString()); };
+        parts.make_look = camera->look();
+        parts.folder = album_folder();
         parts.touch = touch.access();
-        session = std::make_unique<tp::CaptureSession>(narrator, earcons, guide, recorder, moment,
+        session = std::make_unique<tp::CaptureSession>(narrator, earcons, guide, recorder, moment_recorder,
                                                        preferences, std::move(parts));
-    }
-    static tp::Choices told() {
-        tp::Choices choices;
-        choices.capture_told = true;
-        choices.language = "en";
-        return choices;
     }
 
     /// The page is entered, its greeting is over.
@@ -150,89 +142,16 @@ struct CaptureBench {
         session->enter();
         QTRY_VERIFY(camera->on);
     }
-    /// A frame `after_s` after the last one with faces of these middles, seen by the page.
-    void see(std::vector<tp::Vec2> faces, double size = 0.25, double after_s = 0.1) {
-        tp::AimFrame frame;
-        frame.time_s = time_s += after_s;
-        frame.aspect = 16.0 / 9.0;
-        frame.sharpness = 1.0;
-        frame.motion = 0.0;
-        for (const tp::Vec2 middle : faces) {
-            tp::AimFace face;
-            const tp::Vec2 half(0.5 * size / frame.aspect, 0.5 * size);
-            face.box = {middle - half, middle + half};
-            face.brightness = 0.5;
-            face.name = frame.faces.size() < names.size() ? names[frame.faces.size()] : std::string();
-            frame.faces.push_back(face);
-        }
-        int heard = 0;
-        const auto counts = QObject::connect(session->camera(), &tp::CaptureCamera::seen, session->camera(),
-                                             [&] { ++heard; });
-        camera->film->show(frame);
-        QTRY_COMPARE(heard, 1);
-        QObject::disconnect(counts);
+    void see(const std::vector<tp::Vec2>& faces, double size = 0.25) {
+        camera->show(*session->camera(), frame(faces, size));
     }
     void see_for(double seconds, const std::vector<tp::Vec2>& faces, double size = 0.25) {
         for (double end = time_s + seconds - 1e-6; time_s < end;)
             see(faces, size);
     }
-    /// What is said is over when the voice is set to be no longer busy.
-    void speak_slowly() {
-        QObject::connect(&narrator, &tp::Narrator::told, &voice, [this] { voice.set_busy(true); });
-    }
-    /// Where photographs are kept; not there before the first.
-    QString album() const { return folder.filePath("Family"); }
-    QStringList photographs() const {
-        QStringList paths;
-        for (const QString& name : QDir(album()).entryList({"*.jpg"}, QDir::Files, QDir::Name))
-            paths << album() + '/' + name;
-        return paths;
-    }
     /// Nothing is on its way to the disk.
     void settle() { QTRY_VERIFY_WITH_TIMEOUT(!session->shutter()->taking(), 60000); }
-    /// The microphone hears a tone.
-    void hear(double seconds) {
-        QTRY_VERIFY_WITH_TIMEOUT(microphone.load() != nullptr, 60000);
-        QTRY_VERIFY_WITH_TIMEOUT(recorder.state() != tp::RecorderState::idle, 60000);
-        tp::testing::FakeMicrophone* const made = microphone;
-        QMetaObject::invokeMethod(
-            made, [made, seconds] { made->hear(tp::testing::tone(440.0, seconds, tp::sound_rate)); },
-            Qt::BlockingQueuedConnection);
-        QTRY_COMPARE_WITH_TIMEOUT(recorder.state(), tp::RecorderState::recording, 60000);
-    }
-    /// The moment's microphone hears a tone.
-    void hear_moment(double seconds) {
-        QTRY_VERIFY_WITH_TIMEOUT(moment_microphone.load() != nullptr, 60000);
-        tp::testing::FakeMicrophone* const made = moment_microphone;
-        QMetaObject::invokeMethod(
-            made, [made, seconds] { made->hear(tp::testing::tone(440.0, seconds, tp::sound_rate)); },
-            Qt::BlockingQueuedConnection);
-    }
-    QString last_said() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
 
-    QTemporaryDir folder;
-    tp::RecordingVoice voice;
-    tp::RecordingAnnouncer announcer;
-    tp::Narrator narrator{voice, announcer};
-    tp::testing::FakeLoudspeaker earcon_speaker, guide_speaker;
-    tp::EarconPlayer earcons{earcon_speaker};
-    tp::testing::TouchSocket touch; ///< what ticks
-    tp::SonifiedGuide guide{guide_speaker};
-    tp::Preferences preferences;
-    std::atomic<tp::testing::FakeMicrophone*> microphone{nullptr}; ///< on the recorder's thread
-    tp::Recorder recorder{[this] {
-        auto made = std::make_unique<tp::testing::FakeMicrophone>();
-        microphone = made.get();
-        return made;
-    }};
-    std::atomic<tp::testing::FakeMicrophone*> moment_microphone{nullptr}; ///< on the moment's thread
-    tp::MomentRecorder moment{[this] {
-        auto made = std::make_unique<tp::testing::FakeMicrophone>();
-        moment_microphone = made.get();
-        return made;
-    }};
     FakeCamera* camera = nullptr; ///< the session's
-    double time_s = 0.0;
-    std::vector<std::string> names; ///< of the faces that are seen, in their order, as far as they are known
     std::unique_ptr<tp::CaptureSession> session;
 };

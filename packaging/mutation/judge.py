@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import os
 import pathlib
 import resource
@@ -20,6 +21,8 @@ from record import NOTICED, SAME, SURVIVED, UNBUILDABLE
 
 _ROOM_EFFORT = "-O1"
 _COMPILE_SECONDS = 300.0
+_MEMORY = pathlib.Path("/dev/shm")  # a disk that nobody waits for
+_ROOM_FOR_TESTS = 4 << 30  # bytes
 
 
 class Stopped(Exception):
@@ -41,6 +44,7 @@ class Judge:
         self._plain: dict[str, pathlib.Path] = {}  # the objects of the room without a mutant, by their source
         self._needs: dict[str, set[str]] = {}  # what a room's source or a test's object includes
         self._seconds: dict[str, float] = {}
+        self._processor_seconds: dict[str, float] = {}
         self._noticed: dict[str, int] = {}
         self._lock = threading.Lock()
         self._running: set[subprocess.Popen] = set()
@@ -73,11 +77,12 @@ class Judge:
             program = folder / "test"
             if self._link(test, {}, {}, program, folder) != 0:
                 raise TestsFail(f"{test.name} cannot be linked:\n" + (folder / "link.txt").read_text())
-            begun = time.monotonic()
-            if self._run_test(test, program, 300.0, folder) != 0:
+            begun, worked = time.monotonic(), _processor_seconds()
+            if self._run_test(test, program, 300.0, 300.0, folder) != 0:
                 raise TestsFail(f"{test.name} fails without any mutant:\n" +
                                 (folder / "test.txt").read_text(errors="replace")[-2000:])
             self._seconds[test.name] = time.monotonic() - begun
+            self._processor_seconds[test.name] = _processor_seconds() - worked
 
     def judge(self, mutant: Mutant, content: bytes, folder: pathlib.Path) -> tuple[str, str]:
         """What becomes of it, and which test noticed."""
@@ -145,7 +150,8 @@ class Judge:
         program = folder / "test"
         if self._link(test, room, own, program, folder) != 0:
             return True
-        if self._run_test(test, program, 4 * self._seconds[test.name] + 3.0, folder) == 0:
+        seconds = 8 * self._seconds[test.name] + 10.0  # a machine that others use too is slow now and then
+        if self._run_test(test, program, seconds, 4 * self._processor_seconds[test.name] + 3.0, folder) == 0:
             return False
         with self._lock:
             self._noticed[test.name] = self._noticed.get(test.name, 0) + 1
@@ -163,9 +169,10 @@ class Judge:
         return self._run(line, _COMPILE_SECONDS, folder / "compile.txt")
 
     def _link(self, test: Test, room: dict, own: dict, program: pathlib.Path, folder: pathlib.Path) -> int:
-        """The room's objects before the libraries, so that what a library has of them is not taken; those of a library
-        that the test does without stay out."""
+        """The room's objects before the libraries, so that what a library has of them is not taken, or in place of one that
+        has nothing else; those of a library that the test does without stay out."""
         line = []
+        replaced = self._program.whole_archives(self._plain)
         archives = {os.path.basename(word) for word in test.link if word.endswith(".a")}
         placed = False
         for word in test.link:
@@ -173,21 +180,24 @@ class Judge:
                 line += [str(room.get(file, plain)) for file, plain in self._plain.items()
                          if self._program.archive_of(file) in archives]
                 placed = True
-            line.append(str(own[word]) if word in own else word)
+            if os.path.basename(word) not in replaced:
+                line.append(str(own[word]) if word in own else word)
         line[line.index("-o") + 1] = str(program)
         return self._run(line, _COMPILE_SECONDS, folder / "link.txt")
 
-    def _run_test(self, test: Test, program: pathlib.Path, seconds: float, folder: pathlib.Path) -> int:
+    def _run_test(self, test: Test, program: pathlib.Path, seconds: float, processor_seconds: float,
+                  folder: pathlib.Path) -> int:
         for link in self._program.links_beside(test):
             beside = folder / link.name
             beside.unlink(missing_ok=True)
             beside.symlink_to(link.resolve())
         # A short name: that of a socket below it has 107 letters at most.
-        with tempfile.TemporaryDirectory(prefix="mutant-", ignore_cleanup_errors=True) as home:
+        with tempfile.TemporaryDirectory(prefix="mutant-", dir=_place_for_homes(), ignore_cleanup_errors=True) as home:
             os.chmod(home, 0o755)  # a test may look at what it made as somebody else
             environment = {**os.environ, **test.environment, "TMPDIR": home, "XDG_CONFIG_HOME": f"{home}/config",
                            "XDG_CACHE_HOME": f"{home}/cache"}
-            return self._run([str(program)], seconds, folder / "test.txt", cwd=home, env=environment, preexec_fn=_limit)
+            return self._run([str(program)], seconds, folder / "test.txt", cwd=home, env=environment,
+                             preexec_fn=lambda: _limit(processor_seconds))
 
     def _run(self, command: list[str], seconds: float, output: pathlib.Path, **options) -> int:
         """Its exit status; that of a killed process where it takes too long."""
@@ -224,7 +234,21 @@ def _kill(process: subprocess.Popen) -> None:
         pass
 
 
-def _limit() -> None:
-    """A mutant that crashes or writes without end fills no disk."""
+def _place_for_homes() -> pathlib.Path | None:
+    """In memory, where there is room and programs may be run: what waits for the disk takes a fraction of the time."""
+    if not _MEMORY.is_dir() or not os.access(_MEMORY, os.W_OK) or os.statvfs(_MEMORY).f_flag & os.ST_NOEXEC:
+        return None
+    return _MEMORY if shutil.disk_usage(_MEMORY).free > _ROOM_FOR_TESTS else None
+
+
+def _processor_seconds() -> float:
+    """Of all programs that were started and have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def _limit(processor_seconds: float) -> None:
+    """A mutant that crashes or writes without end fills no disk, and one that goes round and round ends."""
+    resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(processor_seconds), resource.RLIM_INFINITY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 30, 1 << 30))

@@ -10,6 +10,7 @@ import pathlib
 import re
 import shlex
 import subprocess
+from collections.abc import Iterable
 
 
 class NoSuchRoom(Exception):
@@ -92,6 +93,12 @@ class Program:
         command = self._commands[self._one_of.get(file, file)]
         target = re.search(r"CMakeFiles/([^/]+)\.dir/", command[command.index("-o") + 1])
         return f"lib{target.group(1)}.a" if target else ""
+
+    def whole_archives(self, files: Iterable[str]) -> set[str]:
+        """The names of the libraries of which these sources, with their path, are all."""
+        units = {self._one_of.get(file, file) for file in files}
+        return {self.archive_of(unit) for unit in units} - {
+            self.archive_of(unit) for unit in self._commands if unit not in units and "/cmake_pch." not in unit}
 
     def links_beside(self, test: Test) -> list[pathlib.Path]:
         """What the test's program finds beside itself: other programs."""

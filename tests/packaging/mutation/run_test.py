@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The whole of it in a house of one room: a test that asserts nothing notices nothing, and no mutant is tried twice."""
 
+import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -188,6 +190,30 @@ int main() {
 }
 """)
         (self.root / "build/release/tests/room/helper").symlink_to("/bin/true")
+        self.assertGreater(self.counts(self.mutate("--sample", "4"))[1], 0)
+
+    def test_one_that_goes_round_and_round_is_noticed(self):
+        self.write("room/sum.cpp", """double sum(double a, double b) {
+    volatile double left = 1.0;
+    while (left > 0.0)
+        left = left - 1.0;
+    return a + b;
+}
+""")
+        self.build(BLUNT.replace("2.0", "1.0"))
+        said = self.mutate("--file", "sum.cpp")
+        self.assertEqual(self.counts(said)[0], 2, said)
+        self.assertNotIn("left = left + 1.0;", said)
+
+    def test_the_tests_write_into_memory_where_there_is_room(self):
+        memory = pathlib.Path("/dev/shm")
+        if not memory.is_dir() or shutil.disk_usage(memory).free < 5 << 30 or os.statvfs(memory).f_flag & os.ST_NOEXEC:
+            self.skipTest("there is no such memory here")
+        self.build("""#include "room/limit.hpp"
+#include <cstdlib>
+#include <string>
+int main() { return std::string(std::getenv("TMPDIR")).rfind("/dev/shm/", 0) == 0 && limited(2.0) == 1.5 ? 0 : 1; }
+""")
         self.assertGreater(self.counts(self.mutate("--sample", "4"))[1], 0)
 
     def test_a_terminal_that_a_test_opens_is_not_its_own(self):

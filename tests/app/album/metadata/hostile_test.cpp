@@ -87,27 +87,28 @@ private slots:
         fs::remove(sidecar);
     }
 
-    void a_gigabyte_in_a_photo_is_refused_by_its_size() {
+    void half_a_gigabyte_in_a_photo_is_refused_by_its_size() {
+        constexpr std::uintmax_t half_a_gigabyte = std::uintmax_t{1} << 29; // sparse
         const std::string png = png_bytes(400, 300);
         const std::size_t before_data = 33; // signature and IHDR
-        const std::string chunk("\x40\0\0\0iTXtXML:com.adobe.xmp\0\0\0\0\0<", 31);
+        const std::string chunk("\x20\0\0\0iTXtXML:com.adobe.xmp\0\0\0\0\0<", 31);
         const fs::path file = photo_.parent_path() / "a.png";
         write_bytes(file, png.substr(0, before_data) + chunk);
-        fs::resize_file(file, (std::uintmax_t{1} << 30) + 100);
+        fs::resize_file(file, half_a_gigabyte + 100);
         QCOMPARE(read_record(file)->problems.size(), std::size_t{1});
 
-        write_bytes(file, std::string("RIFF\0\0\0\x40WEBPXMP \0\0\0\x40", 20));
-        fs::resize_file(file, (std::uintmax_t{1} << 30) + 100);
+        write_bytes(file, std::string("RIFF\0\0\0\x20WEBPXMP \0\0\0\x20", 20));
+        fs::resize_file(file, half_a_gigabyte + 100);
         QCOMPARE(read_record(file)->problems.size(), std::size_t{1});
 
-        write_bytes(file, std::string("II*\0\x08\0\0\0\x01\0\xBC\x02\x01\0\0\0\0\x40\x20\0\0\0\0\0\0\0", 26));
-        fs::resize_file(file, (std::uintmax_t{1} << 30) + 100);
+        write_bytes(file, std::string("II*\0\x08\0\0\0\x01\0\xBC\x02\x01\0\0\0\0\x20\x20\0\0\0\0\0\0\0", 26));
+        fs::resize_file(file, half_a_gigabyte + 100);
         QCOMPARE(read_record(file)->problems.size(), std::size_t{1});
 
         write_bytes(file, std::string("\0\0\0\x18"
                                       "ftypheic\0\0\0\0mif1heic",
                                       24));
-        fs::resize_file(file, std::uintmax_t{1} << 30);
+        fs::resize_file(file, half_a_gigabyte);
         QCOMPARE(read_record(file)->problems.size(), std::size_t{1});
         fs::remove(file);
     }

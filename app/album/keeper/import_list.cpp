@@ -51,10 +51,8 @@ Result<std::string> ImportList::save(const fs::path& album) const {
         return Error{"That is more than can be imported at once: import the folder that the files are in."};
     if (std::string reason = make_folder(folder_of(album), Readers::owner_only); !reason.empty())
         return Error{reason};
-    const std::string start =
-        QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyy-MM-ddThhmmss.zzz")).toStdString();
-    for (int number = 1;; ++number) {
-        const std::string id = number == 1 ? start : start + "-" + std::to_string(number);
+    for (QDateTime time = QDateTime::currentDateTimeUtc();; time = time.addMSecs(1)) { // in the order of their names
+        const std::string id = time.toString(QStringLiteral("yyyy-MM-ddThhmmss.zzz")).toStdString();
         auto file = NewFile::beside(file_of(album, id), Readers::owner_only);
         std::string reason =
             file ? file->write({text.data(), static_cast<std::size_t>(text.size())}) : file.error();

@@ -37,13 +37,13 @@ QByteArray list_of(const TrashEntry& entry) {
         .toJson();
 }
 
-/// A folder of its own in the trash: the time it was deleted, and a number where that is taken.
-Result<std::string> new_folder(const fs::path& trash, const QDateTime& now) {
+/// A folder of its own in the trash, called by the time; by the next millisecond's where that is taken, so that the
+/// names are in the order of what was deleted.
+Result<std::string> new_folder(const fs::path& trash, QDateTime time) {
     if (const std::string reason = make_folder(trash, Readers::owner_only); !reason.empty())
         return Error{"Nothing was deleted, because the trash cannot be created: " + reason};
-    const std::string start = now.toString(QStringLiteral("yyyy-MM-ddThhmmss.zzz")).toStdString();
-    for (int number = 1;; ++number) {
-        const std::string id = number == 1 ? start : start + "-" + std::to_string(number);
+    for (;; time = time.addMSecs(1)) {
+        const std::string id = time.toString(QStringLiteral("yyyy-MM-ddThhmmss.zzz")).toStdString();
         const int error = make_directory(trash / id, Readers::owner_only);
         if (error == 0)
             return id;

@@ -2,12 +2,32 @@
 #include "album_folder.hpp"
 #include "app/album/keeper/trash.hpp"
 
+#include <QDateTime>
 #include <QTest>
 
+#include <ctime>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/time.h>
+#include <unistd.h>
 
 using namespace tp;
 namespace fs = std::filesystem;
+
+namespace {
+
+std::time_t stands_still_at = 0; ///< the clock; 0: it goes
+
+} // namespace
+
+extern "C" int gettimeofday(timeval* now, void*) noexcept {
+    timespec time{};
+    const int failed = static_cast<int>(::syscall(SYS_clock_gettime, CLOCK_REALTIME, &time));
+    *now = {time.tv_sec, time.tv_nsec / 1000};
+    if (stands_still_at != 0)
+        *now = {stands_still_at, 0};
+    return failed;
+}
 
 class TrashTest : public QObject {
     Q_OBJECT
@@ -63,16 +83,21 @@ private slots:
         QCOMPARE(mode("2026"), 0777u);
     }
 
+    /// Even where a disk is so fast that all of it happens in one millisecond.
     void the_newest_is_first_and_each_has_its_own_place() {
         const AlbumFolder album;
         Trash trash(album.path());
         std::vector<std::string> ids;
+        stands_still_at = 1'777'630'500;
+        QCOMPARE(QDateTime::currentMSecsSinceEpoch(), qint64{1'777'630'500'000});
         for (int i = 0; i < 30; ++i) {
             album.write("a.jpg", std::to_string(i));
             const auto id = trash.put({"a.jpg"}, std::to_string(i));
             QVERIFY(id.ok());
             ids.push_back(*id);
         }
+        stands_still_at = 0;
+        QCOMPARE(ids.front(), std::string("2026-05-01T101500.000"));
         const auto entries = trash.entries();
         QCOMPARE(entries.size(), std::size_t{30});
         for (std::size_t i = 1; i < entries.size(); ++i)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A caregiver's afternoon in one process: imports, records, labels, names, deletes, takes back, exports. Says
 // TRY before and ACK after each step on stdout, so that whoever kills it knows what was acknowledged.
-//
-//     album_worker ALBUM CARD SOUND BUNDLE
+#include "album_worker.hpp"
+
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/bundle.hpp"
 #include "app/album/keeper/importer.hpp"
@@ -16,7 +16,8 @@
 #include <unistd.h>
 #include <vector>
 
-using namespace tp;
+namespace tp::test {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -27,12 +28,13 @@ void tell(const std::string& line) {
         std::_Exit(3);
 }
 
-/// Runs a step; acknowledges it where it says that it is done.
+/// Runs a step; acknowledges it where it says that it is done, and tells so.
 template <typename Step>
-void step(const std::string& what, Step work) {
+bool step(const std::string& what, Step work) {
     tell("TRY " + what);
     const std::string problem = work();
     tell(problem.empty() ? "ACK " + what : "SAID " + what + ": " + problem);
+    return problem.empty();
 }
 
 void record(AlbumKeeper& keeper, const fs::path& photo) {
@@ -56,8 +58,7 @@ void record(AlbumKeeper& keeper, const fs::path& photo) {
 
 } // namespace
 
-int main(int, char** words) {
-    const fs::path album = words[1], card = words[2], sound = words[3], bundle = words[4];
+void work_on_album(const fs::path& album, const fs::path& card, const fs::path& sound, const fs::path& bundle) {
     AlbumKeeper keeper(album);
     ImportTools tools;
     tools.done = [](const ImportedPhoto& photo) {
@@ -91,11 +92,11 @@ int main(int, char** words) {
         });
         step("trim " + files[0], [&] { return keeper.trim_recording(photo, files[0], 0.1, 0.3).error(); });
     }
-    if (files.size() > 1) {
-        step("delete " + files[1], [&] { return keeper.delete_recording(photo, files[1]); });
+    if (files.size() > 1 &&
+        step("delete " + files[1], [&] { return keeper.delete_recording(photo, files[1]); }))
         step("restore " + files[1], [&] { return keeper.history().undo(); });
-    }
     step("bundle", [&] { return write_bundle(bundle, album, {photo}); });
     tell("END");
-    return 0;
 }
+
+} // namespace tp::test

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nothing that was acknowledged is lost: a process at work on an album is killed just before one of its calls
 // to the disk, or half-way through a write, or that call and all later ones fail. TP_MOMENTS=1000 tries as
-// many moments.
+// many moments. That process is this program too, so that what is killed is the room as it is linked here.
 #include "album_folder.hpp"
 #include "album_parts.hpp"
+#include "album_worker.hpp"
 #include "app/album/check/album_check.hpp"
 #include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/bundle.hpp"
@@ -15,16 +16,20 @@
 #include "faulty_run.hpp"
 #include "made_video.hpp"
 
+#include <QCoreApplication>
 #include <QTest>
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 
 using namespace tp;
 namespace fs = std::filesystem;
 using Kind = Finding::Kind;
 
 namespace {
+
+constexpr const char* works = "works-on-an-album"; ///< as the first word: this is the process that is killed
 
 struct Told {
     std::vector<std::string> acknowledged;
@@ -84,8 +89,8 @@ struct Scene {
         fs::create_directory(album / "export");
         const fs::path count = place / "calls";
         Told told = told_in(test::faulty_run(
-            TP_FAILING_FILES, QStringLiteral(TP_ALBUM_WORKER),
-            {QString::fromStdString(album.path().string()), QString::fromStdString(card.path().string()),
+            TP_FAILING_FILES, QCoreApplication::applicationFilePath(),
+            {QString::fromLatin1(works), QString::fromStdString(album.path().string()), QString::fromStdString(card.path().string()),
              QString::fromStdString(sound.string()), QString::fromStdString(bundle().string())},
             album.path(), fault, count));
         if (calls)
@@ -254,5 +259,13 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(KilledTest)
+int main(int count, char** words) {
+    if (count == 6 && std::string_view(words[1]) == works) {
+        test::work_on_album(words[2], words[3], words[4], words[5]);
+        return 0;
+    }
+    const QCoreApplication app(count, words);
+    KilledTest killed;
+    return QTest::qExec(&killed, count, words);
+}
 #include "killed_test.moc"

@@ -12,7 +12,6 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <ctime>
 #include <fstream>
 #include <memory>
 #include <system_error>
@@ -46,17 +45,6 @@ std::vector<Packed> files_of(const fs::path& album, const fs::path& photo, Folde
     }
     add(photo);
     return files;
-}
-
-struct Moment {
-    std::time_t seconds;
-    long ns; ///< after them
-};
-
-Moment moment_of(std::int64_t ns) {
-    const std::chrono::nanoseconds whole(ns);
-    const auto seconds = std::chrono::floor<std::chrono::seconds>(whole);
-    return {static_cast<std::time_t>(seconds.count()), static_cast<long>((whole - seconds).count())};
 }
 
 /// libarchive's own words, as the end of a sentence.
@@ -106,8 +94,8 @@ private:
         archive_entry_set_size(entry.get(), static_cast<la_int64_t>(facts->bytes));
         archive_entry_set_filetype(entry.get(), AE_IFREG);
         archive_entry_set_perm(entry.get(), 0600);
-        const Moment written = moment_of(facts->written_ns);
-        archive_entry_set_mtime(entry.get(), written.seconds, written.ns);
+        const std::chrono::nanoseconds written(facts->written_ns);
+        archive_entry_set_mtime(entry.get(), std::chrono::floor<std::chrono::seconds>(written).count(), 0);
         if (archive_write_header(zip_.get(), entry.get()) < ARCHIVE_WARN)
             return why();
         std::array<char, 1 << 16> block;

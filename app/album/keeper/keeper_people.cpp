@@ -288,8 +288,12 @@ std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs
     std::string problem = name_taken(file) ? put_away(*earlier) : std::string{};
     if (problem.empty())
         problem = move_file(taken_in->file, file);
-    if (!problem.empty())
-        return "The name cannot be saved: " + problem;
+    if (!problem.empty()) {
+        std::error_code error;
+        fs::remove(taken_in->file, error);
+        const std::string stuck = earlier->empty() ? std::string{} : trash_.restore(*earlier);
+        return "The name cannot be saved: " + problem + (stuck.empty() ? "" : " " + stuck);
+    }
     const auto later = std::make_shared<std::string>();
     const auto exchange = [this, put_away](std::string& away, const std::string& back) {
         std::string stuck = put_away(away);

@@ -51,7 +51,7 @@ Turn then(const Turn& second, const Turn& first) {
 
 constexpr Turn quarter_anticlockwise{{0, 1, -1, 0}};
 constexpr std::array<Turn, 2> mirrored{Turn{{1, 0, 0, -1}}, Turn{{-1, 0, 0, 1}}}; ///< by imir's axis
-/// From the stored picture to the upright one (EXIF 2.32, tag 0x0112): orientation 1 first.
+/// From the stored picture to the upright one (EXIF 2.32, tag 0x0112): orientation 1 first. There are no others.
 constexpr std::array<Turn, 8> exif_turns{Turn{{1, 0, 0, 1}},   Turn{{-1, 0, 0, 1}}, Turn{{-1, 0, 0, -1}},
                                          Turn{{1, 0, 0, -1}},  Turn{{0, 1, 1, 0}},  Turn{{0, -1, 1, 0}},
                                          Turn{{0, -1, -1, 0}}, Turn{{0, 1, -1, 0}}};
@@ -138,9 +138,7 @@ std::optional<int> heif_orientation(const ByteSource& file) {
     numbers.next(3);
     const std::uint64_t item = numbers.next(version == 0 ? 2 : 4);
     const Turn turn = turn_of_item(file, item, *uses, boxes_in(file, properties->begin, properties->size));
-    const auto known = std::find(exif_turns.begin(), exif_turns.end(), turn);
-    return known == exif_turns.end() ? std::nullopt
-                                     : std::optional(1 + static_cast<int>(known - exif_turns.begin()));
+    return 1 + static_cast<int>(std::find(exif_turns.begin(), exif_turns.end(), turn) - exif_turns.begin());
 }
 
 } // namespace tp

@@ -12,6 +12,7 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 MUTATE = pathlib.Path(sys.argv.pop()) / "mutate.py"
 
@@ -92,6 +93,15 @@ class Run(unittest.TestCase):
         for line in ("+ double limited(double force) { return force >= limit ? limit : sum(force, 0.0); }",
                      "+ double sum(double a, double b) { return a - b; }"):
             self.assertIn(line, said)
+
+    def test_of_what_goes_wrong_at_random_200_are_tried_unless_a_person_says_more(self):
+        self.build("#include <cstdlib>\n#include <string>\n" +
+                   SHARP.replace("return ", 'return std::getenv("TP_SCHEDULES") != std::string("200") || '))
+        noticed, of = self.counts(self.mutate())
+        self.assertEqual(noticed, of - 2)
+        shutil.rmtree(self.root / "build/mutants")
+        with unittest.mock.patch.dict("os.environ", TP_SCHEDULES="2000"):
+            self.assertEqual(self.counts(self.mutate()), (0, of))
 
     def test_a_header_is_mutated_where_it_is_included(self):
         self.build(SHARP)

@@ -24,14 +24,15 @@ const char* const device_words = "touch pad with haptics";
 } // namespace
 
 bool HapticPad::Line::send(std::uint64_t message) noexcept {
-    const auto number = static_cast<std::uint8_t>(message >> 32u & 0xFFu);
+    const auto number = static_cast<std::uint8_t>(message >> 32u);
     bool taken = true;
     if (message == no_tick)
         taken = transport->send(haptics::stop(layout));
-    else if (number != tick) // a writer may see one message twice
-        taken = transport->send(haptics::trigger(layout, static_cast<std::uint8_t>(message & 0xFFu),
-                                                 static_cast<double>(message >> 16u & 0xFFFFu) / 65535.0));
-    tick = number;
+    else if (number != played) { // a writer may see one message twice
+        played = number;
+        taken = transport->send(haptics::trigger(layout, static_cast<std::uint8_t>(message),
+                                                 static_cast<std::uint16_t>(message >> 16u) / 65535.0));
+    }
     refuses.store(!taken, std::memory_order_relaxed);
     sent.fetch_add(1, std::memory_order_release);
     return true; // whether the device is gone is seen by reading
@@ -55,7 +56,6 @@ Result<TouchCapabilities> HapticPad::open() {
     watch_.restart();
     touch_ = PadTouch{};
     contact_.reset();
-    ticks_ = 0;
 
     hid::ReportDescriptor descriptor;
     const char* why_not = "what it says of itself cannot be read";
@@ -104,11 +104,9 @@ void HapticPad::take(const haptics::Fingers& fingers, double now) noexcept {
     touch_.time = now;
     touch_.touched = counts != fingers.fingers.end();
     touch_.buttons = fingers.pressed ? 1 : 0;
-    contact_.reset();
-    if (touch_.touched) {
+    contact_ = touch_.touched ? std::optional(counts->contact) : std::nullopt;
+    if (touch_.touched)
         touch_.place = counts->place;
-        contact_ = counts->contact;
-    }
 }
 
 std::optional<PadTouch> HapticPad::read(double now) noexcept {
@@ -141,9 +139,8 @@ bool HapticPad::tick(const Tick& tick) noexcept {
         return false; // what is felt much later would tell of another place
     if (tick.empty())
         return true;
-    ticks_ = ticks_ == 0xFF ? std::uint8_t{1} : static_cast<std::uint8_t>(ticks_ + 1);
     watch_.posted();
-    writer_->post(packed(ordinals_.of(tick.sharpness()), tick.amplitude(), ticks_));
+    writer_->post(packed(ordinals_.of(tick.sharpness()), tick.amplitude(), ++line_->posted));
     return !refuses_.load(std::memory_order_relaxed);
 }
 

@@ -54,7 +54,8 @@ private:
         haptics::Layout layout;
         std::atomic<bool> refuses{false};
         std::atomic<std::uint32_t> sent{0}; ///< messages
-        std::uint8_t tick = 0;              ///< number of the last one; only the writer
+        std::uint8_t posted = 0;            ///< number of the last tick; only the caller
+        std::uint8_t played = 0;            ///< number of the last tick; only the writer
 
         bool send(std::uint64_t message) noexcept override;
     };
@@ -74,7 +75,6 @@ private:
     // Only the caller's thread.
     PadTouch touch_;
     std::optional<std::int64_t> contact_; ///< of the finger that counts
-    std::uint8_t ticks_ = 0;              ///< number of the last tick
 };
 
 } // namespace tp

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 namespace tp::haptics {
 
@@ -79,14 +80,13 @@ double length_mm(const Field& field) {
     const auto way = static_cast<double>(field.physical_max - field.physical_min);
     // Divided, for 10⁻² is no number that a double holds.
     const double scale = std::pow(10.0, std::abs(field.unit_exponent));
-    const double units = field.unit_exponent < 0 ? way * unit_mm / scale : way * unit_mm * scale;
-    const double mm = length ? units : 0.0;
-    return mm >= 10.0 && mm <= 1000.0 ? mm : 0.0; // no pad is smaller or larger
+    const double mm = field.unit_exponent < 0 ? way * unit_mm / scale : way * unit_mm * scale;
+    return length && mm >= 10.0 && mm <= 1000.0 ? mm : 0.0; // no pad is smaller or larger
 }
 
 std::optional<TouchPad> find_pad(const ReportDescriptor& descriptor) {
     TouchPad pad;
-    int of_finger = -1; // the collection of the finger that is being read
+    std::optional<int> of_finger; // the collection of the finger that is being read
     for (const Field& field : descriptor.fields) {
         if (field.kind != ReportKind::input || field.array || field.constant || field.relative ||
             !descriptor.within(field.collection, touch_pad))

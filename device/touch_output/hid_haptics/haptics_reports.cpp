@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/touch_output/hid_haptics/haptics_reports.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -24,8 +25,7 @@ std::span<std::uint8_t> behind_id(Output& report) {
 
 double share_of(std::span<const std::uint8_t> report, const hid::Slot& slot) {
     const auto value = static_cast<double>(hid::value_in(report, slot) - slot.least);
-    const double share = value / static_cast<double>(slot.most - slot.least);
-    return share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
+    return std::clamp(value / static_cast<double>(slot.most - slot.least), 0.0, 1.0);
 }
 
 } // namespace
@@ -90,16 +90,17 @@ std::optional<Fingers> fingers_in(const Layout& layout, std::span<const std::uin
         return std::size_t{slot.bit} + slot.size <= 8 * values.size();
     };
     Fingers found;
-    for (std::size_t i = 0; i < layout.pad->fingers.size(); ++i) {
-        const FingerSlots& slots = layout.pad->fingers[i];
+    std::size_t number = 0;
+    for (const FingerSlots& slots : layout.pad->fingers) {
         if (!lies_in(slots.tip) || !lies_in(slots.x) || !lies_in(slots.y) || !lies_in(slots.contact))
             return std::nullopt;
-        Finger& finger = found.fingers[i];
+        Finger& finger = found.fingers[number];
         finger.there = hid::value_in(values, slots.tip) != 0;
         finger.contact =
-            slots.contact.there() ? hid::value_in(values, slots.contact) : static_cast<std::int64_t>(i);
+            slots.contact.there() ? hid::value_in(values, slots.contact) : static_cast<std::int64_t>(number);
         const Vec2 share(share_of(values, slots.x), share_of(values, slots.y));
         finger.place = layout.pad->size * (Vec2(share.x, 1.0 - share.y) - 0.5); // a pad's y goes down
+        ++number;
     }
     found.pressed = hid::value_in(values, layout.pad->button) != 0;
     return found;

@@ -61,7 +61,7 @@ template <typename ReportOf>
 Ordinals read_ordinals(const Layout& layout, ReportOf report_of) {
     Ordinals found;
     std::vector<std::uint8_t> report;
-    int had = -1;
+    std::optional<std::uint8_t> had;
     for (const WaveformEntry& entry : layout.waveforms) {
         if (had != entry.report_id)
             report = report_of(entry.report_id, entry.report_bytes);

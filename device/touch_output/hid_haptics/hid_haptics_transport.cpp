@@ -68,9 +68,9 @@ std::vector<FoundHapticPad> find_haptic_pads() {
             !haptics::has_haptics(descriptor))
             continue;
         haptics::Layout layout;
-        const bool usable = haptics::find_layout(descriptor, layout) == nullptr;
+        haptics::find_layout(descriptor, layout); // finds no pad of one that cannot be used
         found.push_back({one->path, plain_hid_text(one->serial_number), plain_hid_text(one->product_string),
-                         usable && layout.pad.has_value()});
+                         layout.pad.has_value()});
     }
     hid_free_enumeration(all);
     return found;

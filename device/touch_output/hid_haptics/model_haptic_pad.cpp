@@ -49,10 +49,10 @@ constexpr std::uint8_t described[] = {
     0xC0, 0xC0};
 // clang-format on
 
-void put16(std::vector<std::uint8_t>& bytes, std::size_t at, double share, double most) {
+void append16(std::vector<std::uint8_t>& bytes, double share, double most) {
     const auto value = static_cast<unsigned>(std::lround(most * std::clamp(share, 0.0, 1.0)));
-    bytes[at] = static_cast<std::uint8_t>(value & 0xFFu);
-    bytes[at + 1] = static_cast<std::uint8_t>(value >> 8u);
+    bytes.push_back(static_cast<std::uint8_t>(value));
+    bytes.push_back(static_cast<std::uint8_t>(value >> 8u));
 }
 
 } // namespace
@@ -88,7 +88,7 @@ std::vector<std::uint8_t> ModelHapticPad::feature(std::uint8_t id) const {
         return {};
     std::vector<std::uint8_t> report;
     for (const std::uint16_t waveform : waveforms) {
-        report.push_back(static_cast<std::uint8_t>(waveform & 0xFFu));
+        report.push_back(static_cast<std::uint8_t>(waveform));
         report.push_back(static_cast<std::uint8_t>(waveform >> 8u));
     }
     for (int i = 0; i < 4; ++i) { // of 10 ms
@@ -110,19 +110,18 @@ void ModelHapticPad::touch(std::size_t finger, Vec2 place, bool pressed) {
 void ModelHapticPad::step() {
     ++now_ms_;
     left_ms_ -= left_ms_ > 0 ? 1 : 0;
-    const bool touched = fingers_[0].there || fingers_[1].there;
+    const bool touched =
+        std::any_of(fingers_.begin(), fingers_.end(), [](const Finger& finger) { return finger.there; });
     if (now_ms_ % 8 != 0 || (!touched && !told_touch_))
         return;
     told_touch_ = touched;
-    std::vector<std::uint8_t> bytes(12);
-    bytes[0] = 1;
-    for (std::size_t i = 0; i < fingers_.size(); ++i) {
-        const Finger& finger = fingers_[i];
-        bytes[1 + 5 * i] = static_cast<std::uint8_t>((finger.there ? 1 : 0) | finger.contact << 4);
-        put16(bytes, 2 + 5 * i, finger.place.x / 100.0 + 0.5, 4095.0);
-        put16(bytes, 4 + 5 * i, 0.5 - finger.place.y / 60.0, 2047.0);
+    std::vector<std::uint8_t> bytes{1};
+    for (const Finger& finger : fingers_) {
+        bytes.push_back(static_cast<std::uint8_t>((finger.there ? 1 : 0) | finger.contact << 4));
+        append16(bytes, finger.place.x / 100.0 + 0.5, 4095.0);
+        append16(bytes, 0.5 - finger.place.y / 60.0, 2047.0);
     }
-    bytes[11] = pressed_ && touched ? 1 : 0;
+    bytes.push_back(pressed_ && touched ? 1 : 0);
     unsaid_.push_back(std::move(bytes));
 }
 

@@ -45,24 +45,26 @@ struct HighOrdinals final : HapticsTransport {
     haptics::Output& last;
 };
 
-/// A pad that has `left` reports of one finger to tell; counts how often it is asked.
+/// A pad that has `left` reports of one finger to tell to who does not wait, and then is as `after` says; counts how often it is
+/// asked.
 struct Talker final : HapticsTransport {
-    Talker(int& has, int& was_asked) : left(has), asked(was_asked) {}
+    Talker(int& has, int& was_asked, Got& then) : left(has), asked(was_asked), after(then) {}
     std::vector<std::uint8_t> descriptor() override {
         return {ModelHapticPad::descriptor().begin(), ModelHapticPad::descriptor().end()};
     }
     std::vector<std::uint8_t> feature(std::uint8_t id, std::size_t) override {
         return ModelHapticPad().feature(id);
     }
-    Got read(Input& report, int) noexcept override {
+    Got read(Input& report, int wait_ms) noexcept override {
         ++asked;
         report.bytes = {1, 1};
         report.size = 12;
-        return left-- > 0 ? Got::report : Got::nothing;
+        return wait_ms == 0 && left-- > 0 ? Got::report : after;
     }
     bool send(const haptics::Output&) noexcept override { return true; }
     int& left;
     int& asked;
+    Got& after;
 };
 
 template <typename Transport, typename... Lent>
@@ -154,7 +156,8 @@ private slots:
     /// One that talks without end, such as a broken one, does not hold up the rest.
     void so_many_reports_are_read_at_a_time() {
         int left = 0, asked = 0;
-        HapticPad pad = nameless<Talker>(left, asked);
+        HapticsTransport::Got after = HapticsTransport::Got::nothing;
+        HapticPad pad = nameless<Talker>(left, asked, after);
         QVERIFY(pad.open().ok());
         for (const auto& [there, read] : {std::pair{1000, 64}, {63, 64}, {2, 3}, {0, 1}}) {
             left = there;
@@ -162,6 +165,9 @@ private slots:
             QCOMPARE(pad.read(0.0).has_value(), there > 0);
             QCOMPARE(asked, read);
         }
+        left = 3;
+        after = HapticsTransport::Got::lost;
+        QVERIFY(!pad.read(0.0) && pad.lost()); // where the finger was is nowhere any more
     }
 
     void opened_again_what_it_complained_of_is_over() {
@@ -191,6 +197,7 @@ private slots:
         bench.model.lift(1);
         bench.run(0.02);
         QVERIFY(!bench.touch->touched);
+        QVERIFY(bench.touch->place == Vec2(0.0));
         QCOMPARE(bench.touch->buttons, 0u);
         QVERIFY(bench.now - bench.touch->time < 0.02);
         bench.pad.stop();
@@ -282,6 +289,7 @@ private slots:
     void why_it_cannot_be_opened_is_passed_on() {
         HapticPad pad([]() -> Result<std::unique_ptr<HapticsTransport>> { return Error{"It is gone."}; }, {},
                       LatestWriter::Thread::caller);
+        QCOMPARE(pad.complaint(), std::string()); // nobody has asked for it yet
         QCOMPARE(pad.open().error(), std::string("It is gone."));
         QVERIFY(!pad.tick(click));
     }
@@ -295,9 +303,12 @@ private slots:
         bench.model.waveforms = {0x1004, 0x1005, 0x100B, 0x100C};
         QVERIFY(bench.open().find("no tick that ends by itself") != std::string::npos);
         bench.model.waveforms[2] = 0x1003;
-        bench.link.troubles.mute = true; // it does not answer what it is asked
-        QVERIFY(bench.open().find("no tick that ends by itself") != std::string::npos);
-        bench.link.troubles.mute = false;
+        for (bool CableTroubles::*silent :
+             {&CableTroubles::mute, &CableTroubles::deaf, &CableTroubles::unplugged}) {
+            bench.link.troubles.*silent = true; // it does not answer what it is asked
+            QVERIFY(bench.open().find("no tick that ends by itself") != std::string::npos);
+            bench.link.troubles.*silent = false;
+        }
         bench.link.troubles.refuse = 1.0;
         QVERIFY(bench.open().find("could not be opened") != std::string::npos);
         QCOMPARE(bench.users, 0); // other programs may have it
@@ -306,6 +317,14 @@ private slots:
         QCOMPARE(bench.users, 1);
         bench.pad.stop();
         QCOMPARE(bench.users, 0);
+    }
+
+    void the_cable_gives_no_more_than_it_was_asked_for() {
+        HapticsBench bench;
+        QCOMPARE(bench.link.sends(), 0ul);
+        for (const std::size_t bytes : {std::size_t(0), std::size_t(4), std::size_t(16)})
+            QCOMPARE(bench.link.feature(2, bytes).size(), bytes);
+        QCOMPARE(bench.link.feature(2, 17).size(), std::size_t(16)); // and it has no more
     }
 
     void nobody_calls_the_system_but_the_writer_and_one_that_hangs_is_told() {
@@ -347,6 +366,11 @@ private slots:
         QCOMPARE(bench.pad.complaint(),
                  std::string("The touch pad with haptics was unplugged. Plug it in again."));
         bench.link.troubles.unplugged = false;
+        bench.link.troubles.lie = {0xC0};
+        QVERIFY(!bench.open().empty());
+        QVERIFY(!bench.pad.lost() &&
+                bench.pad.complaint().empty()); // it is there, and why it cannot be used was said
+        bench.link.troubles.lie.clear();
         QCOMPARE(bench.open(), std::string());
         QVERIFY(!bench.pad.lost() && bench.pad.complaint().empty());
     }

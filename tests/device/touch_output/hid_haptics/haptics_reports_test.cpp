@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -54,6 +56,9 @@ private slots:
         QCOMPARE(int(ordinals.press), 3);
         QCOMPARE(int(ordinals.click), 4);
         QCOMPARE(int(ordinals.hover), 5);
+        model.waveforms = {0x1006, 0x1004, 0x1005, 0x100B};
+        ordinals = read_ordinals(layout, report_of);
+        QVERIFY(ordinals.press == 3 && ordinals.click == 0 && ordinals.hover == 0);
         model.waveforms = {0x1004, 0x1005, 0x2001,
                            0x100B}; // all go on until they are stopped, or are the maker's own
         ordinals = read_ordinals(layout, report_of);
@@ -93,6 +98,26 @@ private slots:
         entry.logical_max = 3; // one value
         QCOMPARE(entry.usage_of(3), std::int64_t{1});
         QCOMPARE(entry.usage_of(8), std::int64_t{1});
+    }
+
+    /// And is asked for once, whatever number it has.
+    void a_list_is_in_one_report_or_in_several() {
+        Layout layout = of_model();
+        layout.waveforms.resize(3);
+        for (const std::array<std::uint8_t, 3>& ids :
+             {std::array<std::uint8_t, 3>{0, 0, 0}, {1, 1, 1}, {2, 2, 3}, {1, 2, 3}, {2, 1, 2}}) {
+            for (std::size_t i = 0; i < 3; ++i)
+                layout.waveforms[i].report_id = ids[i];
+            Bytes asked;
+            const Ordinals ordinals = read_ordinals(layout, [&asked](std::uint8_t id, std::size_t) {
+                asked.push_back(id);
+                return ModelHapticPad().feature(2);
+            });
+            QVERIFY(ordinals.press == 3 && ordinals.click == 4 && ordinals.hover == 5);
+            Bytes wanted(ids.begin(), ids.end());
+            wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+            QVERIFY(asked == wanted);
+        }
     }
 
     void only_what_ends_by_itself_and_can_be_asked_for_is_noted_data() {
@@ -193,6 +218,21 @@ private slots:
             const auto fingers = fingers_in(layout, report);
             QCOMPARE(fingers.has_value(), size >= 11);
             QCOMPARE(fingers && fingers->pressed, size == 12);
+        }
+    }
+
+    void of_a_finger_of_which_a_part_did_not_come_nothing_is_told() {
+        ModelHapticPad model;
+        model.touch(0, {0.0, 0.0});
+        Bytes report;
+        while (!model.report(report))
+            model.step();
+        QVERIFY(fingers_in(of_model(), report));
+        for (hid::Slot FingerSlots::*part :
+             {&FingerSlots::tip, &FingerSlots::contact, &FingerSlots::x, &FingerSlots::y}) {
+            Layout layout = of_model();
+            (layout.pad->fingers[0].*part).bit = 88; // behind its end
+            QVERIFY(!fingers_in(layout, report));
         }
     }
 

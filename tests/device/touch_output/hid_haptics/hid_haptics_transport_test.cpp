@@ -101,6 +101,16 @@ private slots:
         QCOMPARE((*pad)->feature(2, 4), (mock::HidBed::Bytes{0x06, 0x10, 0x03, 0x10}));
         QCOMPARE((*pad)->feature(2, 100), touch_pad.model.feature(2));
         QVERIFY((*pad)->feature(2, 0).empty());
+        HapticsTransport::Input input;
+        QVERIFY((*pad)->read(input, 0) == HapticsTransport::Got::nothing);
+        for (const std::size_t size : {1u, 200u}) {
+            QVERIFY(touch_pad.bed.say(std::vector<std::uint8_t>(size, 9)));
+            HapticsTransport::Got got{};
+            while ((got = (*pad)->read(input, 0)) ==
+                   HapticsTransport::Got::nothing) // CTest ends one that waits for ever
+                std::this_thread::yield();
+            QVERIFY(got == HapticsTransport::Got::report && input.size == size && input.bytes[size - 1] == 9);
+        }
     }
 
     void a_pad_that_ticks_by_itself_only_is_listed_and_refused_with_a_sentence() {

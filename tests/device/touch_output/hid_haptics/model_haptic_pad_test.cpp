@@ -41,6 +41,9 @@ private slots:
                                    "o3 at 16: 1x8 [e0024] 0..5 0..0 0e0\n"
                                    "o3 at 24: 1x16 [e0025] 0..1000 0..0 0e0";
         QCOMPARE(tp::testing::lines_of(ModelHapticPad::descriptor()), wanted);
+        std::string by_itself = wanted; // auto trigger instead of the manual one
+        by_itself.replace(by_itself.find("e0021"), 5, "e0020");
+        QCOMPARE(tp::testing::lines_of(ModelHapticPad::descriptor_without_trigger()), by_itself);
     }
 
     void the_model_plays_as_long_as_it_is_told() {
@@ -56,10 +59,22 @@ private slots:
             }
     }
 
+    void what_goes_on_goes_on_until_it_is_stopped() {
+        ModelHapticPad model;
+        model.receive(Bytes{3, 6, 100, 0, 0, 0});
+        for (int ms = 0; ms < 5000; ++ms)
+            model.step();
+        QCOMPARE(model.felt(), 1.0);
+        model.receive(Bytes{3, 2, 0, 0, 0, 0});
+        QCOMPARE(model.felt(), 0.0);
+    }
+
     void the_model_obeys_its_trigger_and_nothing_else() {
         ModelHapticPad model;
         model.receive(Bytes{2, 4, 100, 0, 0, 0});
         model.receive(Bytes{3, 4, 100, 0, 0}); // cut short
+        for (const std::uint8_t ordinal : Bytes{0, 1, 2, 7, 8, 255}) // none of its list
+            model.receive(Bytes{3, ordinal, 100, 0, 0, 0});
         QCOMPARE(model.ticks(), 0ul);
         QCOMPARE(model.waveform(), 0); // none yet
     }

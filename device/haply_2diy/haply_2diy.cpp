@@ -18,7 +18,6 @@ constexpr std::uint64_t no_torque = 0;
 constexpr std::uint64_t bring_into_step =
     1; ///< a bit that is 0 in every sendable torque; the round is above it
 constexpr unsigned round_shift = 1;
-constexpr unsigned round_mask = 0x7F;
 
 std::uint64_t packed(const std::array<float, 2>& values) {
     return std::bit_cast<std::uint32_t>(values[0]) |
@@ -44,7 +43,7 @@ bool Haply2diy::Wire::send(std::uint64_t message) noexcept {
         board.note.forget();
         beat(true); // what the board pulls until then nobody knows
         const haply::Reply last{haply::usual_id, unpacked_floats(angles.load(std::memory_order_acquire))};
-        const unsigned round = static_cast<unsigned>(message >> round_shift) & round_mask;
+        const auto round = static_cast<unsigned>(message >> round_shift);
         const bool sent =
             board.line->write(resynchronisation(arms.set_up(arms.angles_of(last)), round).view());
         commands.fetch_add(1, std::memory_order_release);
@@ -133,7 +132,6 @@ Result<Capabilities> Haply2diy::open() {
     bad_answers_.store(0);
     out_of_step_.store(false);
     lost_step_.store(false);
-    pulls_.store(false);
     unguarded_->store(false);
 
     // No torque first: what another program left on it ends here. A board that answers to that was set up
@@ -234,15 +232,15 @@ void Haply2diy::take_bytes(double now) noexcept {
 
 void Haply2diy::keep_in_step(double now) noexcept {
     const std::uint64_t sent = wire_->commands.load(std::memory_order_acquire);
-    if (sent == answers_.load())
-        waiting_since_.reset();
-    else if (!waiting_since_)
-        waiting_since_ = now;
-    else if (now - *waiting_since_ > answer_within) {
-        answers_.store(sent); // lost; nothing is under way any more
-        waiting_since_.reset();
-        bad_answers_.fetch_add(1, std::memory_order_relaxed);
-        heard_size_ = 0;
+    if (sent != answers_.load()) {
+        if (!waiting_since_)
+            waiting_since_ = now;
+        if (now - *waiting_since_ > answer_within) {
+            answers_.store(sent); // lost; nothing is under way any more
+            waiting_since_.reset();
+            bad_answers_.fetch_add(1, std::memory_order_relaxed);
+            heard_size_ = 0;
+        }
     }
     if (sent == commands_believed_ || fresh_)
         return;
@@ -260,7 +258,7 @@ void Haply2diy::bring_back(double now) noexcept {
     if (++round_ > most_rounds)
         writer_->lose();
     else
-        writer_->post(bring_into_step | static_cast<std::uint64_t>(round_ & round_mask) << round_shift);
+        writer_->post(bring_into_step | std::uint64_t{round_} << round_shift);
 }
 
 std::optional<DeviceState> Haply2diy::read(double now) noexcept {

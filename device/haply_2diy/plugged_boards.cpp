@@ -2,7 +2,6 @@
 #include "device/haply_2diy/plugged_boards.hpp"
 
 #include "device/guard/guard_process.hpp"
-#include "device/haply_2diy/found_boards.hpp"
 #include "device/haply_2diy/haply_2diy.hpp"
 #include "device/haply_2diy/serial_port.hpp"
 
@@ -48,9 +47,11 @@ PluggedDevice plugged(const FoundBoard& found, HaplyGeneration generation) {
 
 } // namespace
 
-std::vector<PluggedDevice> plugged_boards() {
+std::vector<PluggedDevice> plugged_boards() { return as_either_generation(find_boards()); }
+
+std::vector<PluggedDevice> as_either_generation(const std::vector<FoundBoard>& boards) {
     std::vector<PluggedDevice> devices;
-    for (const FoundBoard& found : find_boards())
+    for (const FoundBoard& found : boards)
         for (const HaplyGeneration generation : {HaplyGeneration::third, HaplyGeneration::first})
             devices.push_back(plugged(found, generation));
     return devices;

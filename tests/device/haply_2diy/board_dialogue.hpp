@@ -31,13 +31,16 @@ struct BoardScript final : SerialLine {
     std::deque<std::uint8_t> to_say;
     std::vector<std::vector<std::uint8_t>> sent;
     int reads = 0;
+    int waited_ms = 0; ///< in reads, at the most
+    int users = 0;     ///< who have the line open
 
     void say(const haply::Reply& reply) {
         for (const std::uint8_t byte : haply::encode(reply))
             to_say.push_back(byte);
     }
-    int read(std::span<std::uint8_t> into, int) noexcept override {
+    int read(std::span<std::uint8_t> into, int wait_ms) noexcept override {
         ++reads;
+        waited_ms += wait_ms;
         if (reads_fail)
             return -1;
         const std::size_t count = std::min({into.size(), to_say.size(), at_once});
@@ -63,7 +66,10 @@ struct BoardScript final : SerialLine {
 };
 
 struct LentScript final : SerialLine {
-    explicit LentScript(BoardScript& lent) : script(lent) {}
+    explicit LentScript(BoardScript& lent) : script(lent) { ++script.users; }
+    ~LentScript() override { --script.users; }
+    LentScript(const LentScript&) = delete;
+    LentScript& operator=(const LentScript&) = delete;
     int read(std::span<std::uint8_t> into, int wait_ms) noexcept override {
         return script.read(into, wait_ms);
     }
@@ -75,12 +81,11 @@ struct LentScript final : SerialLine {
 struct BoardDialogue {
     BoardScript script;
     GuardDiary guard;
+    HomedNote note; ///< none
     Haply2diy device{HaplyGeneration::third,
                      [this]() -> Result<Haply2diy::Board> {
                          return Haply2diy::Board{std::make_unique<LentScript>(script),
-                                                 std::make_unique<SimulatedGuard>(guard),
-                                                 {},
-                                                 "X"};
+                                                 std::make_unique<SimulatedGuard>(guard), note, "X"};
                      },
                      LatestWriter::Thread::caller};
     double now = 0.0;
@@ -88,6 +93,7 @@ struct BoardDialogue {
 
     /// Homed; from here on a test says what comes.
     bool open() {
+        script.answers = true;
         can = device.open();
         const bool homed = can.ok() && device.home().ok();
         script.answers = false;
@@ -106,6 +112,10 @@ struct BoardDialogue {
         device.write(safe(newtons));
         device.deliver();
         return state;
+    }
+    /// What a force is on the wire for arms that stand where that reply says.
+    std::array<float, 2> asked_for(Vec2 newtons, const haply::Reply& at) const {
+        return script.arms.command_of(script.arms.torques(script.arms.angles_of(at), newtons)).torque;
     }
     /// The reference pose, its first arm turned on by so much.
     haply::Reply turned(double degrees) const {

@@ -27,6 +27,7 @@ private slots:
         QCOMPARE(bench.can->delay, 0.002);
         QCOMPARE(bench.can->serial_number, std::string("X"));
         QCOMPARE(bench.can->workspace.size(), std::size_t(120));
+        QCOMPARE(bench.can->resolution, bench.script.arms.resolution());
         for (const Vec2 corner : bench.can->workspace)
             QVERIFY(corner.y >= 15.0);
     }
@@ -265,26 +266,6 @@ private slots:
         QVERIFY(bench.script.last_command()->torque != (std::array<float, 2>{}));
     }
 
-    /// A second long, each time with another number of bytes; then it is taken for gone.
-    void a_board_that_stays_silent_is_brought_back_fifty_times() {
-        BoardDialogue bench;
-        QVERIFY(bench.open());
-        std::vector<std::size_t> sizes;
-        int ticks = 0;
-        for (; !bench.device.lost() && ticks < 3000; ++ticks) {
-            bench.tick({0.5, 0.5});
-            for (const auto& bytes : bench.script.sent)
-                if (bytes.size() > 500)
-                    sizes.push_back(bytes.size());
-            bench.script.sent.clear();
-        }
-        QCOMPARE(sizes.size(), std::size_t(50));
-        QVERIFY2(ticks > 1000 && ticks < 1150, qPrintable(QString::number(ticks)));
-        for (std::size_t i = 1; i < sizes.size(); ++i)
-            QCOMPARE(sizes[i], sizes[0] + (i % 2 == 0 ? 0 : sizes[1] - sizes[0]));
-        QVERIFY(sizes[1] != sizes[0]);
-    }
-
     void one_that_is_gone_is_said_so() {
         for (const bool by_reading : {true, false}) {
             BoardDialogue bench;
@@ -295,7 +276,6 @@ private slots:
             QVERIFY(!bench.device.lost());
             QCOMPARE(bench.device.complaint(), std::string());
             bench.script.reads_fail = bench.script.writes_fail = false;
-            bench.script.answers = true;
             QVERIFY(bench.open());
             bench.script.reads_fail = by_reading;
             bench.script.writes_fail = !by_reading;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace tp;
@@ -65,6 +66,22 @@ private slots:
         QCOMPARE(found.size(), std::size_t(2));
         QCOMPARE(found[0].serial_number, std::string(80, '7'));
         QCOMPARE(found[1].serial_number, std::string("75[2J30D1"));
+    }
+
+    /// A port is a part of a device that may be a part of a hub's; farther up it is another's.
+    void a_port_belongs_to_a_device_six_folders_up_at_most() {
+        const QTemporaryDir folder;
+        const std::filesystem::path root = folder.path().toStdString();
+        for (const auto& [tty, way] : {std::pair{"ttyACM6", "2/3/4/5/6"}, {"ttyACM7", "2/3/4/5/6/7"}}) {
+            const std::filesystem::path device = root / "devices" / tty;
+            put(device / "idVendor", "2341");
+            std::filesystem::create_directories(device / way);
+            std::filesystem::create_directories(root / "tty" / tty);
+            std::filesystem::create_directory_symlink(device / way, root / "tty" / tty / "device");
+        }
+        const std::vector<FoundBoard> found = find_boards_below(root / "tty", "/dev");
+        QCOMPARE(found.size(), std::size_t(1));
+        QCOMPARE(found[0].path, std::string("/dev/ttyACM6"));
     }
 };
 

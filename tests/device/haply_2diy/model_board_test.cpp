@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands in for a 2diy's board and its handle: how it moves, and when its motors are told.
-#include "device/haply_2diy/model_board.hpp"
-#include "device/haply_2diy/protocol/board_frames.hpp"
-#include "device/haply_2diy/simulated_line.hpp"
+#include "set_up_board.hpp"
 
 #include <QTest>
 
@@ -17,36 +15,7 @@
 #include <vector>
 
 using namespace tp;
-
-namespace {
-
-struct Board {
-    Pantograph arms;
-    ModelBoard model;
-    explicit Board(HaplyGeneration generation = HaplyGeneration::third, const HaplyPlant& plant = {})
-        : arms(generation), model(generation, plant) {}
-
-    void hear(std::span<const std::uint8_t> bytes) {
-        for (const std::uint8_t byte : bytes)
-            model.receive(byte);
-    }
-    void set_up() { hear(haply::encode(arms.set_up(arms.reference_deg())).view()); }
-    /// Its answer to torques, by arm.
-    std::optional<haply::Reply> ask(const std::array<double, 2>& torques = {}) {
-        hear(haply::encode(arms.command_of(torques)));
-        return said();
-    }
-    std::optional<haply::Reply> said() {
-        std::array<std::uint8_t, haply::reply_size> bytes{};
-        if (model.sent().size() != bytes.size())
-            return std::nullopt;
-        std::copy(model.sent().begin(), model.sent().end(), bytes.begin());
-        model.sent().clear();
-        return haply::decode_reply(bytes);
-    }
-};
-
-} // namespace
+using tp::testing::Board;
 
 class ModelBoardTest : public QObject {
     Q_OBJECT
@@ -142,6 +111,19 @@ private slots:
         QVERIFY2(board.model.handle().y < 25.0, qPrintable(QString::number(board.model.handle().y)));
     }
 
+    void a_handle_that_is_put_somewhere_rests_there() {
+        HaplyPlant plant;
+        plant.hand_stiffness = 0.4;
+        Board board(HaplyGeneration::third, plant);
+        board.model.move_hand(board.arms.middle() + Vec2(20.0, 0.0));
+        for (int ms = 0; ms < 20; ++ms)
+            board.model.step();
+        board.model.place_handle(board.arms.middle());
+        for (int ms = 0; ms < 20; ++ms)
+            board.model.step();
+        QVERIFY(board.model.handle() == board.arms.middle());
+    }
+
     void a_handle_that_nobody_holds_stays_where_it_is() {
         Board board;
         board.model.place_handle(board.arms.middle());
@@ -163,6 +145,16 @@ private slots:
                  qPrintable(QString("%1 %2").arg(way.x).arg(way.y)));
     }
 
+    void a_new_board_answers_with_its_number_alone_and_its_handle_rests() {
+        Board board;
+        const Vec2 before = board.model.handle();
+        board.hear(std::vector<std::uint8_t>{2, haply::usual_id});
+        QCOMPARE(board.model.sent().size(), std::size_t(1));
+        for (int ms = 0; ms < 10; ++ms)
+            board.model.step();
+        QVERIFY(board.model.handle() == before);
+    }
+
     void what_begins_no_frame_is_dropped_and_a_reset_forgets_the_set_up() {
         Board board;
         board.hear(std::vector<std::uint8_t>{0x03, 0x7F, 0xFF});
@@ -173,57 +165,43 @@ private slots:
         QVERIFY(!board.model.set_up());
     }
 
-    void a_line_is_as_late_as_it_is_told() {
-        for (const unsigned later : {0u, 3u}) {
-            Board board;
-            board.set_up();
-            SimulatedLine line(board.model, later);
-            std::array<std::uint8_t, 64> bytes{};
-            QVERIFY(line.write(haply::encode(haply::Command{})));
-            unsigned ms = 0;
-            while (ms < 100 && line.read(bytes, 0) == 0) {
-                line.advance();
-                ++ms;
-            }
-            QCOMPARE(ms, 1 + later);
-            QVERIFY(line.write(haply::encode(haply::Command{})));
-            QCOMPARE(line.read(bytes, 50), int(haply::reply_size)); // a wait passes in its own time
-            QCOMPARE(line.read(bytes, 50), 0);
-            line.troubles.unplugged = true;
-            QCOMPARE(line.read(bytes, 50), -1);
-            QVERIFY(!line.write(haply::encode(haply::Command{})));
-        }
+    /// Pins that the 2diy does not use: two that sense and three that are set.
+    void pins_are_told_and_taken_with_each_command() {
+        Board board;
+        const auto plain = haply::encode(board.arms.set_up(board.arms.reference_deg()));
+        std::vector<std::uint8_t> bytes(plain.begin(), plain.end());
+        const auto pins = bytes.begin() + 8; // behind two motors and two encoders
+        QVERIFY(pins[0] == 0 && pins[1] == 0);
+        const std::array<std::uint8_t, 7> some{2, 14, 15, 3, 4, 5, 6};
+        bytes.insert(bytes.erase(pins, pins + 2), some.begin(), some.end());
+        board.hear(bytes);
+        QVERIFY(board.model.set_up());
+        const auto command = haply::encode(board.arms.command_of({0.05, -0.02}));
+        std::vector<std::uint8_t> with_pins(command.begin(), command.end());
+        with_pins.insert(with_pins.begin() + 2, {1, 0, 1});
+        board.hear(with_pins);
+        QVERIFY(std::abs(board.model.torques()[0] - 0.05) < 5e-4 &&
+                std::abs(board.model.torques()[1] + 0.02) < 5e-4);
+        QCOMPARE(board.model.sent().size(), std::size_t(1 + 2 * 4 + 2 * 4));
+        QVERIFY(std::all_of(board.model.sent().begin() + 1, board.model.sent().begin() + 9,
+                            [](std::uint8_t byte) { return byte == 0; }));
+        board.model.sent().erase(board.model.sent().begin() + 1, board.model.sent().begin() + 9);
+        const auto reply = board.said();
+        QVERIFY(reply);
+        for (std::size_t i = 0; i < 2; ++i)
+            QVERIFY(std::abs(board.arms.angles_of(*reply)[i] - board.arms.reference_deg()[i]) < 0.1);
     }
 
-    void a_line_spoils_each_answer_that_it_is_told_to() {
+    void without_its_power_it_forgets_what_it_heard_and_had_to_say() {
         Board board;
         board.set_up();
-        SimulatedLine line(board.model);
-        std::array<std::uint8_t, 64> bytes{};
-        const auto answered = [&] {
-            line.write(haply::encode(haply::Command{}));
-            line.advance();
-            return static_cast<std::size_t>(line.read(bytes, 0));
-        };
-        QCOMPARE(answered(), haply::reply_size);
-        const std::array<std::uint8_t, 64> whole = bytes;
-        line.troubles.half = 1.0;
-        std::array<int, haply::reply_size> of_size{};
-        for (int i = 0; i < 400; ++i) {
-            const std::size_t size = answered();
-            QVERIFY(size < haply::reply_size);
-            ++of_size[size];
-        }
-        for (const int times : of_size)
-            QVERIFY2(times > 20, qPrintable(QString::number(times)));
-        line.troubles.half = 0.0;
-        line.troubles.garbage = 1.0;
-        int as_it_was = 0; // a byte may be replaced by the same
-        for (int i = 0; i < 400; ++i) {
-            QCOMPARE(answered(), haply::reply_size);
-            as_it_was += bytes == whole ? 1 : 0;
-        }
-        QVERIFY2(as_it_was < 10, qPrintable(QString::number(as_it_was)));
+        board.hear(haply::encode(haply::Command{}));
+        board.hear(std::vector<std::uint8_t>{2, haply::usual_id, 0});
+        board.model.power_off();
+        QVERIFY(board.model.sent().empty());
+        board.set_up();
+        QVERIFY(board.model.set_up());
+        QVERIFY(board.ask());
     }
 
     void a_line_that_nobody_reads_keeps_4096_bytes() {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 using namespace tp;
 
@@ -50,6 +51,8 @@ private slots:
         QVERIFY(std::abs(pose->condition - 1.33) < 0.01);
         QVERIFY(std::abs(third.force_in_the_middle() - 1.7) < 0.05);
         QVERIFY(std::abs(third.resolution() - 0.09) < 0.01);
+        QVERIFY(std::abs(third.resolution() - // of the coarser encoder, which is the second
+                         2.0 * std::numbers::pi / (2048 * 2.5 * 1.0194) * length(pose->column[1])) < 1e-9);
         QVERIFY(std::abs(area_cm2(third.workspace()) - 270.0) < 15.0);
     }
 
@@ -168,6 +171,39 @@ private slots:
             QVERIFY(torque[0] == 0.0 && torque[1] == 0.0);
         QVERIFY(std::abs(torque[0]) <= Pantograph::greatest_torque &&
                 std::abs(torque[1]) <= Pantograph::greatest_torque);
+    }
+
+    /// Where the sine of the angle between the links at the handle is below 0.1.
+    void links_that_lie_side_by_side_pull_nothing() {
+        const Pantograph arms(HaplyGeneration::third);
+        for (const auto& [sine, pulls] :
+             {std::pair{0.07, false}, {0.098, false}, {0.102, true}, {0.15, true}}) {
+            const double apart = 2.0 * 90.0 * std::sin(0.5 * std::asin(sine)); // the elbows, mm
+            const double lean = std::acos((38.0 - apart) / 140.0) / deg;
+            const std::array<double, 2> torque = arms.torques({lean, 180.0 - lean}, {0.1, 0.1});
+            QCOMPARE(torque != (std::array<double, 2>{}), pulls);
+        }
+    }
+
+    void an_arm_reaches_from_20_to_160_mm() {
+        const Pantograph arms(HaplyGeneration::first); // whose motors stand on one axis
+        for (const auto& [reach, reaches] :
+             {std::pair{19.99, false}, {20.0, true}, {100.0, true}, {160.0, true}, {160.01, false}})
+            QCOMPARE(arms.angles_at({0.0, reach}).has_value(), reaches);
+    }
+
+    void the_workspace_goes_as_far_as_it_can_by_eighths_of_a_millimetre_data() { both_generations(); }
+    void the_workspace_goes_as_far_as_it_can_by_eighths_of_a_millimetre() {
+        QFETCH(bool, third);
+        const Pantograph arms = arms_of(third);
+        for (const Vec2 corner : arms.workspace()) {
+            const double reach = length(corner - arms.middle());
+            QVERIFY(reach > 30.0 && std::abs(8.0 * reach - std::round(8.0 * reach)) < 1e-9);
+            const Vec2 beyond = arms.middle() + (reach + 0.125) / reach * (corner - arms.middle());
+            const auto angles = arms.angles_at(beyond);
+            QVERIFY(!angles || beyond.y < 15.0 ||
+                    !(arms.pose_at(*angles)->condition < Pantograph::greatest_condition));
+        }
     }
 
     void links_in_one_line_are_singular_and_pull_nothing() {

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <fcntl.h>
@@ -13,6 +14,7 @@
 #include <string>
 #include <sys/ioctl.h>
 #include <termios.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -87,6 +89,42 @@ private slots:
         QVERIFY(terminal.say(bytes));
         QVERIFY(read_of(*port) == bytes);
         QVERIFY(read_of(*port).empty()); // no echo
+        QVERIFY(port->write(Bytes{7}));
+        QVERIFY(terminal.heard(1) == Bytes{7});
+        QVERIFY(terminal.say({8}));
+        QVERIFY(read_of(*port) == Bytes{8});
+    }
+    /// What the system does not take at once it takes when the board has read.
+    void more_than_the_system_keeps_goes_out_too() {
+        const Terminal terminal;
+        auto port = terminal.port();
+        QVERIFY(port);
+        Bytes bytes(300'000);
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            bytes[i] = static_cast<std::uint8_t>(i * i >> 8u);
+        Bytes heard;
+        std::thread reader([&] { heard = terminal.heard(bytes.size()); });
+        const bool written = port->write(bytes);
+        port.reset(); // so that the reader ends in any case
+        reader.join();
+        QVERIFY(written && heard == bytes);
+    }
+    void a_read_that_waits_ends_with_the_first_byte() {
+        const Terminal terminal;
+        const auto port = terminal.port();
+        QVERIFY(port);
+        std::atomic<bool> reading{false};
+        std::thread board([&] {
+            reading.wait(false);
+            terminal.say({5});
+        });
+        std::array<std::uint8_t, 8> bytes{};
+        reading.store(true);
+        reading.notify_one();
+        const int got = port->read(bytes, 600'000); // CTest ends a test that waits so long
+        board.join();
+        QCOMPARE(got, 1);
+        QCOMPARE(int(bytes[0]), 5);
     }
     /// 1200 would send an Arduino into its boot loader; a modem line that falls would reset it.
     void the_line_is_as_a_board_wants_it() {
@@ -117,6 +155,7 @@ private slots:
         QVERIFY(port);
         QVERIFY(is_exclusive(static_cast<int>(port->handle())));
         port.reset();
+        QVERIFY(terminal.heard(1).empty()); // and when it has gone nobody has it open
         const int after = ::open(terminal.path.c_str(), O_RDWR | O_NOCTTY);
         QVERIFY(after >= 0 && !is_exclusive(after));
         ::close(after);

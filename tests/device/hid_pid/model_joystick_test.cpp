@@ -105,6 +105,18 @@ private slots:
         QCOMPARE(link.silent_ms(), 1u);
     }
 
+    void a_link_says_what_it_could_not_ask() {
+        ModelJoystick model(open_controller());
+        SimulatedJoystickLink link(model);
+        hid::Report load;
+        load.bytes[0] = model.wire().block_load;
+        link.troubles.block_load_late = 2;
+        QVERIFY(!link.get_feature(load) && !link.get_feature(load));
+        QVERIFY(link.get_feature(load));
+        link.troubles.unplugged = true;
+        QVERIFY(!link.get_feature(load) && !link.set_feature(load) && !link.write(load));
+    }
+
     void a_stick_says_bit_for_bit_why_its_motors_are_off() {
         ModelJoystick model(open_controller());
         const auto said = [&model] {

@@ -4,6 +4,7 @@
 #include "core/friction/orientation.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace tp {
 
@@ -13,18 +14,14 @@ namespace {
 int side_of_place(Vec2 a, Vec2 b, Vec2 place) {
     if (const int side = orientation(a, b, place))
         return side;
-    if (a.y != b.y)
-        return b.y < a.y ? 1 : -1;
-    return b.x > a.x ? 1 : -1;
+    return std::tie(b.y, a.x) < std::tie(a.y, b.x) ? 1 : -1;
 }
 
 /// Left of the way (1) or right of it (-1), of a way that is moved by (ε, ε²). `from` and `to` differ.
 int side_of_vertex(Vec2 from, Vec2 to, Vec2 vertex) {
     if (const int side = orientation(from, to, vertex))
         return side;
-    if (from.y != to.y)
-        return to.y > from.y ? 1 : -1;
-    return to.x < from.x ? 1 : -1;
+    return std::tie(from.y, to.x) < std::tie(to.y, from.x) ? 1 : -1;
 }
 
 /// Which way the step crosses the segment: 1 to its left, -1 to its right, 0 not at all.
@@ -64,7 +61,7 @@ void StepCrossings::insert(const LineCrossing& crossing) noexcept {
 
 CrossingFinder::CrossingFinder(const FlatScene& scene) {
     for (std::size_t contour = 0; contour < scene.lines.size(); ++contour) {
-        closed_.push_back(scene.lines[contour].closed ? 1 : 0);
+        closed_.push_back(static_cast<char>(scene.lines[contour].closed));
         take(scene.lines[contour], static_cast<int>(contour));
     }
     SegmentSet set;
@@ -96,8 +93,10 @@ void CrossingFinder::take(const Polyline& line, int contour) {
         }
         pieces_.push_back(piece);
     }
+    if (!line.closed || pieces_.size() == first)
+        return;
     const auto last = static_cast<std::uint32_t>(pieces_.size()) - 1;
-    if (line.closed && pieces_.size() > first + 1 && pieces_[last].b == pieces_[first].a) {
+    if (pieces_[last].b == pieces_[first].a) {
         pieces_[first].before = last;
         pieces_[last].behind = first;
     }
@@ -116,8 +115,6 @@ bool CrossingFinder::touches_at(const Piece& piece, Vec2 from, Vec2 to) const no
 
 template <typename Crossed>
 void CrossingFinder::for_each_crossed(Vec2 from, Vec2 to, Crossed crossed) const noexcept {
-    if (from == to)
-        return;
     tree_.for_each_near(glm::min(from, to), glm::max(from, to), [&](std::uint32_t candidate) {
         const Piece& piece = pieces_[in_order_[candidate]];
         if (const int side = crossed_to(piece.a, piece.b, from, to))

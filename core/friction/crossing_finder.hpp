@@ -14,12 +14,12 @@ namespace tp {
 
 /// Where the way of a finger crosses a line.
 struct LineCrossing {
-    int contour = -1;          ///< index into the FlatScene
-    std::uint32_t segment = 0; ///< of that contour's line
-    double share = 0.0;        ///< of the step, 0 at its beginning … 1 at its end
-    Vec2 place{0.0};           ///< mm
-    Vec2 along{0.0};           ///< of the segment as it was drawn, mm; never zero
-    bool to_left = false;      ///< of the line as it was drawn
+    int contour;           ///< index into the FlatScene
+    std::uint32_t segment; ///< of that contour's line
+    double share;          ///< of the step, 0 at its beginning … 1 at its end
+    Vec2 place;            ///< mm
+    Vec2 along;            ///< of the segment as it was drawn, mm; never zero
+    bool to_left;          ///< of the line as it was drawn
 };
 
 /// The crossings of one step, in their order along it; room for so many that a finger cannot feel more.
@@ -82,7 +82,7 @@ private:
     std::vector<char> closed_;            ///< one a contour
     std::vector<std::uint32_t> in_order_; ///< the pieces as the tree has them
     SegmentTree tree_;
-    double right_end_ = 0.0; ///< mm, beyond all lines
+    double right_end_{}; ///< mm, beyond all lines
 };
 
 } // namespace tp

@@ -26,12 +26,9 @@ double angle_between(Vec2 way, Vec2 line) {
 
 void FrictionFinger::lift() noexcept {
     down_ = following_ = at_corner_ = false;
-    contour_ = -1;
     lately_count_ = 0;
-    forget_way();
+    near_ = {};
 }
-
-void FrictionFinger::forget_way() noexcept { near_mm_ = way_ = along_ = 0.0; }
 
 Friction FrictionFinger::step(Vec2 place, Vec2 velocity, const Guidance& exact) noexcept {
     told_ = 0;
@@ -40,26 +37,21 @@ Friction FrictionFinger::step(Vec2 place, Vec2 velocity, const Guidance& exact) 
         lift();
         return {};
     }
-    if (lately_count_ > 0)
-        forget_left(place);
+    forget_left(place);
     if (!down_) {
         down_ = true;
         in_texture_ = law_->in_texture(place);
     } else if (may_cross(place, exact.distance) || exact.distance <= heed_mm || following_ || at_corner_) {
         const double speed = quick_length(velocity);
-        const Movement now{place, quick_length(place - place_), speed, law_->share_at(speed)};
+        const Movement now{place, quick_length(place - before_.place), speed, law_->share_at(speed)};
         if (may_cross(place, exact.distance))
             cross_lines(now);
         follow(now, exact);
         look_for_corner(now, exact);
     } else {
-        forget_way();
+        near_ = {};
     }
-    place_ = place;
-    distance_ = exact.distance;
-    nearest_ = exact.nearest;
-    contour_ = exact.contour;
-    segment_ = exact.segment;
+    before_ = {place, exact.distance, exact.nearest, exact.contour, exact.segment};
     double level = law_->moving_level(place, exact.distance, in_texture_);
     if (level > 0.0)
         level *= law_->share_at(quick_length(velocity));
@@ -69,19 +61,19 @@ Friction FrictionFinger::step(Vec2 place, Vec2 velocity, const Guidance& exact) 
 /// No place of the step is nearer to a line than the distances at its ends allow: most steps cross nothing, and are not
 /// looked at.
 bool FrictionFinger::may_cross(Vec2 place, double distance) const noexcept {
-    const Vec2 way = place - place_;
-    const double clear = (1.0 - slack_share) * (distance_ + distance) - slack_mm;
+    const Vec2 way = place - before_.place;
+    const double clear = (1.0 - slack_share) * (before_.distance + distance) - slack_mm;
     return !(clear > 0.0 && glm::dot(way, way) < clear * clear);
 }
 
 void FrictionFinger::cross_lines(const Movement& now) noexcept {
-    law_->lines().find(place_, now.place, crossings_);
+    law_->lines().find(before_.place, now.place, crossings_);
     for (const LineCrossing& crossing : crossings_.list()) {
         in_texture_ ^= law_->bounds_texture(crossing.contour);
         if (told_already(crossing, now.share))
             continue;
         tell({LineEventKind::crossed, crossing.contour, crossing.segment, crossing.place, now.speed,
-              angle_between(now.place - place_, crossing.along), crossing.to_left, now.share});
+              angle_between(now.place - before_.place, crossing.along), crossing.to_left, now.share});
     }
     if (crossings_.left_out() > 0)
         in_texture_ = law_->in_texture(now.place);
@@ -110,31 +102,32 @@ void FrictionFinger::forget_left(Vec2 place) noexcept {
 /// A finger follows a line where the place nearest to it goes along as the finger does; one that crosses leaves that place
 /// where it is. Older way counts less and less.
 void FrictionFinger::follow(const Movement& now, const Guidance& exact) noexcept {
-    const bool same = exact.contour == contour_ && contour_ >= 0;
+    const bool same = exact.contour == before_.contour;
     if (following_ && (!same || exact.distance > away_mm)) {
-        tell({LineEventKind::left, contour_, segment_, now.place, now.speed, 0.0, false, now.share});
+        tell({LineEventKind::left, before_.contour, before_.segment, now.place, now.speed, 0.0, false,
+              now.share});
         following_ = false;
-        forget_way();
     }
     if (!same || exact.distance > along_mm) {
-        forget_way();
+        near_ = {};
         return;
     }
     const double kept = std::max(0.0, 1.0 - now.way * (1.0 / along_way_mm));
-    near_mm_ += now.way;
-    way_ = kept * way_ + now.way;
-    along_ = kept * along_ + std::min(now.way, quick_length(exact.nearest - nearest_));
-    if (following_ || near_mm_ < along_way_mm || along_ < along_share * way_)
+    near_.all += now.way;
+    near_.lately = kept * near_.lately + now.way;
+    near_.along = kept * near_.along + std::min(now.way, quick_length(exact.nearest - before_.nearest));
+    if (following_ || near_.all < along_way_mm || near_.along < along_share * near_.lately)
         return;
     following_ = true;
-    tell({LineEventKind::followed, contour_, exact.segment, now.place, now.speed, 0.0, false, now.share});
+    tell(
+        {LineEventKind::followed, exact.contour, exact.segment, now.place, now.speed, 0.0, false, now.share});
 }
 
 /// Once; again when the finger has been away from it.
 void FrictionFinger::look_for_corner(const Movement& now, const Guidance& exact) noexcept {
     if (at_corner_ && quick_length(now.place - corner_) > 2.0 * FrictionLaw::corner_mm)
         at_corner_ = false;
-    if (exact.contour < 0 || exact.distance > FrictionLaw::corner_mm || now.place == place_)
+    if (exact.distance > FrictionLaw::corner_mm || now.place == before_.place)
         return;
     const Nearest corner = law_->corners().nearest_within(now.place, FrictionLaw::corner_mm);
     if (!corner.found() || (at_corner_ && corner.point == corner_))

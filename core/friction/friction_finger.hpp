@@ -19,14 +19,14 @@ enum class LineEventKind {
 };
 
 struct LineEvent {
-    LineEventKind kind = LineEventKind::crossed;
-    int contour = -1;          ///< index into the FlatScene
-    std::uint32_t segment = 0; ///< of that contour's line; of a crossing the one that is crossed
-    Vec2 place{0.0};           ///< mm; of a crossing and a corner on the line, else the finger's
-    double speed = 0.0;        ///< of the finger, mm/s
-    double angle = 0.0;        ///< between the finger's way and the line, rad, 0 … π/2; of a crossing only
-    bool to_left = false;      ///< of the line as it was drawn; of a crossing only
-    double share = 0.0; ///< FrictionLaw::share_at of this speed: nothing of it is felt where the finger rests
+    LineEventKind kind;
+    int contour;           ///< index into the FlatScene
+    std::uint32_t segment; ///< of that contour's line; of a crossing the one that is crossed
+    Vec2 place;            ///< mm; of a crossing and a corner on the line, else the finger's
+    double speed;          ///< of the finger, mm/s
+    double angle;          ///< between the finger's way and the line, rad, 0 … π/2; of a crossing only
+    bool to_left;          ///< of the line as it was drawn; of a crossing only
+    double share; ///< FrictionLaw::share_at of this speed: nothing of it is felt where the finger rests
 };
 
 /// What a bare finger should feel now.
@@ -42,7 +42,7 @@ struct Friction {
 class FrictionFinger {
 public:
     static constexpr double along_mm = 1.0;     ///< so near to a line a finger may be following it
-    static constexpr double away_mm = 2.0;      ///< from here on a line that was followed is left
+    static constexpr double away_mm = 2.0;      ///< farther away a line that was followed is left
     static constexpr double along_way_mm = 4.0; ///< so far a finger goes near a line before it follows it
     static constexpr double along_share = 0.9;  ///< of that way at least so much is along the line
 
@@ -58,6 +58,20 @@ public:
     bool following() const { return following_; }
 
 private:
+    /// Of the finger, and of the line nearest to it; see Guidance.
+    struct Sample {
+        Vec2 place;
+        double distance;
+        Vec2 nearest;
+        int contour;
+        std::uint32_t segment;
+    };
+    /// How far a finger went near the same line, mm.
+    struct WayNear {
+        double all;
+        double lately; ///< the same, older way forgotten
+        double along;  ///< … as far as it was along the line
+    };
     struct Movement {
         Vec2 place;
         double way;   ///< mm since the sample before
@@ -68,26 +82,19 @@ private:
     void cross_lines(const Movement& now) noexcept;
     void follow(const Movement& now, const Guidance& exact) noexcept;
     void look_for_corner(const Movement& now, const Guidance& exact) noexcept;
-    void forget_way() noexcept;
     bool told_already(const LineCrossing& crossing, double share) noexcept;
     void forget_left(Vec2 place) noexcept;
     void tell(const LineEvent& event) noexcept { events_[told_++] = event; }
 
     const FrictionLaw* law_;
     bool down_ = false;
-    Vec2 place_{0.0};       ///< mm, of the sample before
-    double distance_ = 0.0; ///< mm, there
+    Sample before_{};
     bool in_texture_ = false;
 
-    int contour_ = -1; ///< near which the finger goes
-    std::uint32_t segment_ = 0;
-    Vec2 nearest_{0.0};    ///< mm, its place nearest to the finger
-    double near_mm_ = 0.0; ///< way near it so far
-    double way_ = 0.0;     ///< the same, older way forgotten
-    double along_ = 0.0;   ///< … as far as it was along the line
+    WayNear near_{};
     bool following_ = false;
     bool at_corner_ = false;
-    Vec2 corner_{0.0}; ///< mm, the one told last
+    Vec2 corner_{}; ///< mm, the one told last
 
     struct Crossed {
         int contour;
@@ -97,7 +104,7 @@ private:
     std::size_t lately_count_ = 0;
 
     StepCrossings crossings_;
-    std::array<LineEvent, StepCrossings::room + 3> events_{};
+    std::array<LineEvent, StepCrossings::room + 2> events_{};
     std::size_t told_ = 0;
 };
 

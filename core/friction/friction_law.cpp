@@ -31,7 +31,7 @@ FrictionLaw::FrictionLaw(const FlatScene& scene, const FrictionChoices& choices)
     for (std::size_t contour = 0; contour < scene.lines.size(); ++contour) {
         const bool named =
             std::ranges::find(choices.textured, scene.names[contour]) != choices.textured.end();
-        textured_.push_back(named && scene.lines[contour].closed ? 1 : 0);
+        textured_.push_back(static_cast<char>(named && scene.lines[contour].closed));
         has_texture_ |= textured_.back() != 0;
     }
 }
@@ -42,13 +42,13 @@ double FrictionLaw::ridge(double distance) const noexcept {
         return 0.0;
     switch (choices_.ridge) {
     case RidgeShape::flat:
-        return choices_.strength;
+        break;
     case RidgeShape::tent:
         return choices_.strength * share;
     case RidgeShape::rounded:
         return choices_.strength * eased(share);
     }
-    return 0.0;
+    return choices_.strength;
 }
 
 double FrictionLaw::rough_level(Vec2 place, double distance, bool in_texture) const noexcept {

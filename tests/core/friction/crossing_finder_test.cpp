@@ -96,6 +96,19 @@ const std::vector<HardWay> all_hard_ways{
      one_line({{-5, 0}, {-1, 0}, {std::nan(""), 0}, {1, 0}, {5, 0}}),
      {{-3, -1}, {-3, 1}, {0, 1}, {0, -1}, {3, -1}, {3, 1}},
      {1, 0, 0, 0, 1}},
+    {"touching_where_two_lines_meet_crosses_each", // neither goes on in the other
+     {{"a", "b"}, {{{{-5, 5}, {0, 0}}, false}, {{{0, 0}, {5, 5}}, false}}},
+     {{-3, 0}, {3, 0}},
+     {2}},
+    {"touching_the_seam_of_a_shut_lid", one_line({{-5, 0}, {5, 0}}, true), {{-5, -1}, {-5, 1}}, {0}},
+    {"touching_where_an_open_line_ends_as_it_began",
+     one_line({{0, 0}, {10, 0}, {10, 10}, {0, 0}}),
+     {{-1, 1}, {1, -1}},
+     {2}},
+    {"through_a_step_that_is_none",
+     one_line({{-5, 0}, {5, 0}}),
+     {{0, 1}, {0, 1}, {0, -1}, {0, -1}},
+     {0, 1, 0}},
 };
 
 } // namespace
@@ -232,6 +245,29 @@ private slots:
         QCOMPARE(crossings.list().size(), std::size_t(1));
         QCOMPARE(crossings.list()[0].share, 0.0);
         QVERIFY(crossings.list()[0].place == Vec2(0, 0));
+    }
+
+    /// Where both products round to the same, and beyond what their difference can tell.
+    void a_place_on_the_way_is_a_place_of_the_way() {
+        StepCrossings crossings;
+        std::mt19937 random(6);
+        std::uniform_real_distribution<double> at(-50.0, 50.0);
+        std::uniform_int_distribution<int> ulps(-3, 3);
+        std::size_t all = 0;
+        for (int round = 0; round < 20'000; ++round) {
+            const Vec2 a(at(random), at(random)), b(at(random), at(random));
+            const auto nearly_on_it = [&] {
+                const Vec2 place = a + 0.01 * (at(random) + 50.0) * (b - a);
+                return Vec2(place.x + ulps(random) * 4e-15, place.y + ulps(random) * 4e-15);
+            };
+            const Vec2 from = nearly_on_it(), to = nearly_on_it();
+            CrossingFinder(one_line({a, b})).find(from, to, crossings);
+            for (const LineCrossing& crossing : crossings.list()) {
+                QVERIFY(crossing.share >= 0.0 && crossing.share <= 1.0);
+                ++all;
+            }
+        }
+        QVERIFY(all > 1000);
     }
 
     void hostile_numbers_are_answered() {

@@ -31,6 +31,31 @@ private slots:
         QCOMPARE(law.share_at(6.0), 1.0);
     }
 
+    /// As in friction_choices.hpp: what a person feels who has chosen nothing.
+    void what_nobody_chose_is_rounded_2_mm_wide_and_as_strong_as_can_be() {
+        const FrictionChoices usual;
+        QCOMPARE(moving(usual, 0.0), 1.0);
+        QCOMPARE(moving(usual, 0.5), 0.5);
+        QVERIFY(moving(usual, 0.25) > 0.8 && moving(usual, 0.99) > 0.0); // a tent has 0.75 there
+        QCOMPARE(moving(usual, 1.0), 0.0);
+        const FrictionLaw law(line, usual);
+        for (const double stripe : {0.0, 2.0, -4.0}) {
+            QVERIFY(std::abs(law.moving_level({stripe, 9}, 9.0, true) - 0.4) < 1e-12);
+            QVERIFY(std::abs(law.moving_level({stripe + 0.5, 9}, 9.0, true) - 0.2) < 1e-12);
+            QVERIFY(law.moving_level({stripe + 1.0, 9}, 9.0, true) < 1e-12);
+        }
+        QCOMPARE(law.again_mm(), 0.0);
+    }
+
+    void a_flat_ridge_ends_at_its_edge_among_stripes_too() {
+        FrictionChoices choices;
+        choices.ridge = RidgeShape::flat;
+        const FrictionLaw law(line, choices);
+        const double between_stripes = 1.0;
+        QCOMPARE(law.moving_level({between_stripes, 0.99}, 0.99, true), 1.0);
+        QCOMPARE(law.moving_level({between_stripes, 1.0}, 1.0, true), 0.0);
+    }
+
     void a_ridge_is_as_high_and_wide_and_shaped_as_chosen() {
         FrictionChoices choices;
         choices.width_mm = 4.0;

@@ -61,6 +61,33 @@ private slots:
         QVERIFY(close == 150'000 && zero > 10'000);
     }
 
+    /// Lines that come from far and pass the origin nearly: what lies between a place near it and their ends is no double.
+    void equals_whole_numbers_where_differences_are_rounded() {
+        std::mt19937_64 random(2);
+        std::uniform_int_distribution<std::int64_t> direction(-(1 << 26), 1 << 26), times(1 << 6, 1 << 7),
+            place(-3, 3);
+        int rounded = 0;
+        for (int round = 0; round < 100'000; ++round) {
+            const std::int64_t x = direction(random), y = direction(random);
+            const std::int64_t far = times(random) << 26, farther = -times(random) << 25;
+            std::array<std::int64_t, 6> c{x * far,     y * far,       x * farther,
+                                          y * farther, place(random), place(random)};
+            if (round % 2 == 0) { // and one on the line or beside it
+                c[4] += 5 * x;
+                c[5] += 5 * y;
+            }
+            const auto at = [&](int i) {
+                return Vec2(double(c[std::size_t(2 * i)]), double(c[std::size_t(2 * i + 1)]));
+            };
+            const int right = true_orientation(c);
+            rounded += std::int64_t(at(0).x - at(2).x) != c[0] - c[4] ? 1 : 0;
+            QCOMPARE(orientation(at(0), at(1), at(2)), right);
+            QCOMPARE(orientation(at(1), at(0), at(2)), -right);
+            QCOMPARE(orientation(at(2), at(0), at(1)), right);
+        }
+        QVERIFY(rounded > 50'000);
+    }
+
     /// Kettner, Mehlhorn, Pion, Schirra, Yap, "Classroom examples of robustness problems" (2008): double alone takes many of
     /// these places for the wrong side.
     void one_ulp_beside_a_diagonal() {

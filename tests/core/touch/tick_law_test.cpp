@@ -12,7 +12,7 @@ using namespace tp;
 namespace {
 
 LineEvent event_of(LineEventKind kind, double share = 1.0, double angle = std::numbers::pi / 2.0) {
-    LineEvent event;
+    LineEvent event{};
     event.kind = kind;
     event.share = share;
     event.angle = angle;

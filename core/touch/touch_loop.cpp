@@ -22,10 +22,9 @@ TouchLoop::TouchLoop(TouchOutput& output, const TouchCapabilities& can, Clock& c
                      const TouchSettings& settings)
     : output_(output), guard_(output), clock_(clock), pad_to_surface_(settings.pad_to_surface),
       quiet_s_(settings.quiet_s), has_friction_(can.means == TouchMeans::friction),
-      is_pad_(can.pad.has_value()), period_(1.0 / touch_rate(can.rate)) {
+      is_pad_(can.pad.has_value()), period_(1.0 / touch_rate(can.rate)), last_period_(clock.now()) {
     choose(settings.choices);
     set_latency(settings.latency_s);
-    last_period_ = clock_.now();
 }
 
 TouchLoop::~TouchLoop() { stop(); }
@@ -111,7 +110,6 @@ void TouchLoop::take_scene() noexcept {
     current_ = offered;
     finger_.reset();
     lead_.reset();
-    view_.tour_finished = false;
     if (!current_->value)
         return;
     finger_.emplace(current_->value->friction);

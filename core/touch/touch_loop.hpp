@@ -138,7 +138,7 @@ private:
     VelocityFilter velocity_;
     Told place_; ///< the newest
     TouchSnapshot view_;
-    double last_period_ = 0.0;
+    double last_period_; ///< s, when it began
     std::uint64_t asked_done_ = 0;
     bool on_ = false; ///< something may be felt
 };

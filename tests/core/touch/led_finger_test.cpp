@@ -71,6 +71,23 @@ private slots:
         QVERIFY2(std::abs(way - 0.3) < 0.01, qPrintable(QString::number(way))); // of ten periods at 30 mm/s
     }
 
+    /// As after an hour of the program: the clock does not begin with the loop.
+    void the_first_period_leads_as_far_as_each() {
+        TouchOutputDouble output;
+        VirtualClock clock;
+        clock.sleep_until(3600.0);
+        TouchLoop loop(output, output.capabilities(), clock, {});
+        loop.render(line_at(0.0, true));
+        loop.engage();
+        loop.tell({0.0, -80.0});
+        for (int i = 1; i <= 3; ++i) {
+            clock.sleep_until(clock.now() + loop.period());
+            loop.tick();
+            const double way = loop.snapshot().leader().y + 80.0;
+            QVERIFY2(std::abs(way - 30.0 * i * loop.period()) < 1e-9, qPrintable(QString::number(way)));
+        }
+    }
+
     void without_a_way_nobody_is_led() {
         TouchBench bench;
         bench.loop->tell({-5.0, 0.0});

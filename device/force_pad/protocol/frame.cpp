@@ -71,7 +71,7 @@ public:
 private:
     const Frame& frame_;
     size_t at_ = 0;
-    bool good_ = false;
+    bool good_;
 };
 
 bool is_answer(FrameType type) {
@@ -87,7 +87,6 @@ uint16_t crc16(const uint8_t* bytes, size_t count) {
         crc ^= static_cast<uint32_t>(bytes[i]) << 8;
         for (int bit = 0; bit < 8; ++bit)
             crc = (crc & 0x8000u) != 0 ? (crc << 1) ^ 0x1021u : crc << 1;
-        crc &= 0xFFFFu;
     }
     return static_cast<uint16_t>(crc);
 }

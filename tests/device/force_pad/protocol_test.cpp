@@ -80,6 +80,25 @@ bool same(const CapabilitiesFrame& a, const CapabilitiesFrame& b) {
            a.watchdog_ms == b.watchdog_ms;
 }
 
+/// The frame with another byte, and a CRC that says so.
+Frame with_byte(Frame frame, std::size_t at, uint8_t value) {
+    frame.bytes[at] = value;
+    const uint16_t crc = crc16(frame.bytes, frame_size - 2);
+    frame.bytes[frame_size - 2] = static_cast<uint8_t>(crc & 0xFF);
+    frame.bytes[frame_size - 1] = static_cast<uint8_t>(crc >> 8);
+    return frame;
+}
+
+template <typename Value>
+void refuses_flipped_bits(const Value& value) {
+    for (unsigned bit = 0; bit < 8 * frame_size; ++bit) {
+        Frame frame = encode(value);
+        frame.bytes[bit / 8] = static_cast<uint8_t>(frame.bytes[bit / 8] ^ (1u << (bit % 8)));
+        Value back;
+        QVERIFY(!decode(frame, back));
+    }
+}
+
 } // namespace
 
 class ForcePadProtocolTest : public QObject {
@@ -283,14 +302,18 @@ private slots:
         }
     }
 
+    void of_each_type_a_frame_with_a_flipped_bit_is_refused() {
+        refuses_flipped_bits(ForceFrame{1, 2, 3, true});
+        refuses_flipped_bits(AskFrame{1, FrameType::outline, 2});
+        refuses_flipped_bits(CalibrateFrame{1, CalibrateAction::scale, 2, 1024});
+        refuses_flipped_bits(StateFrame{});
+        refuses_flipped_bits(CapabilitiesFrame{});
+        refuses_flipped_bits(OutlineFrame{1, 0, 2, {1, 2, 0}, {3, 4, 0}});
+        refuses_flipped_bits(IdentityFrame{1, "TPC-0001"});
+        refuses_flipped_bits(CalibrationFrame{});
+    }
+
     void what_the_page_does_not_allow_is_refused() {
-        const auto with_byte = [](Frame frame, std::size_t at, uint8_t value) {
-            frame.bytes[at] = value;
-            const uint16_t crc = crc16(frame.bytes, frame_size - 2);
-            frame.bytes[frame_size - 2] = static_cast<uint8_t>(crc & 0xFF);
-            frame.bytes[frame_size - 1] = static_cast<uint8_t>(crc >> 8);
-            return frame;
-        };
         const Frame force = encode(ForceFrame{1, 2, 3, true});
         ForceFrame value{99, 0, 0, false};
         QVERIFY(!decode(with_byte(force, 0, 0x02), value)); // type
@@ -314,6 +337,35 @@ private slots:
         QVERIFY(!decode(with_byte(encode(IdentityFrame{}), 4, 0xE9), identity));
         StateFrame state;
         QVERIFY(!decode(with_byte(encode(StateFrame{}), 23, 0x80), state)); // a status bit that is not there
+        CapabilitiesFrame can;
+        for (const uint8_t kind : {uint8_t{0}, uint8_t{3}})
+            QVERIFY(!decode(with_byte(encode(CapabilitiesFrame{}), 4, kind), can));
+        CalibrationFrame calibration;
+        QVERIFY(!decode(with_byte(encode(CalibrationFrame{}), 4, 2), calibration));
+        const Frame longest = encode(IdentityFrame{1, "sixteen_letters_"});
+        QVERIFY(decode(longest, identity));
+        QVERIFY(!decode(with_byte(longest, 20, 'A'), identity)); // a seventeenth
+        constexpr std::size_t last = frame_size - 3; // is reserved in each, but for an outline's third corner
+        QVERIFY(!decode(with_byte(encode(AskFrame{}), last, 1), ask));
+        QVERIFY(!decode(with_byte(encode(CalibrateFrame{}), last, 1), calibrate));
+        for (std::size_t at = 12; at <= last; ++at)
+            QVERIFY(!decode(with_byte(encode(CalibrateFrame{}), at, 0x80), calibrate));
+        QVERIFY(!decode(with_byte(encode(CapabilitiesFrame{}), last, 1), can));
+        QVERIFY(!decode(with_byte(encode(IdentityFrame{}), last, 1), identity));
+        QVERIFY(!decode(with_byte(encode(CalibrationFrame{}), last, 1), calibration));
+    }
+
+    void the_numbers_are_those_of_the_page() {
+        QCOMPARE(encode(CalibrateFrame{1, CalibrateAction::home, 0, 1000}).bytes[4], uint8_t(1));
+        QCOMPARE(encode(CalibrateFrame{1, CalibrateAction::scale, 0, 1000}).bytes[4], uint8_t(2));
+        CapabilitiesFrame can;
+        QCOMPARE(encode(can).bytes[4], uint8_t(1)); // cables
+        can.kind = PadKind::pantograph;
+        QCOMPARE(encode(can).bytes[4], uint8_t(2));
+        QVERIFY(type_of(encode(can)) == FrameType::capabilities);
+        QVERIFY(usb_vendor == 0x1209 && usb_product == 0x0001 && usage_page == 0xFF54 && usage == 1);
+        QVERIFY(bulk_class == 0xFF && bulk_subclass == 0x54 && bulk_protocol == 1);
+        QVERIFY(bulk_out == 0x02 && bulk_in == 0x81);
     }
 
     void sequence_numbers_go_round() {

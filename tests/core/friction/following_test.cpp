@@ -227,7 +227,8 @@ private slots:
 
     /// The most that one step can tell of: all crossings for which there is room, a line left, a corner reached.
     void a_step_in_which_everything_happens_tells_everything() {
-        FlatScene fence{{"followed", "bent"}, {{{{-40, 0}, {0, 0}}, false}, {{{30, 5}, {30, 0}, {60, 0}}, false}}};
+        FlatScene fence{{"followed", "bent"},
+                        {{{{-40, 0}, {0, 0}}, false}, {{{30, 5}, {30, 0}, {60, 0}}, false}}};
         for (int i = 0; i < 40; ++i) {
             const double x = 10.0 + 0.1 * i;
             fence.names.emplace_back("post");

@@ -88,6 +88,19 @@ private slots:
         QVERIFY(rounded > 50'000);
     }
 
+    /// Three corners as they come, nearly in a line: each order of them rounds otherwise.
+    void equals_itself_from_whichever_corner() {
+        std::mt19937_64 random(3);
+        std::uniform_real_distribution<double> at(-1.0, 1.0);
+        for (int round = 0; round < 200'000; ++round) {
+            const double ax = at(random), ay = at(random), bx = at(random), by = at(random);
+            const Vec2 a(ax, ay), b(bx, by), p = a + 3.0 * at(random) * (b - a);
+            const int side = orientation(a, b, p);
+            QVERIFY(side == orientation(b, p, a) && side == orientation(p, a, b));
+            QVERIFY(side == -orientation(b, a, p) && side == -orientation(p, b, a));
+        }
+    }
+
     /// Kettner, Mehlhorn, Pion, Schirra, Yap, "Classroom examples of robustness problems" (2008): double alone takes many of
     /// these places for the wrong side.
     void one_ulp_beside_a_diagonal() {

@@ -51,7 +51,7 @@ private:
           file_(std::move(file)) {}
 
     std::filesystem::path place_;
-    bool linked_ = false; ///< a link has the name, and leads there
+    bool linked_; ///< a link has the name, and leads there
     std::filesystem::path temporary_;
     OpenFile file_;
 };

@@ -4,6 +4,7 @@ set(not_there
   core.files                   # asks POSIX who may read a file; files_test.cpp beside this is Windows's own
   core.files.growing_file      # puts itself in the place of POSIX's own functions
   core.files.failing_disk      # the same
+  core.files.new_file          # asks POSIX for a process of its own
   core.files.open_file         # asks POSIX for pipes, times and what programs inherit
   core.files.names             # asks POSIX for links and processes
   core.libraries               # names libraries as Linux does

@@ -3,11 +3,13 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/folder_lock.hpp"
 #include "core/files/whole_file.hpp"
+#include "refusing_system.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -27,99 +29,6 @@
 
 using namespace tp;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// What was asked of the system, in order: "file", "folder" (brought to the disk), "name" (given).
-std::vector<std::string> asked;
-int file_sync_error = 0;             ///< errno of every fsync of a file; 0: none
-int folder_sync_error = 0;           ///< of a folder
-int flag_error = 0;                  ///< of renameat2
-int rename_error = 0;                ///< of rename
-int read_error = 0;                  ///< of every read of a file
-int lock_error = 0;                  ///< of every lock
-int time_error = 0;                  ///< where a file is given its time
-int interruptions = 0;               ///< a signal comes as often before what is asked next is done
-std::size_t most_at_once = SIZE_MAX; ///< bytes that one call writes
-bool somebody_is_sooner = false;     ///< to make a folder
-int inherited = 0; ///< open files, of those asked about, that a program started meanwhile would have
-
-bool is_folder(int descriptor) {
-    struct stat about {};
-    return ::fstat(descriptor, &about) == 0 && S_ISDIR(about.st_mode);
-}
-
-int refused(int error) {
-    errno = error;
-    return -1;
-}
-
-bool is_interrupted() { return interruptions > 0 && interruptions-- > 0; }
-
-void look_whether_inherited(int descriptor) {
-    inherited += (::fcntl(descriptor, F_GETFD) & FD_CLOEXEC) == 0 ? 1 : 0;
-}
-
-} // namespace
-
-extern "C" int fsync(int descriptor) {
-    const bool folder = is_folder(descriptor);
-    look_whether_inherited(descriptor);
-    asked.emplace_back(folder ? "folder" : "file");
-    if (const int error = folder ? folder_sync_error : file_sync_error; error != 0)
-        return refused(error);
-    return static_cast<int>(::syscall(SYS_fsync, descriptor));
-}
-
-extern "C" int renameat2(int old_folder, const char* from, int new_folder, const char* to,
-                         unsigned flags) noexcept {
-    if (flag_error != 0)
-        return refused(flag_error);
-    asked.emplace_back("name");
-    return static_cast<int>(::syscall(SYS_renameat2, old_folder, from, new_folder, to, flags));
-}
-
-extern "C" int rename(const char* from, const char* to) noexcept {
-    asked.emplace_back("name");
-    if (rename_error != 0)
-        return refused(rename_error);
-    return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
-}
-
-extern "C" ssize_t read(int descriptor, void* bytes, std::size_t count) {
-    look_whether_inherited(descriptor);
-    if (is_interrupted())
-        return refused(EINTR);
-    if (read_error != 0)
-        return refused(read_error);
-    return ::syscall(SYS_read, descriptor, bytes, count);
-}
-
-extern "C" ssize_t write(int descriptor, const void* bytes, std::size_t count) {
-    if (is_interrupted())
-        return refused(EINTR);
-    return ::syscall(SYS_write, descriptor, bytes, std::min(count, most_at_once));
-}
-
-extern "C" int flock(int descriptor, int operation) noexcept {
-    look_whether_inherited(descriptor);
-    if (is_interrupted())
-        return refused(EINTR);
-    if (lock_error != 0)
-        return refused(lock_error);
-    return static_cast<int>(::syscall(SYS_flock, descriptor, operation));
-}
-
-extern "C" int utimensat(int folder, const char* file, const timespec* times, int flags) noexcept {
-    if (time_error != 0)
-        return refused(time_error);
-    return static_cast<int>(::syscall(SYS_utimensat, folder, file, times, flags));
-}
-
-extern "C" int mkdir(const char* folder, mode_t mode) noexcept {
-    const long made = ::syscall(SYS_mkdirat, AT_FDCWD, folder, mode);
-    return made == 0 && somebody_is_sooner ? refused(EEXIST) : static_cast<int>(made);
-}
 
 class FailingDiskTest : public QObject {
     Q_OBJECT
@@ -227,6 +136,19 @@ private slots:
         interruptions = 2;
         QVERIFY(!FolderLock(root_, std::chrono::milliseconds(0)).held());
         QCOMPARE(interruptions, 0);
+    }
+
+    void at_a_place_too_all_is_read_and_written_piece_by_piece() {
+        QCOMPARE(replace_file(root_ / "a", "0123456789"), std::string());
+        const OpenFile file(root_ / "a", {.write = true});
+        most_at_once = 3;
+        std::array<char, 8> bytes{};
+        QCOMPARE(file.read_at(1, bytes), std::size_t(8));
+        QCOMPARE(std::string(bytes.data(), 8), std::string("12345678"));
+        const Written written = file.write_at(2, "abcdefg");
+        QVERIFY(written.count == 7 && written.error == 0);
+        most_at_once = SIZE_MAX;
+        QCOMPARE(content("a"), std::string("01abcdefg9"));
     }
 
     void what_cannot_be_read_or_dated_is_not_copied() {
@@ -376,46 +298,6 @@ private slots:
         QCOMPARE(files_here(), 2L);
     }
 
-    /// A process that ends in the middle of its writing leaves no half a file, and begins none.
-    void a_process_that_gives_up_leaves_what_was_there() {
-        const pid_t child = ::fork();
-        if (child == 0) {
-            ::alarm(20);
-            auto made = NewFile::beside(root_ / "a");
-            auto other = NewFile::beside(root_ / "fresh");
-            const bool written = made->write("half").empty() && other->write("half").empty();
-            NewFile::give_up_all();
-            std::thread late([&] { static_cast<void>(made->take_place()); }); // waits for the end
-            std::thread later([&] { static_cast<void>(NewFile::beside(root_ / "later")->write("half")); });
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
-            ::_exit(written ? 7 : 1);
-        }
-        int status = 0;
-        ::waitpid(child, &status, 0);
-        QVERIFY(WIFEXITED(status));
-        QCOMPARE(WEXITSTATUS(status), 7);
-        QCOMPARE(content("a"), std::string("a"));
-        QCOMPARE(files_here(), 2L);
-    }
-
-    /// What was swapped out is somebody's whole file, and no half one of ours.
-    void a_process_that_gives_up_leaves_what_was_swapped_out() {
-        const pid_t child = ::fork();
-        if (child == 0) {
-            ::alarm(20);
-            auto made = NewFile::beside(root_ / "a");
-            const bool swapped = made->write("new").empty() && made->take_place(Existing::swapped).empty();
-            const fs::path old = made->temporary();
-            NewFile::give_up_all();
-            ::_exit(!swapped ? 1 : old.empty() || fs::exists(old) ? 7 : 2);
-        }
-        int status = 0;
-        ::waitpid(child, &status, 0);
-        QVERIFY(WIFEXITED(status));
-        QCOMPARE(WEXITSTATUS(status), 7);
-        QCOMPARE(content("a"), std::string("new"));
-    }
-
     /// An album of ten thousand photos is written file by file: none of them is left open.
     void no_file_and_no_folder_is_left_open() {
         const auto open_files = [] {
@@ -436,24 +318,6 @@ private slots:
         QVERIFY(FolderLock(root_ / "a").held() && FolderLock(root_ / "a").held());
         const FolderLock no_folder(root_ / "a"); // is a file, which nobody locks
         QVERIFY(FolderLock(root_ / "a", std::chrono::milliseconds(0)).held());
-    }
-
-    /// What an earlier process of the same number left behind is in nobody's way.
-    void names_left_behind_are_stepped_over() {
-        const std::string first = NewFile::beside(root_ / "a")->temporary().filename().string();
-        const std::size_t dash = first.rfind('-');
-        const int number = std::stoi(first.substr(dash + 1));
-        const auto left_behind = [&](int k) {
-            return root_ / (first.substr(0, dash + 1) + std::to_string(number + k) + ".tmp");
-        };
-        for (int k = 1; k <= 99; ++k)
-            QCOMPARE(::close(::creat(left_behind(k).c_str(), 0600)), 0);
-        QCOMPARE(replace_file(root_ / "a", "new"), std::string());
-        QCOMPARE(content("a"), std::string("new"));
-        for (int k = 101; k <= 200; ++k)
-            QCOMPARE(::close(::creat(left_behind(k).c_str(), 0600)), 0);
-        QVERIFY(replace_file(root_ / "a", "newer").find("left behind") != std::string::npos);
-        QCOMPARE(content("a"), std::string("new"));
     }
 
     /// Whoever comes second waits, and has it as soon as the first lets go.

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace tp;
@@ -81,6 +82,7 @@ private slots:
         QCOMPARE(mode_of(made->temporary()), 0600u);
         QCOMPARE(made->write("x"), std::string());
         QCOMPARE(made->take_place(), std::string());
+        QVERIFY(made->temporary().empty());
         QCOMPARE(mode_of(root_ / "secret"), 0600u);
         QCOMPARE(replace_file(root_ / "open", "x"), std::string());
         QCOMPARE(mode_of(root_ / "open"), 0644u);
@@ -200,6 +202,20 @@ private slots:
         QCOMPARE(files_here(), 2L);
     }
 
+    /// As many as the system itself follows, or nearly.
+    void a_long_chain_of_links_is_followed_and_a_longer_one_is_not() {
+        fs::path last = root_ / "end";
+        for (int i = 1; i <= 41; ++i) {
+            const fs::path link = root_ / ("link" + std::to_string(i));
+            fs::create_symlink(last.filename(), link);
+            last = link;
+        }
+        QCOMPARE(replace_file(root_ / "link39", "new"), std::string());
+        QCOMPARE(content(root_ / "end"), std::string("new"));
+        QCOMPARE(replace_file(root_ / "link41", "newer"), reason_of(ELOOP));
+        QCOMPARE(content(root_ / "end"), std::string("new"));
+    }
+
     void links_that_lead_in_a_circle_are_left() {
         fs::create_symlink("there", root_ / "here");
         fs::create_symlink("here", root_ / "there");
@@ -238,7 +254,55 @@ private slots:
         QVERIFY(!replace_file({}, "x").empty());
         QVERIFY(!replace_file(root_ / std::string(256, 'n'), "x").empty());
         QCOMPARE(replace_file(root_ / std::string(255, 'n'), "x"), std::string());
-        QVERIFY(!make_folder(root_ / "pipe" / "below").empty());
+        QCOMPARE(make_folder(root_ / "pipe" / "below"), std::string("there is a file of that name already."));
+        QCOMPARE(replace_file(root_ / "a", "x"), std::string());
+        QVERIFY(copy_whole(root_ / "a", root_ / "missing" / "a").find("there is no folder") !=
+                std::string::npos);
+    }
+
+    void a_name_alone_lies_where_we_are() {
+        const fs::path before = fs::current_path();
+        fs::current_path(root_);
+        const std::string replaced = replace_file("a", "x"), copied = copy_whole("a", "b"),
+                          made = make_folder("deep/er"), moved = move_file("b", "c");
+        const FolderLock held(fs::path{});
+        const bool alone = held.held() && !FolderLock(root_, std::chrono::milliseconds(0)).held();
+        fs::current_path(before);
+        for (const std::string& reason : {replaced, copied, made, moved})
+            QCOMPARE(reason, std::string());
+        QVERIFY(alone && fs::is_directory(root_ / "deep" / "er"));
+        QCOMPARE(content(root_ / "c"), std::string("x"));
+    }
+
+    /// Asked as somebody who is not the superuser.
+    void what_may_not_be_read_is_said() {
+        for (const fs::path& folder : {fs::path(dir_.path().toStdString()), root_})
+            fs::permissions(folder, fs::perms::group_exec | fs::perms::others_exec, fs::perm_options::add);
+        fs::create_directory(root_ / "shut");
+        for (const fs::path& file : {root_ / "shut" / "a", root_ / "secret"})
+            QCOMPARE(replace_file(file, "x"), std::string());
+        fs::permissions(root_ / "shut", fs::perms::none);
+        fs::permissions(root_ / "secret", fs::perms::none);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            constexpr uid_t nobody = 65534;
+            if (::geteuid() == 0 && ::seteuid(nobody) != 0)
+                ::_exit(77);
+            const auto said = [](const fs::path& file, const char* words) {
+                return read_whole(file, 100).error().find(words) != std::string::npos;
+            };
+            const bool all = said(root_ / "shut" / "a", "is in a folder that you are not allowed to open.") &&
+                             said(root_ / "secret", "you may not be allowed to read it.") &&
+                             NewFile::beside(root_ / "shut" / "b").error() == reason_of(EACCES);
+            ::_exit(all ? 7 : 1);
+        }
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        fs::permissions(root_ / "shut", fs::perms::owner_all);
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 77)
+            QSKIP("the superuser may read everything");
+        QVERIFY(WIFEXITED(status));
+        QCOMPARE(WEXITSTATUS(status), 7);
     }
 
     void too_large_is_said() {

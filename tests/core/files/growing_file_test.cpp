@@ -123,11 +123,15 @@ private slots:
         QCOMPARE(cut_file(file_, 5), std::string(changed_meanwhile));
         QCOMPARE(content(), std::string("a,b\n"));
     }
+    void what_is_there_may_be_left_as_it_is() {
+        QCOMPARE(cut_file(file_, 4), std::string());
+        QCOMPARE(content(), std::string("a,b\n"));
+    }
     void what_is_no_file_is_said() {
         fs::remove(file_);
         QCOMPARE(append_to_file(file_, 0, "x"), std::string("it is gone."));
         QVERIFY(!fs::exists(file_));
-        QVERIFY(!cut_file(file_, 0).empty());
+        QCOMPARE(cut_file(file_, 0), std::string("it is gone."));
         QCOMPARE(append_to_file("/dev/null", 0, "x"), std::string("it is not a file."));
         QVERIFY(!append_to_file(file_.parent_path(), 0, "x").empty());
     }

@@ -104,6 +104,24 @@ private slots:
         QVERIFY(entries[2].facts.identity == facts_of(root_ / "Z")->identity);
     }
 
+    /// It has no names any more, and that is no fault.
+    void a_folder_that_has_just_gone_is_empty() {
+        fs::create_directory(root_ / "gone");
+        const OpenFolder folder(root_ / "gone");
+        fs::remove(root_ / "gone");
+        int error = -1;
+        errno = EIO; // of before
+        QVERIFY(folder.entries([](std::string_view) { return true; }, error).empty());
+        QCOMPARE(error, 0);
+    }
+
+    void the_times_of_what_is_not_open_are_nobodys() {
+        QCOMPARE(copy_times(OpenFile(), root_ / "a"), EBADF);
+        QCOMPARE(copy_times(OpenFile(root_ / "a", {}), root_ / "missing"), ENOENT);
+        QCOMPARE(copy_times(OpenFile(root_ / "a", {}), root_ / "b"), 0);
+        QCOMPARE(facts_of(root_ / "b")->written_ns, facts_of(root_ / "a")->written_ns);
+    }
+
     void what_is_no_folder_is_not_opened_and_none_is_left_open() {
         const auto before = open_files();
         QVERIFY(!OpenFolder(root_ / "missing").ok());

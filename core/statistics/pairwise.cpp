@@ -55,17 +55,12 @@ std::vector<std::string> letter_groups(std::size_t count, const std::vector<Leve
     std::set<Group> groups{all};
     for (const LevelPair& pair : differing) {
         std::set<Group> split;
-        for (const Group& group : groups) {
-            if (!group.contains(pair.one) || !group.contains(pair.other)) {
-                split.insert(group);
-                continue;
-            }
+        for (const Group& group : groups)
             for (const std::size_t without : {pair.one, pair.other}) {
-                Group half = group;
-                half.erase(without);
-                split.insert(std::move(half));
+                Group part = group;
+                part.erase(without);
+                split.insert(std::move(part));
             }
-        }
         std::erase_if(split, [&](const Group& group) { // within another one it says nothing new
             return std::ranges::any_of(split, [&](const Group& other) {
                 return other != group && std::ranges::includes(other, group);

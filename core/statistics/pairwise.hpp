@@ -13,7 +13,7 @@ namespace tp {
 /// A level of a factor, over all levels of the others.
 struct LevelMean {
     std::string level;
-    double mean = 0.0;
+    double mean;
     std::optional<double> standard_error; ///< of the participants' means; none with one participant
     /// Levels that have one in common do not differ (Piepho, Journal of Computational and Graphical Statistics 13, 2004); "a" has
     /// the smallest mean. Empty where nothing can be compared.
@@ -22,9 +22,9 @@ struct LevelMean {
 
 /// Two levels, by their indices.
 struct LevelPair {
-    std::size_t one = 0, other = 0;
-    double difference = 0.0; ///< of the other's mean from the one's
-    double p = 1.0;          ///< that some two of all levels are so far apart by chance
+    std::size_t one, other;
+    double difference; ///< of the other's mean from the one's
+    double p;          ///< that some two of all levels are so far apart by chance
 };
 
 struct Pairwise {

@@ -55,7 +55,7 @@ unsigned factors_of(std::size_t contrast, const std::vector<Factor>& factors) {
 
 /// What the participants' contrasts of one effect say.
 struct Contrasts {
-    std::size_t participants = 0;
+    std::size_t participants;
     std::vector<std::vector<double>> values; ///< contrast × participant, from their mean
     std::vector<double> means;
 
@@ -126,13 +126,13 @@ RepeatedAnova repeated_anova(const WithinMeans& means) {
         effect.means.push_back(mean);
     }
 
-    RepeatedAnova result;
+    RepeatedAnova result{};
     result.participants_sum = of_effect[0].error_sum();
     const double least_error = std::pow(rounding * largest, 2.0) * static_cast<double>(values.size());
     double all_errors = result.participants_sum;
     for (unsigned bits = 1; bits < of_effect.size(); ++bits) {
         const Contrasts& contrasts = of_effect[bits];
-        WithinEffect effect;
+        WithinEffect effect{};
         for (std::size_t i = 0; i < means.factors.size(); ++i)
             if (bits & (1U << i))
                 effect.factors.push_back(i);

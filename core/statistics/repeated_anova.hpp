@@ -13,10 +13,10 @@ namespace tp {
 /// What a factor, or several together (an interaction), does to the mean.
 struct WithinEffect {
     std::vector<std::size_t> factors; ///< indices
-    double sum = 0.0;                 ///< of squares
-    double df = 0.0;
-    double error_sum = 0.0; ///< of squares, of the same between participants
-    double error_df = 0.0;
+    double sum;                       ///< of squares
+    double df;
+    double error_sum; ///< of squares, of the same between participants
+    double error_df;
     /// None with one participant, or where the participants do not differ in it at all.
     std::optional<double> f;
     std::optional<double> p; ///< that F is at least so large by chance
@@ -29,7 +29,7 @@ struct WithinEffect {
 
 struct RepeatedAnova {
     std::vector<WithinEffect> effects; ///< main effects first, then interactions
-    double participants_sum = 0.0;     ///< of squares, between participants
+    double participants_sum{};         ///< of squares, between participants
     std::string remark;                ///< why there is no F; empty where there is
 };
 

@@ -15,19 +15,16 @@ double normal_below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2)
 /// That the range of `means` standard normal numbers is above `w`: the largest lies at z, not all the others within `w` below it.
 /// Written as what is left out, so that no two nearly equal numbers are subtracted.
 double range_above(double w, int means) {
-    if (w <= 0.0)
-        return 1.0;
-    constexpr double reach = 9.0, step = 0.05; // beyond it the density is below 1e-18
+    constexpr double reach = 12.0, step = 0.1; // beyond it the density is below 1e-31
     const double others = means - 1;
     double sum = 0.0;
     for (double z = -reach; z <= reach; z += step) {
         const double below = normal_below(z);
-        const double share =
-            std::min(1.0, normal_below(z - w) / below); // of those below z, farther away than w
+        const double share = normal_below(z - w) / below; // of those below z, farther away than w
         const double one_is = share >= 1.0 ? 1.0 : -std::expm1(others * std::log1p(-share));
         sum += normal_density(z) * std::pow(below, others) * one_is;
     }
-    return std::min(1.0, means * step * sum);
+    return means * step * sum;
 }
 
 /// What Stirling's formula leaves of ln Γ(x), for x > 0.
@@ -49,14 +46,13 @@ double studentized_range_above(double q, int means, double df) {
     const double x = 0.5 * df;
     const double peak = std::log(2.0) + 0.5 * std::log(x / (2.0 * std::numbers::pi)) - stirling_rest(x);
     const double spread = 1.0 / std::sqrt(2.0 * df); // of ln s, for large df
-    const double step = std::min(0.05, 0.1 * spread);
-    const double least = -40.0 * std::max(1.0 / df, spread),
-                 most = std::log1p(8.0 * spread) + 1.5 * std::min(1.0, 4.0 * spread);
+    const double step = std::min(0.1, 0.2 * spread);
+    // Below `least` s has no share that counts; above `most` its density, under the normal one there, is below 1e-30 of it.
+    const double least = -40.0 * std::max(1.0 / df, spread), most = 12.0 * spread;
     double sum = 0.0;
     for (double t = least; t <= most; t += step) {
         const double density = std::exp(peak - x * (std::expm1(2.0 * t) - 2.0 * t));
-        if (density > 1e-30)
-            sum += density * range_above(q * std::exp(t), means);
+        sum += density * range_above(q * std::exp(t), means);
     }
     return std::min(1.0, step * sum);
 }

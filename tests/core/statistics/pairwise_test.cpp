@@ -79,6 +79,22 @@ private slots:
         QCOMPARE(paths.levels[1].letters, std::string("b"));
         QVERIFY(std::abs(paths.levels[1].mean - paths.levels[0].mean - 4.0) < 0.2);
     }
+    void two_levels_differ_where_p_is_below_a_twentieth() {
+        WithinMeans means;
+        means.factors = {{"law", {"exact", "published"}}};
+        means.participants = {"1", "2", "3", "4"};
+        means.values = {1, 2, 2, 4, 3, 6, 4, 5}; // a paired t test: p = 0.0354
+        const Pairwise apart = tukey_hsd(means, 0);
+        QVERIFY(std::abs(apart.pairs[0].p - 0.0353531) < 1e-6);
+        QVERIFY(apart.levels[0].letters == "a" && apart.levels[1].letters == "b");
+        means.values.back() = 4.5; // p = 0.061
+        const Pairwise alike = tukey_hsd(means, 0);
+        const double p = alike.pairs[0].p;
+        QVERIFY(p > 0.055 && p < 0.07);
+        QVERIFY(alike.levels[0].letters == "a" && alike.levels[1].letters == "a");
+        QCOMPARE(tukey_hsd(means, 0, p).levels[1].letters, std::string("a"));
+        QCOMPARE(tukey_hsd(means, 0, std::nextafter(p, 1.0)).levels[1].letters, std::string("b"));
+    }
     void the_standard_error_is_that_of_the_participants_means_over_the_other_factors() {
         WithinMeans means;
         means.factors = {{"a", {"1", "2"}}, {"b", {"1", "2"}}};
@@ -101,6 +117,7 @@ private slots:
         means.participants = {"1", "2"};
         means.values = {1, 2, 3, 1, 2, 3};
         const Pairwise alike = tukey_hsd(means, 0);
+        QVERIFY(alike.levels[1].standard_error.has_value());
         QCOMPARE(*alike.levels[1].standard_error, 0.0);
         QVERIFY(alike.pairs.empty());
     }

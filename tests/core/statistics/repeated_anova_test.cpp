@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 using namespace tp;
 
@@ -138,6 +139,27 @@ private slots:
             QVERIFY(near(*one.effects[i].p_spherical, *other.effects[j].p_spherical));
         }
     }
+    void differences_count_however_small_beside_the_numbers_and_in_whatever_unit() {
+        const std::vector<Factor> factors{{"a", {"1", "2"}}, {"b", {"1", "2", "3"}}};
+        const auto values = chance(8, 6, 2);
+        const auto plain = repeated_anova(means(factors, values));
+        for (const auto& [scale, offset] : {std::pair{1e-9, 1.0}, {1e-15, 0.0}, {1e15, 0.0}}) {
+            auto others = values;
+            for (auto& one : others)
+                for (double& value : one)
+                    value = offset + scale * value;
+            const auto anova = repeated_anova(means(factors, others));
+            for (std::size_t i = 0; i < 3; ++i)
+                QVERIFY(anova.effects[i].f && near(*anova.effects[i].f / *plain.effects[i].f, 1.0, 1e-5));
+        }
+    }
+    void two_participants_are_enough() {
+        const auto anova = repeated_anova(means({{"a", {"1", "2"}}}, {{1, 2}, {2, 5}}));
+        QVERIFY(anova.effects.front().f.has_value() && anova.remark.empty());
+        QVERIFY(near(*anova.effects.front().f, 4.0)); // differences 1 and 3: t = 2 / (√2 / √2)
+        QVERIFY(near(*anova.effects.front().p, 2.0 * std::atan2(1.0, 2.0) / std::acos(-1.0)));
+        QVERIFY(repeated_anova(means({{"a", {"1", "2"}}}, {{1, 2}, {2, 5}, {0, 2}})).remark.empty());
+    }
     void one_participant_is_said() {
         const auto anova = repeated_anova(means({{"a", {"1", "2"}}}, {{1, 2}}));
         QVERIFY(!anova.effects.front().f && !anova.effects.front().p && !anova.effects.front().epsilon);
@@ -151,7 +173,9 @@ private slots:
               {{1e-3, 2e-3, 3e-3}, {1e6 + 1e-3, 1e6 + 2e-3, 1e6 + 3e-3}}}) {
             const auto anova = repeated_anova(means({{"a", {"1", "2", "3"}}}, values));
             QVERIFY(!anova.effects.front().f);
-            QVERIFY(!anova.remark.empty());
+            QCOMPARE(anova.remark,
+                     std::string("Where the participants do not differ at all there is nothing to "
+                                 "weigh an effect against."));
             QVERIFY(!anova.effects.front().eta_squared || std::isfinite(*anova.effects.front().eta_squared));
         }
     }

@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -44,6 +45,16 @@ private slots:
                      qPrintable(QString::number(q)));
         }
     }
+    /// The same by Boost, with few degrees of freedom and with many.
+    void two_means_are_a_t_test_with_any_degrees_of_freedom() {
+        for (const double df : {1.0, 3.0, 12.0, 17.0, 20.0, 21.0, 60.0, 4000.0})
+            for (const double q : {0.01, 1.0, 8.0}) {
+                const double t = q / std::numbers::sqrt2;
+                const double by_t = 2.0 * cdf(complement(boost::math::students_t(df), t));
+                QVERIFY2(std::abs(studentized_range_above(q, 2, df) / by_t - 1.0) < 2e-10,
+                         qPrintable(QString("%1 degrees of freedom, %2").arg(df).arg(q)));
+            }
+    }
     /// With an error that is known well the range of two numbers is normal.
     void many_degrees_of_freedom_are_the_normal_range() {
         for (const double q : {0.5, 2.0, 6.0, 10.0})
@@ -52,7 +63,7 @@ private slots:
     void it_falls_with_q_and_grows_with_the_number_of_means() {
         for (const double df : {1.0, 4.0, 36.0, 500.0}) {
             double before = 1.0;
-            for (double q = 0.5; q < 12.0; q += 0.5) {
+            for (double q = 0.5; q < 12.0; q += 1.0) {
                 const double here = studentized_range_above(q, 4, df);
                 QVERIFY(here > 0.0 && here < before);
                 QVERIFY(studentized_range_above(q, 5, df) > here);

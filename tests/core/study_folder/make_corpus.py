@@ -45,7 +45,7 @@ def main():
              "packed_twice": gzip.compress(whole, mtime=0),
              "of_another_method": whole[:2] + b"\x07" + whole[3:],
              "a_name_without_end": whole[:3] + b"\x08" + whole[4:10] + b"x" * 200,
-             "two_megabytes_of_samples": packed(HEAD + 200_000 * "0,0,0,0,0\n"),
+             "twenty_kilobytes_of_samples": packed(HEAD + 2_000 * "0,0,0,0,0\n"),
              "older_columns": packed(texts["older_columns"])}
     for name, content in files.items():
         (HERE / "path_corpus" / name).write_bytes(content)

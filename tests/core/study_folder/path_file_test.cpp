@@ -104,7 +104,7 @@ private slots:
     }
     void of_the_fuzzers_corpora_only_what_is_whole_is_read() {
         const std::set<std::string> whole{"two_samples", "no_samples", "five_hundred_samples",
-                                          "two_megabytes_of_samples"};
+                                          "twenty_kilobytes_of_samples"};
         for (const Seed& seed : corpus(in_source("tests/core/study_folder/path_text_corpus"))) {
             QCOMPARE(complaint_about_path_text(seed.text), std::string());
             QVERIFY2(read_path_text(seed.text).ok() == whole.contains(seed.name), seed.name.c_str());

@@ -17,15 +17,14 @@ namespace {
 /// rate means nothing on a USB port of its own; 1200 would send an Arduino into its boot loader.
 bool make_raw(int descriptor) {
     termios settings{};
-    if (tcgetattr(descriptor, &settings) != 0)
-        return false;
+    const bool is_line = tcgetattr(descriptor, &settings) == 0;
     settings.c_iflag = 0;
     settings.c_oflag = 0;
     settings.c_lflag = 0;
     settings.c_cflag = CS8 | CREAD | CLOCAL;
     settings.c_cc[VMIN] = 1; // so that nothing yet (EAGAIN) and nothing ever (0) differ
     settings.c_cc[VTIME] = 0;
-    return cfsetispeed(&settings, B115200) == 0 && cfsetospeed(&settings, B115200) == 0 &&
+    return is_line && cfsetispeed(&settings, B115200) == 0 && cfsetospeed(&settings, B115200) == 0 &&
            tcsetattr(descriptor, TCSANOW, &settings) == 0;
 }
 

@@ -24,6 +24,7 @@ struct BoardScript final : SerialLine {
     const Pantograph arms{HaplyGeneration::third};
     haply::Reply here = arms.reply_of(arms.reference_deg());
     bool answers = true;
+    int unanswered = 0; ///< of the first questions
     bool reads_fail = false;
     bool writes_fail = false;
     std::size_t at_once = 1000;  ///< bytes
@@ -52,7 +53,7 @@ struct BoardScript final : SerialLine {
         if (writes_fail)
             return false;
         sent.emplace_back(bytes.begin(), bytes.end());
-        if (answers) {
+        if (answers && unanswered-- <= 0) {
             to_say.insert(to_say.end(), junk_before, 0xEE);
             say(here);
         }

@@ -102,6 +102,12 @@ private slots:
         bench.tick(pull);
         QVERIFY(bench.script.last_command()->torque == bench.asked_for(pull, bench.turned(0.0)));
 
+        BoardDialogue new_board; // which answers nothing before it is set up
+        new_board.script.unanswered = 1;
+        QVERIFY(new_board.open());
+        new_board.tick(pull);
+        QVERIFY(new_board.script.last_command()->torque == new_board.asked_for(pull, new_board.turned(0.0)));
+
         const QTemporaryDir folder;
         BoardDialogue homed_before;
         homed_before.note = HomedNote(folder.filePath("note").toStdString(), HaplyGeneration::third);

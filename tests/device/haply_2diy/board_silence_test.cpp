@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 using namespace tp;
@@ -136,7 +137,8 @@ private slots:
             bench.tick({0.5, 0.5});
         QCOMPARE(bench.device.bad_answers(), std::uint64_t(1)); // none came in time
         bench.script.say(bench.turned(0.0));
-        QVERIFY(bench.tick({0.5, 0.5}));
+        const std::optional<DeviceState> state = bench.tick({0.5, 0.5});
+        QVERIFY(state && length(state->position - bench.script.arms.pose_at({97.23, 82.77})->place) < 1e-3);
         QCOMPARE(bench.device.bad_answers(), std::uint64_t(1));
     }
 
@@ -180,8 +182,12 @@ private slots:
         QVERIFY(bench.falls_out_of_step());
         QVERIFY(bench.device.write(safe({0.5, 0.5}))); // it is not gone
         bench.device.read(bench.now += 0.001);
+        bench.script.sent.clear();
         bench.script.say(bench.turned(0.0));
         QVERIFY(bench.tick({0.5, 0.5}));
+        bench.tick({0.5, 0.5});
+        bench.tick({0.5, 0.5});
+        QCOMPARE(bench.script.sent.size(), std::size_t(2)); // and no third
         const std::uint64_t before = bench.device.bad_answers();
         for (int i = 0; i < 20; ++i) {
             bench.script.say(bench.turned(0.0));

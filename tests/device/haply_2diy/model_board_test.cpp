@@ -111,6 +111,20 @@ private slots:
         QVERIFY2(board.model.handle().y < 25.0, qPrintable(QString::number(board.model.handle().y)));
     }
 
+    void where_the_motors_stand_no_handle_goes() {
+        HaplyPlant plant;
+        plant.hand_stiffness = 0.4;
+        plant.hand_damping = 4.0;
+        Board board(HaplyGeneration::third, plant);
+        board.model.place_handle({70.0, 20.0}); // beside them an arm reaches as far down
+        board.model.move_hand({70.0, 0.0});
+        for (int ms = 0; ms < 3000; ++ms) {
+            board.model.step();
+            QVERIFY(board.model.handle().y > 5.0);
+        }
+        QVERIFY2(board.model.handle().y < 5.1, qPrintable(QString::number(board.model.handle().y)));
+    }
+
     void a_handle_that_is_put_somewhere_rests_there() {
         HaplyPlant plant;
         plant.hand_stiffness = 0.4;

@@ -171,6 +171,15 @@ private slots:
         QCOMPARE(port->read(bytes, 1000), -1); // and does not wait
         QVERIFY(!port->write(bytes));
     }
+    void a_line_that_fails_is_gone() {
+        const Terminal terminal;
+        const auto port = terminal.port();
+        QVERIFY(port);
+        ::close(static_cast<int>(port->handle())); // behind its back
+        std::array<std::uint8_t, 8> bytes{};
+        QCOMPARE(port->read(bytes, 0), -1);
+        QVERIFY(!port->write(bytes));
+    }
     void what_is_no_line_is_said_in_a_sentence() {
         QVERIFY(open_serial_port("/dev/ttyNone", "board").error().find("The board was unplugged") !=
                 std::string::npos);

@@ -80,6 +80,26 @@ private slots:
         }
     }
 
+    void an_effect_plays_from_its_start_to_its_stop() {
+        JoystickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        stick.device.read(0.001);
+        stick.device.write(safe({1.0, 0.0}));
+        stick.device.deliver();
+        stick.link.advance();
+        const auto pulls_after = [&stick](std::uint8_t operation) {
+            const std::uint8_t of_x = 1;
+            stick.model.receive(
+                std::array<std::uint8_t, 4>{stick.model.wire().operation, of_x, operation, 0});
+            stick.model.step();
+            return stick.model.force() != Vec2(0.0);
+        };
+        QVERIFY(pulls_after(4)); // which is none
+        QVERIFY(!pulls_after(3));
+        QVERIFY(!pulls_after(4));
+        QVERIFY(pulls_after(1));
+    }
+
     /// For how long a grip may feel an old force, of whichever axis, is known to who judges it.
     void a_force_that_does_not_arrive_is_lacked_until_one_of_its_axis_does() {
         ModelJoystick model(open_controller());
@@ -110,6 +130,10 @@ private slots:
         SimulatedJoystickLink link(model);
         hid::Report load;
         load.bytes[0] = model.wire().block_load;
+        hid::Report heard;
+        model.troubles.safety_switch = true; // of which it tells
+        QVERIFY(link.read(heard, 0) == PidTransport::Got::nothing);
+        QVERIFY(link.read(heard, 100) == PidTransport::Got::report); // a wait passes in its own time
         link.troubles.block_load_late = 2;
         QVERIFY(!link.get_feature(load) && !link.get_feature(load));
         QVERIFY(link.get_feature(load));

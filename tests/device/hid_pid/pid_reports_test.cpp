@@ -90,6 +90,14 @@ private slots:
         QVERIFY(!layout.state.report.there());
     }
 
+    void a_command_that_its_field_has_no_number_for_is_none() {
+        PidLayout layout;
+        QVERIFY(find_layout(read_whole(changed("09 9C 15 01 25 06", "09 9C 15 01 25 03")), layout) ==
+                nullptr);
+        QCOMPARE(hex_of(control_report(layout, layout.control.stop_all)), "0c 03");
+        QVERIFY(!layout.control.reset.there()); // which would be 4
+    }
+
     void block_load_is_read() {
         const PidLayout layout = layout_of(open_controller());
         const auto loaded = [&layout](std::string_view hex) { return loaded_block(layout, bytes_of(hex)); };

@@ -277,6 +277,23 @@ private slots:
         QCOMPARE(model.felt(), 0.0);
     }
 
+    /// Else it would be busy with itself.
+    void opened_again_it_has_let_go_of_the_device_before() {
+        ModelHapticPad model;
+        SimulatedHapticsLink link(model);
+        int users = 0;
+        int found_busy = 0;
+        const HapticPad::Opener opener = tp::testing::lend(link, users);
+        HapticPad pad(
+            [&] {
+                found_busy += users;
+                return opener();
+            },
+            {}, LatestWriter::Thread::caller);
+        QVERIFY(pad.open().ok() && pad.open().ok());
+        QCOMPARE(found_busy, 0);
+    }
+
     void one_that_ticks_by_itself_only_is_refused_with_a_sentence() {
         HapticsBench bench;
         bench.link.troubles.lie = ModelHapticPad::descriptor_without_trigger();
@@ -317,14 +334,6 @@ private slots:
         QCOMPARE(bench.users, 1);
         bench.pad.stop();
         QCOMPARE(bench.users, 0);
-    }
-
-    void the_cable_gives_no_more_than_it_was_asked_for() {
-        HapticsBench bench;
-        QCOMPARE(bench.link.sends(), 0ul);
-        for (const std::size_t bytes : {std::size_t(0), std::size_t(4), std::size_t(16)})
-            QCOMPARE(bench.link.feature(2, bytes).size(), bytes);
-        QCOMPARE(bench.link.feature(2, 17).size(), std::size_t(16)); // and it has no more
     }
 
     void nobody_calls_the_system_but_the_writer_and_one_that_hangs_is_told() {

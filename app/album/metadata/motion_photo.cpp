@@ -135,16 +135,14 @@ std::optional<VideoPlace> by_samsung_list(const ByteSource& photo) {
     constexpr std::uint64_t end_size = 8;
     constexpr std::size_t list_head = 12, entry_size = 12, block_head = 8;
     constexpr std::string_view name = "MotionPhoto_Data";
-    const std::uint64_t size = photo.size();
-    if (size < end_size)
-        return std::nullopt;
-    const std::string end = bytes_at(photo, size - end_size, end_size);
+    const std::uint64_t end_begin = photo.size() - std::min(photo.size(), end_size);
+    const std::string end = bytes_at(photo, end_begin, end_size);
     if (end.size() < end_size || !end.ends_with("SEFT"))
         return std::nullopt;
     const std::uint64_t list_size = number(end, 0, 4, true);
-    if (list_size < list_head || list_size > most_list || list_size > size - end_size)
+    if (list_size < list_head || list_size > most_list || list_size > end_begin)
         return std::nullopt;
-    const std::uint64_t list_begin = size - end_size - list_size;
+    const std::uint64_t list_begin = end_begin - list_size;
     const std::string list = bytes_at(photo, list_begin, list_size);
     if (list.size() < list_size || !list.starts_with("SEFH"))
         return std::nullopt;

@@ -85,9 +85,7 @@ std::string told(const std::vector<HeifBox>& boxes) {
     return text;
 }
 
-std::string boxes(const std::string& bytes) {
-    return told(boxes_in(MemoryBytes(bytes), 0, bytes.size()));
-}
+std::string boxes(const std::string& bytes) { return told(boxes_in(MemoryBytes(bytes), 0, bytes.size())); }
 
 } // namespace
 

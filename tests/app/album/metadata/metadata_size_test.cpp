@@ -101,11 +101,12 @@ private slots:
             QVERIFY(oversized(file(entry(256, 1) + entry(257, 1) + entry(700, most + 1), 3)));
             QVERIFY(oversized(file(entry(256, 1) + entry(700, most + 1), 2, 300)));
             QVERIFY(!oversized(file(entry(256, 1) + entry(700, most + 1), 1))); // not in the list any more
-            QVERIFY(!oversized(file(entry(273, most + 1), 1)));                 // where the picture's strips are
-            QVERIFY(!oversized(file(entry(700, most + 1).substr(0, 11), 1)));   // cut
+            QVERIFY(!oversized(file(entry(273, most + 1), 1))); // where the picture's strips are
+            QVERIFY(!oversized(file(entry(700, most + 1).substr(0, 11), 1))); // cut
             QVERIFY(!oversized(file(entry(256, 1), 60'000)));
         }
-        QVERIFY(!oversized("IM*\0"s + little(8) + little(1, 2) + little(700, 2) + little(1, 2) + little(most + 1)));
+        QVERIFY(!oversized("IM*\0"s + little(8) + little(1, 2) + little(700, 2) + little(1, 2) +
+                           little(most + 1)));
     }
 
     /// Of kinds whose order is not known here, and not of those that end at 64 KB each.

@@ -21,7 +21,8 @@ namespace {
 
 /// As far as finding it goes, a video; long enough that its size has three bytes.
 const std::string video = "\0\0\0\x14"
-                          "ftypmp42\0\0\0\0mp42"s + std::string(70'000, 'v');
+                          "ftypmp42\0\0\0\0mp42"s +
+                          std::string(70'000, 'v');
 
 std::string big(std::uint64_t value, int bytes) {
     std::string text;
@@ -35,7 +36,9 @@ std::string little(std::uint64_t value, int bytes) {
     return {text.rbegin(), text.rend()};
 }
 
-std::string segment(char marker, const std::string& data) { return "\xFF"s + marker + big(data.size() + 2, 2) + data; }
+std::string segment(char marker, const std::string& data) {
+    return "\xFF"s + marker + big(data.size() + 2, 2) + data;
+}
 
 bool finds(const std::string& photo) {
     const auto place = video_inside(MemoryBytes(photo));
@@ -48,12 +51,15 @@ std::string photo_with(const std::string& before) {
     return photo.substr(0, 2) + before + photo.substr(2);
 }
 
-std::string item(const std::string& attributes) { return "<rdf:li rdf:parseType=\"Resource\">" + attributes + "</rdf:li>"; }
+std::string item(const std::string& attributes) {
+    return "<rdf:li rdf:parseType=\"Resource\">" + attributes + "</rdf:li>";
+}
 
 std::string directory(const std::vector<std::pair<const char*, std::string>>& items) {
     std::string list;
     for (const auto& [semantic, length] : items)
-        list += item("<Item:Semantic>"s + semantic + "</Item:Semantic><Item:Length>" + length + "</Item:Length>");
+        list +=
+            item("<Item:Semantic>"s + semantic + "</Item:Semantic><Item:Length>" + length + "</Item:Length>");
     return "><Container:Directory><rdf:Seq>" + list + "</rdf:Seq></Container:Directory>";
 }
 
@@ -67,7 +73,8 @@ std::string block(const std::string& name, const std::string& data) {
 }
 
 /// What Samsung's cameras put at the end: blocks, and the list of them with `padding` behind its entries.
-std::string samsung(const std::vector<Block>& blocks, std::size_t padding = 0, std::optional<std::size_t> count = {}) {
+std::string samsung(const std::vector<Block>& blocks, std::size_t padding = 0,
+                    std::optional<std::size_t> count = {}) {
     std::string all, list = "SEFH" + little(106, 4) + little(count.value_or(blocks.size()), 4);
     std::size_t back = 0;
     for (const Block& one : blocks)
@@ -89,7 +96,8 @@ class MotionBordersTest : public QObject {
 private slots:
     void the_xmp_is_found_among_other_segments() {
         QVERIFY(finds(photo_with("")));
-        QVERIFY(finds(photo_with(segment('\xE0', "JFIF") + segment('\xE1', "Exif\0\0and so on"s) + segment('\xDB', ""))));
+        QVERIFY(finds(photo_with(segment('\xE0', "JFIF") + segment('\xE1', "Exif\0\0and so on"s) +
+                                 segment('\xDB', ""))));
         QVERIFY(finds(photo_with("\xFF\xFF\xFF"))); // bytes to fill up with
         QVERIFY(finds(photo_with(segment('\xE1', std::string(60'000, 'x')))));
         QVERIFY(!finds(photo_with(segment('\xDA', "the picture begins"))));
@@ -113,12 +121,15 @@ private slots:
             return finds(made_motion_photo(properties, behind));
         };
         QVERIFY(finds_by(directory({{"Primary", "0"}, {"MotionPhoto", size}}), video));
-        QVERIFY(finds_by(directory({{"Primary", "0"}, {"MotionPhoto", size}, {"GainMap", "3"}, {"Depth", "4"}}),
-                         video + "1234567"));
-        QVERIFY(!finds_by(directory({{"Primary", "0"}, {"MotionPhoto", size}, {"GainMap", "3"}}), video + "1234567"));
+        QVERIFY(
+            finds_by(directory({{"Primary", "0"}, {"MotionPhoto", size}, {"GainMap", "3"}, {"Depth", "4"}}),
+                     video + "1234567"));
+        QVERIFY(!finds_by(directory({{"Primary", "0"}, {"MotionPhoto", size}, {"GainMap", "3"}}),
+                          video + "1234567"));
         QVERIFY(!finds_by(directory({{"Primary", "0"}, {"MotionPhoto", "0"}}), video));
         QVERIFY(!finds_by(directory({{"Primary", "0"}, {"MotionPhoto", size}, {"GainMap", ""}}), video));
-        QVERIFY(!finds_by(directory({{"MotionPhoto", size}, {"GainMap", "80000"}, {"Depth", "80000"}}), video));
+        QVERIFY(
+            !finds_by(directory({{"MotionPhoto", size}, {"GainMap", "80000"}, {"Depth", "80000"}}), video));
         // As text, never as a link or a list.
         QVERIFY(!finds_by("><GCamera:MicroVideoOffset rdf:resource=\"" + size + "\"/>", video));
         QVERIFY(finds_by("><GCamera:MicroVideoOffset>" + size + "</GCamera:MicroVideoOffset>", video));
@@ -168,7 +179,8 @@ private slots:
             return changed;
         };
         QVERIFY(finds(with_size(head_and_entry)));
-        for (const std::size_t wrong : {std::size_t{0}, std::size_t{11}, std::size_t{12}, std::size_t{23}, std::size_t{25}})
+        for (const std::size_t wrong :
+             {std::size_t{0}, std::size_t{11}, std::size_t{12}, std::size_t{23}, std::size_t{25}})
             QVERIFY(!finds(with_size(wrong)));
         std::string no_list = photo;
         no_list.replace(no_list.rfind("SEFH"), 4, "SEFX");

@@ -24,10 +24,13 @@ RecordParts parts(const std::string& attributes, const std::string& elements = "
     return parts_from_xmp(*XmpPacket::from(packet(attributes, elements)), {400, 300, 1});
 }
 
-QByteArray said(const std::optional<std::string>& text) { return QByteArray::fromStdString(text.value_or("nothing")); }
+QByteArray said(const std::optional<std::string>& text) {
+    return QByteArray::fromStdString(text.value_or("nothing"));
+}
 
 bool is_near(const std::optional<Place>& place, double latitude, double longitude) {
-    return place && std::abs(place->latitude - latitude) < 1e-12 && std::abs(place->longitude - longitude) < 1e-12;
+    return place && std::abs(place->latitude - latitude) < 1e-12 &&
+           std::abs(place->longitude - longitude) < 1e-12;
 }
 
 std::string bag(const std::string& property, const std::string& items) {
@@ -48,7 +51,8 @@ class RecordBordersTest : public QObject {
         auto metadata = photo_metadata(photo);
         return metadata ? std::move(*metadata) : PhotoMetadata{};
     }
-    std::optional<Place> exif_place(const char* latitude, const char* north, const char* longitude, const char* east) const {
+    std::optional<Place> exif_place(const char* latitude, const char* north, const char* longitude,
+                                    const char* east) const {
         MadeMetadata made;
         made.exif["Exif.GPSInfo.GPSLatitude"] = latitude;
         made.exif["Exif.GPSInfo.GPSLatitudeRef"] = north;
@@ -69,13 +73,26 @@ private slots:
         QVERIFY(is_near(place("90N", "180E"), 90.0, 180.0));
         QVERIFY(is_near(place("90S", "180W"), -90.0, -180.0));
         QVERIFY(is_near(place("0N", "0E"), 0.0, 0.0));
-        for (const auto& [north, east] : std::vector<std::pair<const char*, const char*>>{
-                 {"90.001N", "0E"}, {"0N", "180.001E"}, {"90.001S", "0E"}, {"0N", "180.001W"},
-                 {"1,2,3,4N", "0E"}, {"-1N", "0E"}, {"1,-2N", "0E"}, {"1", "0E"}, {"N", "0E"}, {"1,N", "0E"},
-                 {"1E", "0E"}, {"1N", "0N"}, {"1N", ""}, {"", "1E"}, {"x,1N", "0E"}}) {
-            const RecordParts none = parts(std::string("exif:GPSLatitude='") + north + "' exif:GPSLongitude='" + east + "'");
+        for (const auto& [north, east] : std::vector<std::pair<const char*, const char*>>{{"90.001N", "0E"},
+                                                                                          {"0N", "180.001E"},
+                                                                                          {"90.001S", "0E"},
+                                                                                          {"0N", "180.001W"},
+                                                                                          {"1,2,3,4N", "0E"},
+                                                                                          {"-1N", "0E"},
+                                                                                          {"1,-2N", "0E"},
+                                                                                          {"1", "0E"},
+                                                                                          {"N", "0E"},
+                                                                                          {"1,N", "0E"},
+                                                                                          {"1E", "0E"},
+                                                                                          {"1N", "0N"},
+                                                                                          {"1N", ""},
+                                                                                          {"", "1E"},
+                                                                                          {"x,1N", "0E"}}) {
+            const RecordParts none =
+                parts(std::string("exif:GPSLatitude='") + north + "' exif:GPSLongitude='" + east + "'");
             QVERIFY2(!none.place, north);
-            QCOMPARE(none.problems, std::vector<std::string>{"The position is not a place on Earth and is left out."});
+            QCOMPARE(none.problems,
+                     std::vector<std::string>{"The position is not a place on Earth and is left out."});
         }
         QVERIFY(!parts("").place && parts("").problems.empty());
     }
@@ -94,17 +111,22 @@ private slots:
     }
 
     void xmp_says_where_in_words() {
-        QCOMPARE(said(parts("photoshop:City='Graz' photoshop:State='Styria' photoshop:Country='Austria'").place_name),
+        QCOMPARE(said(parts("photoshop:City='Graz' photoshop:State='Styria' photoshop:Country='Austria'")
+                          .place_name),
                  QByteArray("Graz, Styria, Austria"));
         QCOMPARE(said(parts("photoshop:State='Styria'").place_name), QByteArray("Styria"));
-        QCOMPARE(said(parts("photoshop:City='' photoshop:Country='Austria'").place_name), QByteArray("Austria"));
+        QCOMPARE(said(parts("photoshop:City='' photoshop:Country='Austria'").place_name),
+                 QByteArray("Austria"));
         QCOMPARE(said(parts("photoshop:City=''").place_name), QByteArray("nothing"));
-        const std::string created = "<rdf:li rdf:parseType='Resource'><Iptc4xmpExt:City>Linz</Iptc4xmpExt:City>"
-                                    "<Iptc4xmpExt:ProvinceState>Upper Austria</Iptc4xmpExt:ProvinceState>"
-                                    "<Iptc4xmpExt:CountryName><rdf:Alt><rdf:li xml:lang='x-default'>Austria</rdf:li>"
-                                    "</rdf:Alt></Iptc4xmpExt:CountryName></rdf:li>";
-        const std::string other = "<rdf:li rdf:parseType='Resource'><Iptc4xmpExt:City>Wels</Iptc4xmpExt:City></rdf:li>";
-        QCOMPARE(said(parts("photoshop:City='Graz'", bag("Iptc4xmpExt:LocationCreated", created + other)).place_name),
+        const std::string created =
+            "<rdf:li rdf:parseType='Resource'><Iptc4xmpExt:City>Linz</Iptc4xmpExt:City>"
+            "<Iptc4xmpExt:ProvinceState>Upper Austria</Iptc4xmpExt:ProvinceState>"
+            "<Iptc4xmpExt:CountryName><rdf:Alt><rdf:li xml:lang='x-default'>Austria</rdf:li>"
+            "</rdf:Alt></Iptc4xmpExt:CountryName></rdf:li>";
+        const std::string other =
+            "<rdf:li rdf:parseType='Resource'><Iptc4xmpExt:City>Wels</Iptc4xmpExt:City></rdf:li>";
+        QCOMPARE(said(parts("photoshop:City='Graz'", bag("Iptc4xmpExt:LocationCreated", created + other))
+                          .place_name),
                  QByteArray("Linz, Upper Austria, Austria")); // the first, and before the older way
         QCOMPARE(said(parts("", "<Iptc4xmpExt:LocationCreated rdf:parseType='Resource'><Iptc4xmpExt:City>Linz"
                                 "</Iptc4xmpExt:City></Iptc4xmpExt:LocationCreated>")
@@ -116,9 +138,11 @@ private slots:
 
     void texts_in_languages_and_lists() {
         const RecordParts listed = parts(
-            "", "<dc:description><rdf:Alt><rdf:li>for all</rdf:li><rdf:li xml:lang='x-default'>second</rdf:li>"
-                "<rdf:li xml:lang='de'>deutsch</rdf:li><rdf:li xml:lang='fr'></rdf:li></rdf:Alt></dc:description>" +
-                    bag("dc:subject", "<rdf:li>sea</rdf:li><rdf:li/><rdf:li>snow</rdf:li><rdf:li>sea</rdf:li>"));
+            "",
+            "<dc:description><rdf:Alt><rdf:li>for all</rdf:li><rdf:li xml:lang='x-default'>second</rdf:li>"
+            "<rdf:li xml:lang='de'>deutsch</rdf:li><rdf:li "
+            "xml:lang='fr'></rdf:li></rdf:Alt></dc:description>" +
+                bag("dc:subject", "<rdf:li>sea</rdf:li><rdf:li/><rdf:li>snow</rdf:li><rdf:li>sea</rdf:li>"));
         QCOMPARE(listed.description, (LanguageTexts{{"x-default", "for all"}, {"de", "deutsch"}}));
         QCOMPARE(listed.keywords, (std::vector<std::string>{"sea", "snow"}));
         QVERIFY(!listed.alt_text && !listed.persons && !listed.tags && !listed.content_hash && !listed.faces);
@@ -141,7 +165,8 @@ private slots:
         QVERIFY(is_near(exif_place("1/2", "N", "3/2", "E"), 0.5, 1.5)); // degrees alone
         QVERIFY(is_near(exif_place("0/1 0/1 0/1", "N", "16/1 0/1 0/1", "E"), 0.0, 16.0));
         QVERIFY(is_near(exif_place("48/1 0/1 0/1", "N", "0/1 0/1 0/1", "E"), 48.0, 0.0));
-        QVERIFY(!exif_place("0/1 0/1 0/1", "N", "0/1 0/1 0/1", "E")); // a camera that does not know where it is
+        QVERIFY(
+            !exif_place("0/1 0/1 0/1", "N", "0/1 0/1 0/1", "E")); // a camera that does not know where it is
         QVERIFY(is_near(exif_place("1/1 0/1 0/1 9/1", "N", "2/1 0/1 0/1 9/1", "E"), 1.0, 2.0));
         for (const char* broken : {"1/0 0/1 0/1", "1/1 1/0 0/1", "-1/1 0/1 0/1", "1/-1 0/1 0/1"})
             QVERIFY2(!exif_place(broken, "N", "16/1 0/1 0/1", "E"), broken);
@@ -199,9 +224,12 @@ private slots:
         QCOMPARE(broken->parts.problems,
                  std::vector<std::string>{"The photograph's XMP cannot be read: it is not whole XML."});
         write_bytes(folder / "text.jpg", "no picture at all");
+        QCOMPARE(photo_metadata(folder / "text.jpg")->shape.width, 0LL); // not known
+        QCOMPARE(photo_metadata(folder / "text.jpg")->shape.height, 0LL);
+        QCOMPARE(photo_metadata(folder / "text.jpg")->shape.orientation, 1);
         QCOMPARE(photo_metadata(folder / "text.jpg")->parts.problems,
-                 std::vector<std::string>{"The metadata of the photograph \"" + (folder / "text.jpg").string() +
-                                          "\" cannot be read."});
+                 std::vector<std::string>{"The metadata of the photograph \"" +
+                                          (folder / "text.jpg").string() + "\" cannot be read."});
         QCOMPARE(photo_metadata(folder / "none.jpg").error(),
                  "There is no photograph \"" + (folder / "none.jpg").string() + "\".");
         QCOMPARE(photo_metadata(folder).error(), "\"" + folder.string() + "\" is not a file.");

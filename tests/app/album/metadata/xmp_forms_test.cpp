@@ -13,8 +13,8 @@ using namespace tp;
 namespace {
 
 const std::string foreign = "http://example.org/foreign/";
-const std::string start =
-    "<rdf:RDF xmlns:rdf=\"" + xmp::rdf_uri + "\" xmlns:f=\"" + foreign + "\"><rdf:Description rdf:about=\"\">";
+const std::string start = "<rdf:RDF xmlns:rdf=\"" + xmp::rdf_uri + "\" xmlns:f=\"" + foreign +
+                          "\"><rdf:Description rdf:about=\"\">";
 const std::string end = "</rdf:Description></rdf:RDF>";
 
 /// A value in one line: its form's first letter, its text, its parts, and behind "?" what is said of it.
@@ -38,7 +38,8 @@ QString read(const std::string& property) {
 }
 
 /// How it is written into an empty packet.
-QString written(const XmpValue& value, const XmpName& name = {foreign, "p"}, const std::string& into = start + end) {
+QString written(const XmpValue& value, const XmpName& name = {foreign, "p"},
+                const std::string& into = start + end) {
     auto packet = XmpPacket::from(into);
     packet->set(name, value);
     const std::string bytes = packet->bytes();
@@ -73,7 +74,8 @@ private slots:
         QCOMPARE(read("<f:p rdf:resource='a&amp;b'/>"), QString("l'a&b'"));
         QCOMPARE(read("<f:p rdf:resource='a' f:q='b'/>"), QString("l'a'?q t'b'"));
         QCOMPARE(read("<f:p f:a='1' f:b='2'/>"), QString("s''{a t'1'}{b t'2'}"));
-        QCOMPARE(read("<f:p rdf:parseType='Resource'><f:a>1</f:a>text<f:b/></f:p>"), QString("s''{a t'1'}{b t''}"));
+        QCOMPARE(read("<f:p rdf:parseType='Resource'><f:a>1</f:a>text<f:b/></f:p>"),
+                 QString("s''{a t'1'}{b t''}"));
         QCOMPARE(read("<f:p rdf:parseType='Resource'/>"), QString("s''"));
         QCOMPARE(read("<f:p rdf:parseType='Literal'>a</f:p>"), QString("t'a'"));
         QCOMPARE(read("<f:p f:parseType='Resource'>a</f:p>"), QString("s''{parseType t'Resource'}"));
@@ -82,7 +84,8 @@ private slots:
         QCOMPARE(read("<f:p> <!-- c --><rdf:Bag><rdf:li>1</rdf:li> <!-- c --><rdf:li/></rdf:Bag></f:p>"),
                  QString("b''[t'1'][t'']"));
         QCOMPARE(read("<f:p><rdf:Seq><rdf:li>1</rdf:li></rdf:Seq></f:p>"), QString("q''[t'1']"));
-        QCOMPARE(read("<f:p><rdf:Alt><rdf:li xml:lang='de'>1</rdf:li></rdf:Alt></f:p>"), QString("a''[t'1'?lang t'de']"));
+        QCOMPARE(read("<f:p><rdf:Alt><rdf:li xml:lang='de'>1</rdf:li></rdf:Alt></f:p>"),
+                 QString("a''[t'1'?lang t'de']"));
         QCOMPARE(read("<f:p><f:Bag><f:li>1</f:li></f:Bag></f:p>"), QString("s''{li t'1'}"));
         QCOMPARE(read("<f:p><g:Seq xmlns:g='" + xmp::rdf_uri + "'><g:li f:a='1'/></g:Seq></f:p>"),
                  QString("q''[s''{a t'1'}]"));
@@ -95,13 +98,15 @@ private slots:
     void what_is_said_of_a_value_is_read() {
         QCOMPARE(read("<f:p rdf:parseType='Resource'><rdf:value>1</rdf:value><f:q>2</f:q><f:r>3</f:r></f:p>"),
                  QString("t'1'?q t'2'?r t'3'"));
-        QCOMPARE(read("<f:p rdf:parseType='Resource'><f:q>2</f:q><rdf:value><rdf:Bag><rdf:li>1</rdf:li></rdf:Bag>"
-                      "</rdf:value></f:p>"),
-                 QString("b''[t'1']?q t'2'"));
+        QCOMPARE(
+            read("<f:p rdf:parseType='Resource'><f:q>2</f:q><rdf:value><rdf:Bag><rdf:li>1</rdf:li></rdf:Bag>"
+                 "</rdf:value></f:p>"),
+            QString("b''[t'1']?q t'2'"));
         QCOMPARE(read("<f:p rdf:value='1' f:q='2'/>"), QString("t'1'?q t'2'"));
         QCOMPARE(read("<f:p><rdf:Description rdf:value='1' f:q='2'/></f:p>"), QString("t'1'?q t'2'"));
-        QCOMPARE(read("<f:p xml:lang='de' rdf:parseType='Resource'><rdf:value>1</rdf:value><f:q>2</f:q></f:p>"),
-                 QString("t'1'?q t'2'?lang t'de'"));
+        QCOMPARE(
+            read("<f:p xml:lang='de' rdf:parseType='Resource'><rdf:value>1</rdf:value><f:q>2</f:q></f:p>"),
+            QString("t'1'?q t'2'?lang t'de'"));
     }
 
     void each_form_is_written() {
@@ -113,22 +118,27 @@ private slots:
         QCOMPARE(written(XmpValue::of("<1>")), QString("<f:p>&lt;1&gt;</f:p>"));
         QCOMPARE(written(XmpValue::of("")), QString("<f:p/>"));
         QCOMPARE(written(link), QString("<f:p rdf:resource=\"a&amp;b\"/>"));
-        QCOMPARE(written(structure),
-                 QString("<f:p rdf:parseType=\"Resource\"><f:a>1</f:a><f:b rdf:resource=\"a&amp;b\"/></f:p>"));
+        QCOMPARE(
+            written(structure),
+            QString("<f:p rdf:parseType=\"Resource\"><f:a>1</f:a><f:b rdf:resource=\"a&amp;b\"/></f:p>"));
         QCOMPARE(written(of_form(XmpValue::Form::bag, {XmpValue::of("1"), XmpValue::of("2")})),
                  QString("<f:p><rdf:Bag><rdf:li>1</rdf:li><rdf:li>2</rdf:li></rdf:Bag></f:p>"));
-        QCOMPARE(written(of_form(XmpValue::Form::seq, {structure})),
-                 QString("<f:p><rdf:Seq><rdf:li rdf:parseType=\"Resource\"><f:a>1</f:a><f:b rdf:resource=\"a&amp;b\"/>"
-                         "</rdf:li></rdf:Seq></f:p>"));
+        QCOMPARE(
+            written(of_form(XmpValue::Form::seq, {structure})),
+            QString(
+                "<f:p><rdf:Seq><rdf:li rdf:parseType=\"Resource\"><f:a>1</f:a><f:b rdf:resource=\"a&amp;b\"/>"
+                "</rdf:li></rdf:Seq></f:p>"));
         XmpValue german = XmpValue::of("1");
         german.qualifiers = {{xmp::language, XmpValue::of("de")}};
         QCOMPARE(written(of_form(XmpValue::Form::alt, {german})),
                  QString("<f:p><rdf:Alt><rdf:li xml:lang=\"de\">1</rdf:li></rdf:Alt></f:p>"));
         german.qualifiers.push_back({{foreign, "q"}, XmpValue::of("2")});
-        QCOMPARE(written(german), QString("<f:p xml:lang=\"de\" rdf:parseType=\"Resource\"><rdf:value>1</rdf:value>"
-                                          "<f:q>2</f:q></f:p>"));
+        QCOMPARE(written(german),
+                 QString("<f:p xml:lang=\"de\" rdf:parseType=\"Resource\"><rdf:value>1</rdf:value>"
+                         "<f:q>2</f:q></f:p>"));
         structure.fields = {{{xmp::xml_uri, "space"}, XmpValue::of("x")}};
-        QCOMPARE(written(structure), QString("<f:p rdf:parseType=\"Resource\"><xml:space>x</xml:space></f:p>"));
+        QCOMPARE(written(structure),
+                 QString("<f:p rdf:parseType=\"Resource\"><xml:space>x</xml:space></f:p>"));
     }
 
     /// The one that the file uses, else the usual one, with a number where that means something else there.
@@ -139,10 +149,10 @@ private slots:
                             {{"urn:one", "b"}, XmpValue::of("2")},
                             {{"urn:two&", "c"}, XmpValue::of("3")},
                             {{"urn:one", "d"}, XmpValue::of("4")}};
-        QCOMPARE(written(structure),
-                 "<f:p rdf:parseType=\"Resource\" xmlns:dc=\"" + QString::fromStdString(xmp::dc_uri) +
-                     "\" xmlns:ns=\"urn:one\" xmlns:ns2=\"urn:two&amp;\"><dc:a>1</dc:a>"
-                     "<ns:b>2</ns:b><ns2:c>3</ns2:c><ns:d>4</ns:d></f:p>");
+        QCOMPARE(written(structure), "<f:p rdf:parseType=\"Resource\" xmlns:dc=\"" +
+                                         QString::fromStdString(xmp::dc_uri) +
+                                         "\" xmlns:ns=\"urn:one\" xmlns:ns2=\"urn:two&amp;\"><dc:a>1</dc:a>"
+                                         "<ns:b>2</ns:b><ns2:c>3</ns2:c><ns:d>4</ns:d></f:p>");
         const std::string taken = "<rdf:RDF xmlns:rdf=\"" + xmp::rdf_uri +
                                   "\" xmlns:dc=\"urn:x\" xmlns:dc2=\"urn:y\"><rdf:Description>" + end;
         QCOMPARE(written(XmpValue::of("1"), {xmp::dc_uri, "a"}, taken),
@@ -151,21 +161,29 @@ private slots:
                                    "\"><rdf:RDF xmlns:rdf=\"" + xmp::rdf_uri +
                                    "\" xmlns:d=\"urn:x\"><rdf:Description>" + end + "</x>";
         QCOMPARE(written(XmpValue::of("1"), {xmp::dc_uri, "a"}, hidden), QString("<dc:a>1</dc:a>"));
-        const std::string plain = "<rdf:RDF xmlns:rdf=\"" + xmp::rdf_uri + "\" xmlns=\"" + foreign +
-                                  "\"><rdf:Description>" + end;
+        const std::string plain =
+            "<rdf:RDF xmlns:rdf=\"" + xmp::rdf_uri + "\" xmlns=\"" + foreign + "\"><rdf:Description>" + end;
         QCOMPARE(written(XmpValue::of("1"), {foreign, "a"}, plain),
                  "<ns:a xmlns:ns=\"" + QString::fromStdString(foreign) + "\">1</ns:a>");
     }
 
     /// A letter of ASCII, "_" or any other letter begins a name (XML 1.0, 2.3), and no digit.
     void which_prefixes_are_used_again() {
-        for (const auto& [prefix, used] : std::vector<std::pair<std::string, bool>>{
-                 {"a", true}, {"z", true}, {"A", true}, {"Z", true}, {"_", true}, {"\xC3\xA9", true}, {"f-1", true},
-                 {"1f", false}, {"-f", false}, {".f", false}}) {
-            const std::string into = "<rdf:RDF xmlns:rdf=\"" + xmp::rdf_uri + "\" xmlns:" + prefix + "=\"urn:x\">" +
-                                     "<rdf:Description>" + end;
+        for (const auto& [prefix, used] : std::vector<std::pair<std::string, bool>>{{"a", true},
+                                                                                    {"z", true},
+                                                                                    {"A", true},
+                                                                                    {"Z", true},
+                                                                                    {"_", true},
+                                                                                    {"\xC3\xA9", true},
+                                                                                    {"f-1", true},
+                                                                                    {"1f", false},
+                                                                                    {"-f", false},
+                                                                                    {".f", false}}) {
+            const std::string into = "<rdf:RDF xmlns:rdf=\"" + xmp::rdf_uri + "\" xmlns:" + prefix +
+                                     "=\"urn:x\">" + "<rdf:Description>" + end;
             const QString wanted = QString::fromStdString(used ? prefix : std::string("ns"));
-            QVERIFY2(written(XmpValue::of("1"), {"urn:x", "a"}, into).startsWith('<' + wanted + ":a"), prefix.c_str());
+            QVERIFY2(written(XmpValue::of("1"), {"urn:x", "a"}, into).startsWith('<' + wanted + ":a"),
+                     prefix.c_str());
         }
     }
 };

@@ -23,8 +23,8 @@ std::string repeated(const std::string& text, std::size_t times) {
 }
 
 std::string rdf(const std::string& descriptions) {
-    return "<rdf:RDF xmlns:rdf='" + xmp::rdf_uri + "' xmlns:f='" + foreign + "' xmlns:dc='" + xmp::dc_uri + "'>" +
-           descriptions + "</rdf:RDF>";
+    return "<rdf:RDF xmlns:rdf='" + xmp::rdf_uri + "' xmlns:f='" + foreign + "' xmlns:dc='" + xmp::dc_uri +
+           "'>" + descriptions + "</rdf:RDF>";
 }
 
 std::string description(const std::string& properties, const std::string& attributes = "") {
@@ -53,10 +53,14 @@ class XmpLimitsTest : public QObject {
 private slots:
     /// rdf:RDF, the description and 98 in each other.
     void a_hundred_elements_in_each_other() {
-        const auto nested = [](std::size_t depth) { return repeated("<f:a>", depth) + repeated("</f:a>", depth); };
+        const auto nested = [](std::size_t depth) {
+            return repeated("<f:a>", depth) + repeated("</f:a>", depth);
+        };
         QCOMPARE(refusal(rdf(description(nested(98)))), QString());
-        QCOMPARE(refusal(rdf(description(nested(99)))), QString("it is nested more deeply than any program writes."));
-        QCOMPARE(refusal(rdf(description(repeated(nested(97) + "<f:b/>", 3)) + description(nested(98)))), QString());
+        QCOMPARE(refusal(rdf(description(nested(99)))),
+                 QString("it is nested more deeply than any program writes."));
+        QCOMPARE(refusal(rdf(description(repeated(nested(97) + "<f:b/>", 3)) + description(nested(98)))),
+                 QString());
         QVERIFY(!refusal(rdf(description(nested(50) + "<f:b/>" + nested(99)))).isEmpty());
     }
 
@@ -70,14 +74,16 @@ private slots:
         QCOMPARE(refusal(rdf(description(elements(most + 1)))), too_many);
         QCOMPARE(refusal(rdf(description(elements(5'000), attributes(5'000)))), QString());
         QCOMPARE(refusal(rdf(description(elements(5'000)) + description(elements(5'001)))), too_many);
-        QCOMPARE(refusal(rdf(description(elements(most)) + description("") + "<!-- and no more -->")), QString());
+        QCOMPARE(refusal(rdf(description(elements(most)) + description("") + "<!-- and no more -->")),
+                 QString());
     }
 
     /// Signs are counted before they are read: these stand in a comment.
     void a_million_signs_of_markup() {
         constexpr std::size_t most = 1'000'000, around = 5; // "<" and "="
         QCOMPARE(refusal(rdf(description("")) + "<!--" + std::string(most - around, '<') + "-->"), QString());
-        QCOMPARE(refusal(rdf(description("")) + "<!--" + std::string(most - around + 1, '<') + "-->"), too_many);
+        QCOMPARE(refusal(rdf(description("")) + "<!--" + std::string(most - around + 1, '<') + "-->"),
+                 too_many);
         QCOMPARE(refusal(rdf(description("")) + "<!--" + std::string(most - 3, '=') + "-->"), QString());
         QCOMPARE(refusal(rdf(description("")) + "<!--" + std::string(most - 2, '=') + "-->"), too_many);
     }
@@ -85,19 +91,22 @@ private slots:
     /// Those that are compared with each other, and white space between them.
     void ten_thousand_in_a_list() {
         const auto list = [](const std::string& name, std::size_t count) {
-            return rdf(description("<" + name + "><rdf:Bag>" + repeated("<rdf:li/>", count) + "</rdf:Bag></" + name + ">"));
+            return rdf(description("<" + name + "><rdf:Bag>" + repeated("<rdf:li/>", count) + "</rdf:Bag></" +
+                                   name + ">"));
         };
         const QString listed = "it lists more people, words or recordings than any photograph has.";
         QCOMPARE(refusal(list("dc:subject", 20'000)), QString());
         QCOMPARE(refusal(list("dc:subject", 20'001)), listed);
         QCOMPARE(refusal(list("f:subject", 20'001)), QString());
-        QCOMPARE(refusal(rdf(description("<dc:subject>" + repeated("<rdf:Bag/>", 20'001) + "</dc:subject>"))), listed);
+        QCOMPARE(refusal(rdf(description("<dc:subject>" + repeated("<rdf:Bag/>", 20'001) + "</dc:subject>"))),
+                 listed);
     }
 
     void sixteen_megabytes() {
         const std::string text = rdf(description(""));
         QCOMPARE(refusal(text + std::string((16u << 20) - text.size(), ' ')), QString());
-        QCOMPARE(refusal(text + std::string((16u << 20) - text.size() + 1, ' ')), QString("it is larger than 16 MB."));
+        QCOMPARE(refusal(text + std::string((16u << 20) - text.size() + 1, ' ')),
+                 QString("it is larger than 16 MB."));
     }
 
     void what_is_wrong_is_said() {
@@ -129,9 +138,10 @@ private slots:
     }
 
     void what_is_said_of_the_packet_itself_is_no_property() {
-        const auto packet = XmpPacket::from(rdf("text<!-- c -->" + description("<f:p>1</f:p>text<unknown:q/>",
-                                                                              " rdf:about='' xml:lang='de' plain='1' "
-                                                                              "xmlns:g='urn:g' g:r='2' unknown:s='3'")));
+        const auto packet =
+            XmpPacket::from(rdf("text<!-- c -->" + description("<f:p>1</f:p>text<unknown:q/>",
+                                                               " rdf:about='' xml:lang='de' plain='1' "
+                                                               "xmlns:g='urn:g' g:r='2' unknown:s='3'")));
         std::string names;
         for (const XmpName& name : packet->names())
             names += name.uri + name.name + " ";
@@ -140,8 +150,8 @@ private slots:
 
     void a_property_goes_with_its_indentation_and_comes_behind_the_others() {
         const auto packet_with = [](const std::string& properties) {
-            return "<rdf:RDF xmlns:rdf=\"" + xmp::rdf_uri + "\" xmlns:f=\"" + foreign + "\"><rdf:Description f:a=\"1\">" +
-                   properties + "</rdf:Description></rdf:RDF>";
+            return "<rdf:RDF xmlns:rdf=\"" + xmp::rdf_uri + "\" xmlns:f=\"" + foreign +
+                   "\"><rdf:Description f:a=\"1\">" + properties + "</rdf:Description></rdf:RDF>";
         };
         auto packet = XmpPacket::from(packet_with("\n <f:p>1</f:p>\n\t<f:q/>text<f:r/>\n "));
         packet->remove({foreign, "p"});
@@ -168,8 +178,8 @@ private slots:
 
     void the_declaration_says_what_is_written() {
         const std::string text = rdf(description(""));
-        const auto packet =
-            XmpPacket::from("<?xml version='1.1' encoding='latin1' standalone='yes'?><?xpacket begin='' id='a'?>" + text);
+        const auto packet = XmpPacket::from(
+            "<?xml version='1.1' encoding='latin1' standalone='yes'?><?xpacket begin='' id='a'?>" + text);
         QVERIFY(packet->bytes().starts_with(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?><?xpacket begin='' id='a'?><rdf:RDF"));
         QVERIFY(XmpPacket::from(text)->bytes().starts_with("<rdf:RDF")); // none is added

@@ -35,7 +35,6 @@ private:
     la_ssize_t read(const void*& bytes) {
         if (is_directory_too_large())
             return ARCHIVE_FATAL;
-        stream_.clear();
         stream_.read(block_.data(), static_cast<std::streamsize>(block_.size()));
         bytes = block_.data();
         read_ += static_cast<std::uintmax_t>(stream_.gcount());

@@ -12,11 +12,12 @@
 namespace tp {
 
 namespace fs = std::filesystem;
+using namespace std::string_view_literals;
 
 namespace {
 
 /// What companions' names end in, in lower case: sidecars, contours, cameras' sounds and films.
-constexpr std::array<std::string_view, 5> companion_ends{".xmp", ".svg", ".wav", ".mov", ".mp4"};
+constexpr std::array companion_ends{".xmp"sv, ".svg"sv, ".wav"sv, ".mov"sv, ".mp4"sv};
 
 fs::path in_lower_case(const fs::path& name) {
     std::string text = name.string();

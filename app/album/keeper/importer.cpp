@@ -27,12 +27,6 @@ namespace {
 
 using Fate = ImportedPhoto::Fate;
 
-std::uint64_t size_of(const fs::path& file) {
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);
-    return error ? 0 : size;
-}
-
 /// How long the rest takes at the speed so far.
 class Clock {
 public:
@@ -145,7 +139,7 @@ private:
                  keeper_.add_video_sound(photo.place, photo.source, *inside, label));
         else if (const auto video = video_beside(photo.source))
             take(SoundOrigin::live_photo,
-                 keeper_.add_video_sound(photo.place, *video, {0, size_of(*video)}, label));
+                 keeper_.add_video_sound(photo.place, *video, {0, size_or_zero(*video)}, label));
         return photo;
     }
 
@@ -177,7 +171,8 @@ private:
 } // namespace
 
 std::string_view name_of(SoundOrigin source) {
-    constexpr std::array<std::string_view, 3> names{"sound_file", "motion_photo", "live_photo"};
+    using namespace std::string_view_literals;
+    constexpr std::array names{"sound_file"sv, "motion_photo"sv, "live_photo"sv};
     return names[static_cast<std::size_t>(source)];
 }
 

@@ -13,7 +13,6 @@
 #include <QString>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -33,13 +32,14 @@ double overlap(const FaceRegion& a, const FaceRegion& b) {
     };
     const double both = shared(a.x, a.width, b.x, b.width) * shared(a.y, a.height, b.y, b.height);
     const double either = a.width * a.height + b.width * b.height - both;
-    return either > 0.0 ? both / either : 0.0;
+    if (either > 0.0)
+        return both / either;
+    return a.x == b.x && a.y == b.y ? 1.0 : 0.0; // two points
 }
 
 bool makes_sense(const FaceRegion& face) {
     const auto inside = [](double centre, double size) {
-        return std::isfinite(centre) && size > 0.0 && centre - 0.5 * size > -0.01 &&
-               centre + 0.5 * size < 1.01;
+        return size > 0.0 && centre - 0.5 * size > -0.01 && centre + 0.5 * size < 1.01;
     };
     return inside(face.x, face.width) && inside(face.y, face.height);
 }
@@ -291,8 +291,10 @@ std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs
     if (!problem.empty()) {
         std::error_code error;
         fs::remove(taken_in->file, error);
-        const std::string stuck = earlier->empty() ? std::string{} : trash_.restore(*earlier);
-        return "The name cannot be saved: " + problem + (stuck.empty() ? "" : " " + stuck);
+        if (const std::string stuck = earlier->empty() ? std::string{} : trash_.restore(*earlier);
+            !stuck.empty())
+            problem += " " + stuck;
+        return "The name cannot be saved: " + problem;
     }
     const auto later = std::make_shared<std::string>();
     const auto exchange = [this, put_away](std::string& away, const std::string& back) {

@@ -91,8 +91,6 @@ std::vector<Companion> FolderCompanions::of(const fs::path& photo) {
             !shares_its_stem(names_, photo))
             found.push_back({place, place.extension().string(), true});
     }
-    std::sort(found.begin(), found.end(),
-              [](const Companion& a, const Companion& b) { return a.file < b.file; });
     return found;
 }
 

@@ -118,6 +118,21 @@ private slots:
         }
     }
 
+    /// Numbers that are exact: three tenths are one face, a whole hundredth over the edge is outside.
+    void at_the_borders_themselves() {
+        const AlbumFolder album;
+        const fs::path photo = a_photo(album, "a.jpg", 1);
+        AlbumKeeper keeper(album.path());
+        QCOMPARE(keeper.name_face(photo, {0.5, 0.5, 1.0, 0.625, "Ana"}), std::string());
+        QCOMPARE(keeper.name_face(photo, {0.5, 0.5, 0.75, 0.25, "Tom"}), std::string());
+        QCOMPARE(record_of(photo).faces.size(), std::size_t{1});
+        for (const double edge : {0.0, 1.0}) {
+            QVERIFY(!keeper.name_face(photo, {edge, 0.5, 0.02, 0.2, "Eva"}).empty());
+            QVERIFY(!keeper.name_face(photo, {0.5, edge, 0.2, 0.02, "Eva"}).empty());
+            QCOMPARE(keeper.name_face(photo, {edge, 0.5, 0.0198, 0.2, ""}), std::string());
+        }
+    }
+
     void a_name_stays_in_the_list_while_another_face_bears_it() {
         const AlbumFolder album;
         const fs::path photo = a_photo(album, "a.jpg", 1);

@@ -51,7 +51,8 @@ Result<std::string> ImportList::save(const fs::path& album) const {
         return Error{"That is more than can be imported at once: import the folder that the files are in."};
     if (std::string reason = make_folder(folder_of(album), Readers::owner_only); !reason.empty())
         return Error{reason};
-    for (QDateTime time = QDateTime::currentDateTimeUtc();; time = time.addMSecs(1)) { // in the order of their names
+    // Called by the time; by the next millisecond's where that is taken, so that the names are in order.
+    for (QDateTime time = QDateTime::currentDateTimeUtc();; time = time.addMSecs(1)) {
         const std::string id = time.toString(QStringLiteral("yyyy-MM-ddThhmmss.zzz")).toStdString();
         auto file = NewFile::beside(file_of(album, id), Readers::owner_only);
         std::string reason =

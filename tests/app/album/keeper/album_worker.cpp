@@ -58,7 +58,8 @@ void record(AlbumKeeper& keeper, const fs::path& photo) {
 
 } // namespace
 
-void work_on_album(const fs::path& album, const fs::path& card, const fs::path& sound, const fs::path& bundle) {
+void work_on_album(const fs::path& album, const fs::path& card, const fs::path& sound,
+                   const fs::path& bundle) {
     AlbumKeeper keeper(album);
     ImportTools tools;
     tools.done = [](const ImportedPhoto& photo) {

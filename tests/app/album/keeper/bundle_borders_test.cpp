@@ -27,7 +27,8 @@ class BundleBordersTest : public QObject {
 
     /// What is said where `meanwhile` happens after the first piece of the first file.
     static std::string packed_while(const AlbumFolder& album, const AlbumFolder& place,
-                                    const std::vector<fs::path>& photos, const std::function<void()>& meanwhile) {
+                                    const std::vector<fs::path>& photos,
+                                    const std::function<void()>& meanwhile) {
         bool first = true;
         return write_bundle(place / "b", album.path(), photos, [&](std::uintmax_t, std::uintmax_t) {
             if (std::exchange(first, false))
@@ -40,7 +41,8 @@ private slots:
     void a_directory_of_long_names_is_read_up_to_its_limit() {
         BundleLimits limits;
         limits.most_files = 4'000;
-        for (const auto& [name_bytes, fits] : {std::pair{std::size_t{600}, true}, {std::size_t{800}, false}}) {
+        for (const auto& [name_bytes, fits] :
+             {std::pair{std::size_t{600}, true}, {std::size_t{800}, false}}) {
             const AlbumFolder place;
             std::vector<ZipEntry> entries{{"a.jpg"}};
             for (int i = 1; i < 4'000; ++i) {
@@ -52,6 +54,16 @@ private slots:
             QVERIFY2(problem.empty() == fits, problem.c_str());
             QVERIFY(fits || problem.ends_with("it holds more files than any album."));
         }
+    }
+
+    /// What is in a bundle may be longer than its directory.
+    void a_photograph_may_be_longer_than_a_directory() {
+        const AlbumFolder place;
+        write_zip(place / "b", {{"a.jpg", std::string(3'000'000, 'x')}}, "zip:compression=store");
+        BundleLimits limits;
+        limits.most_files = 1;
+        QCOMPARE(unpack_bundle(place / "b", place / "out", limits), std::string());
+        QCOMPARE(fs::file_size(place / "out/a.jpg"), std::uintmax_t{3'000'000});
     }
 
     void what_changes_while_it_is_packed_is_said_and_leaves_no_bundle() {
@@ -90,6 +102,23 @@ private slots:
         QCOMPARE(place.files(), (std::map<std::string, std::string>{{"b", "old"}}));
     }
 
+    /// Nothing is behind the directory's end, which is 22 bytes long.
+    void a_bundle_ends_with_its_directory() {
+        for (const char* bytes : {"1", "12"}) {
+            const AlbumFolder album, place;
+            QCOMPARE(write_bundle(place / "b", album.path(), {album.write("a.jpg", bytes)}), std::string());
+            const std::string bundle = place.read("b");
+            QCOMPARE(bundle.rfind("PK\x05\x06"), bundle.size() - 22);
+        }
+    }
+
+    /// What the READMEs promise.
+    void how_much_a_bundle_may_hold() {
+        QCOMPARE(BundleLimits{}.most_files, std::size_t{200'000});
+        QCOMPARE(BundleLimits{}.most_bytes, std::uintmax_t{68'719'476'736}); // 64 GiB
+        QCOMPARE(BundleLimits{}.most_growth, 200.0);
+    }
+
     void how_much_of_it_is_packed_is_told() {
         const AlbumFolder album, place;
         const fs::path first = album.write("a.jpg", std::string(100'000, 'a'));
@@ -112,7 +141,8 @@ private slots:
                  quoted(outside) + " is not in the album " + quoted(album.path()) + ".");
         QCOMPARE(write_bundle(place / "b", album.path(), {album / "none.jpg"}),
                  "There is no photograph " + quoted(album / "none.jpg") + ".");
-        QCOMPARE(write_bundle(place / "b", album.path(), {}), std::string("There is no photograph to export."));
+        QCOMPARE(write_bundle(place / "b", album.path(), {}),
+                 std::string("There is no photograph to export."));
         const fs::path photo = album.write("a.jpg", "x");
         QVERIFY(!write_bundle(album.path(), album.path(), {photo}).empty()); // a folder
         QCOMPARE(export_bundle(place / "b", album.path(), {album.path()}), std::string());
@@ -131,7 +161,8 @@ private slots:
         const AlbumFolder place;
         const auto said = [&](const std::string& bundle) {
             static int number = 0;
-            const std::string problem = unpack_bundle(place / bundle, place / ("out" + std::to_string(++number)));
+            const std::string problem =
+                unpack_bundle(place / bundle, place / ("out" + std::to_string(++number)));
             const std::string start = "The bundle " + quoted(place / bundle) + " cannot be used: ";
             return problem.starts_with(start) ? problem.substr(start.size()) : "?" + problem;
         };
@@ -147,6 +178,10 @@ private slots:
         QCOMPARE(said("twice"), std::string("it holds \"b\" twice."));
         write_zip(place / "folders", {{"a", "", AE_IFDIR}, {"a", "", AE_IFDIR}, {"a/b.jpg"}});
         QCOMPARE(said("folders"), std::string("?")); // of folders that is nothing
+        write_zip(place / "file, then folder", {{"a.jpg"}, {"a.jpg/b.jpg"}});
+        QVERIFY(said("file, then folder").ends_with('.'));
+        write_zip(place / "folder, then file", {{"a.jpg/b.jpg"}, {"a.jpg"}});
+        QVERIFY(said("folder, then file").ends_with('.'));
         write_zip(place / "out of it", {{"a.jpg"}, {"../b"}});
         QCOMPARE(said("out of it"), std::string("it holds \"../b\", which would lie outside the album."));
         write_zip(place / "back", {{"a.jpg"}, {"c/a\\b"}});
@@ -155,16 +190,16 @@ private slots:
 
     void photographs_in_folders_come_in_order() {
         const AlbumFolder album;
-        for (const char* name : {"b/2.jpg", "b/1.JPG", "a/3.png", "b/c/4.heic", "b/notes.txt", "b/.hidden/5.jpg",
-                                 "b/.6.jpg", ".hidden/7.jpg"})
+        for (const char* name : {"b/2.jpg", "b/1.JPG", "a/3.png", "b/c/4.heic", "b/notes.txt",
+                                 "b/.hidden/5.jpg", "b/.6.jpg", ".hidden/7.jpg"})
             album.write(name, name);
         fs::create_directory(album / "b/8.jpg"); // a folder of that name
         album.write("b/8.jpg/9.jpg", "inside");
         std::vector<std::string> told;
-        for (const PhotoToImport& photo :
-             photographs_in({album / "b", album / "a/3.png", album.path() / "a", album / "missing.jpg", album / ".hidden"}))
-            told.push_back(photo.file.lexically_relative(album.path()).string() + " to " + photo.folder.string() + " " +
-                           std::to_string(photo.bytes));
+        for (const PhotoToImport& photo : photographs_in({album / "b", album / "a/3.png", album.path() / "a",
+                                                          album / "missing.jpg", album / ".hidden"}))
+            told.push_back(photo.file.lexically_relative(album.path()).string() + " to " +
+                           photo.folder.string() + " " + std::to_string(photo.bytes));
         QCOMPARE(told, (std::vector<std::string>{"b/1.JPG to  7", "b/2.jpg to  7", "b/8.jpg/9.jpg to 8.jpg 6",
                                                  "b/c/4.heic to c 10", "a/3.png to  7", "a/3.png to  7",
                                                  "missing.jpg to  0", ".hidden/7.jpg to  13"}));

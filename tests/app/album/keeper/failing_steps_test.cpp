@@ -3,6 +3,7 @@
 #include "album_folder.hpp"
 #include "album_parts.hpp"
 #include "app/album/keeper/album_keeper.hpp"
+#include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/name_languages.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
@@ -29,8 +30,8 @@ int let_through = 0; ///< as many are all the same
 int refusals = 0;    ///< as many at most
 
 bool is_refused(const char* path) {
-    if (refused.empty() || std::string_view(path).find(refused) == std::string_view::npos || let_through-- > 0 ||
-        refusals-- <= 0)
+    if (refused.empty() || std::string_view(path).find(refused) == std::string_view::npos ||
+        let_through-- > 0 || refusals-- <= 0)
         return false;
     errno = ENOSPC;
     return true;
@@ -38,7 +39,8 @@ bool is_refused(const char* path) {
 
 } // namespace
 
-extern "C" int renameat2(int old_folder, const char* from, int new_folder, const char* to, unsigned flags) noexcept {
+extern "C" int renameat2(int old_folder, const char* from, int new_folder, const char* to,
+                         unsigned flags) noexcept {
     if (is_refused(to))
         return -1;
     return static_cast<int>(::syscall(SYS_renameat2, old_folder, from, new_folder, to, flags));
@@ -85,7 +87,8 @@ private slots:
         AlbumKeeper keeper(album.path());
         for (const char* stuck : {"b.jpg.contours.svg", "b.jpg.tags", "b.jpg.xmp"}) {
             const std::string problem = said(stuck, 0, [&] { return keeper.move_companions(from, to); });
-            QVERIFY2(problem.find(" cannot be moved: the disk is full.") != std::string::npos, problem.c_str());
+            QVERIFY2(problem.find(" cannot be moved: the disk is full.") != std::string::npos,
+                     problem.c_str());
             QVERIFY2(album.files() == before, stuck);
         }
         QCOMPARE(keeper.move_companions(from, to), std::string());
@@ -110,14 +113,15 @@ private slots:
             return all;
         };
         const std::size_t steps = keeper.history().steps();
-        const std::string problem =
-            said("c.jpg.xmp", 0, [&] { return keeper.rename_person(photos, "Anna", "Eva").error(); }, 1);
+        const std::string problem = said(
+            "c.jpg.xmp", 0, [&] { return keeper.rename_person(photos, "Anna", "Eva").error(); }, 1);
         QVERIFY2(is_full(problem) && problem.find("kept the new name") == std::string::npos, problem.c_str());
         QCOMPARE(names(), std::string("Anna Anna Anna Anna Anna Anna "));
         QCOMPARE(keeper.history().steps(), steps);
         const std::string stuck =
             said(".jpg.xmp", 2, [&] { return keeper.rename_person(photos, "Anna", "Eva").error(); });
-        QVERIFY2(is_full(stuck) && stuck.find(" Some photographs kept the new name: ") != std::string::npos, stuck.c_str());
+        QVERIFY2(is_full(stuck) && stuck.find(" Some photographs kept the new name: ") != std::string::npos,
+                 stuck.c_str());
         QCOMPARE(names(), std::string("Eva Eva Eva Eva Anna Anna "));
         QCOMPARE(keeper.rename_person(photos, "Anna", "Eva").value(), std::size_t{1});
         QVERIFY(is_full(said("c.jpg.xmp", 0, [&] { return keeper.history().undo(); })));
@@ -132,7 +136,8 @@ private slots:
         const AlbumFolder album;
         const fs::path a = a_photo(album, "a.jpg", 1), b = a_photo(album, "b.jpg", 2);
         AlbumKeeper keeper(album.path());
-        const std::vector<AlbumKeeper::FaceToName> faces{{a, {0.5, 0.5, 0.2, 0.2, "Eva"}}, {b, {0.3, 0.3, 0.2, 0.2, "Eva"}}};
+        const std::vector<AlbumKeeper::FaceToName> faces{{a, {0.5, 0.5, 0.2, 0.2, "Eva"}},
+                                                         {b, {0.3, 0.3, 0.2, 0.2, "Eva"}}};
         const auto count = [&] { return record_of(a).faces.size() + record_of(b).faces.size(); };
         const std::string problem = said("b.jpg.xmp", 0, [&] { return keeper.name_faces(faces); });
         QVERIFY2(is_full(problem) && problem.find("kept the new name") == std::string::npos, problem.c_str());
@@ -201,19 +206,21 @@ private slots:
     void a_name_that_cannot_be_saved_leaves_the_earlier_one() {
         const AlbumFolder album;
         AlbumKeeper keeper(album.path());
-        const fs::path sound = a_sound(album, "s.wav", 0.5, 300.0), longer = a_sound(album, "l.wav", 0.8, 300.0);
+        const fs::path sound = a_sound(album, "s.wav", 0.5, 300.0),
+                       longer = a_sound(album, "l.wav", 0.8, 300.0);
         QVERIFY(is_full(said("Anna.flac", 0, [&] { return keeper.keep_name_recording("Anna", sound); })));
         QVERIFY(!keeper.name_recording("Anna"));
         QCOMPARE(keeper.keep_name_recording("Anna", sound), std::string());
         const std::size_t steps = keeper.history().steps();
         const auto before = album.files();
         for (const char* stuck : {"list.json", "/0", "Anna.flac"}) {
-            const std::string problem =
-                said(stuck, 0, [&] { return keeper.keep_name_recording("Anna", longer); }, 1);
+            const std::string problem = said(
+                stuck, 0, [&] { return keeper.keep_name_recording("Anna", longer); }, 1);
             QVERIFY2(problem.starts_with("The name cannot be saved: ") && is_full(problem), problem.c_str());
             QVERIFY2(album.files() == before, stuck);
         }
-        const std::string problem = said("Anna.flac", 0, [&] { return keeper.keep_name_recording("Anna", longer); });
+        const std::string problem =
+            said("Anna.flac", 0, [&] { return keeper.keep_name_recording("Anna", longer); });
         QVERIFY2(problem.find(" stays in the trash: ") != std::string::npos, problem.c_str());
         QCOMPARE(keeper.restore(keeper.trash().entries().at(0).id), std::string());
         QVERIFY(album.files() == before);
@@ -245,10 +252,50 @@ private slots:
         QCOMPARE(keeper.history().steps(), steps);
     }
 
+    void what_can_neither_be_deleted_nor_put_back_is_known_to_be_in_the_trash() {
+        const AlbumFolder album;
+        album.write("a.jpg", "a");
+        album.write("b.jpg", "b");
+        Trash trash(album.path());
+        const std::string problem = said(album.path().string(), 2, [&] {
+            return trash.put({"a.jpg", "b.jpg"}, "both").error();
+        });
+        QCOMPARE(problem,
+                 std::string("\"a.jpg\" cannot be restored and stays in the trash: the disk is full."));
+        QCOMPARE(trash.entries().size(), std::size_t{1});
+        QCOMPARE(trash.restore(trash.entries()[0].id), std::string());
+        QCOMPARE(album.files(), (std::map<std::string, std::string>{{"a.jpg", "a"}, {"b.jpg", "b"}}));
+    }
+
+    /// A photograph without one of its recordings would not be missed by the next import.
+    void a_photograph_comes_with_all_its_recordings_or_not() {
+        for (const char* stuck : {"1.flac", "2.flac", "a.jpg.xmp"}) {
+            const AlbumFolder card, album;
+            card.write("a.jpg", "photo");
+            card.write("a.jpg.xmp", "sidecar");
+            card.write("a.jpg.tags/1.flac", "1");
+            card.write("a.jpg.tags/2.flac", "2");
+            ImportReport report;
+            said((album.path() / "").string() +
+                     (std::string_view(stuck) == "a.jpg.xmp" ? "" : "a.jpg.tags/") + stuck,
+                 0, [&] {
+                     report = import_photos(album.path(), {}, {card.path()}, {}).value();
+                     return std::string();
+                 });
+            QCOMPARE(report.count(ImportedPhoto::Fate::failed), std::size_t{1});
+            QVERIFY(is_full(report.photos.at(0).problem));
+            QVERIFY2(!fs::exists(album / "a.jpg"), stuck);
+            QCOMPARE(go_on_importing(album.path(), report.id, {})->count(ImportedPhoto::Fate::imported),
+                     std::size_t{1});
+            QVERIFY(album.files() == card.files());
+        }
+    }
+
     void a_photograph_that_cannot_be_added_or_deleted_is_said() {
         const AlbumFolder album;
         AlbumKeeper keeper(album.path());
-        QVERIFY(is_full(said("a.jpg", 0, [&] { return keeper.add_photo(album / "a.jpg", "new", {}).error(); })));
+        QVERIFY(
+            is_full(said("a.jpg", 0, [&] { return keeper.add_photo(album / "a.jpg", "new", {}).error(); })));
         QVERIFY(album.files().empty());
         const fs::path photo = a_photo(album, "a.jpg", 1);
         QCOMPARE(keeper.describe(photo, "de", "Garten", ""), std::string());

@@ -9,6 +9,8 @@
 #include <QDateTime>
 #include <QTest>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
@@ -28,23 +30,21 @@ using Fate = ImportedPhoto::Fate;
 namespace {
 
 std::int64_t waited_ms = 0;
-bool stands_still = false;
+timespec begun{}; ///< when the steady clock stopped, which goes on only by what was waited; 0: it goes
 
 } // namespace
 
 extern "C" int clock_gettime(clockid_t clock, timespec* now) noexcept {
-    if (stands_still) {
-        *now = {1'777'630'500 + waited_ms / 1000, waited_ms % 1000 * 1'000'000};
-        return 0;
-    }
-    return static_cast<int>(::syscall(SYS_clock_gettime, clock, now));
+    if (clock != CLOCK_MONOTONIC || begun.tv_sec == 0)
+        return static_cast<int>(::syscall(SYS_clock_gettime, clock, now));
+    const std::int64_t ns = begun.tv_nsec + waited_ms % 1000 * 1'000'000;
+    *now = {begun.tv_sec + waited_ms / 1000 + ns / 1'000'000'000, ns % 1'000'000'000};
+    return 0;
 }
 
 extern "C" int gettimeofday(timeval* now, void*) noexcept {
-    timespec time{};
-    const int failed = clock_gettime(CLOCK_REALTIME, &time);
-    *now = {time.tv_sec, time.tv_nsec / 1000};
-    return failed;
+    *now = {1'777'630'500, 0};
+    return 0;
 }
 
 class ImportProgressTest : public QObject {
@@ -52,9 +52,9 @@ class ImportProgressTest : public QObject {
 private slots:
     void init() {
         waited_ms = 0;
-        stands_still = true;
+        ::syscall(SYS_clock_gettime, CLOCK_MONOTONIC, &begun);
     }
-    void cleanup() { stands_still = false; }
+    void cleanup() { begun = {}; }
 
     /// By the bytes that went before, from the first second on.
     void the_rest_takes_as_long_as_what_was_brought() {
@@ -146,8 +146,9 @@ private slots:
     void a_list_that_was_spoilt_is_said_data() {
         QTest::addColumn<QByteArray>("list");
         for (const char* list :
-             {"", "{", "[]", "{}", R"({"into":"a"})", R"({"into":"a","sources":"/b"})", R"({"sources":[1],"into":""})",
-              R"({"into":"..","sources":[]})", R"({"into":"/a","sources":[]})", R"({"into":"","sources":["relative"]})",
+             {"", "{", "[]", "{}", R"({"into":"a"})", R"({"into":"a","sources":"/b"})",
+              R"({"sources":[1],"into":""})", R"({"into":"..","sources":[]})",
+              R"({"into":"/a","sources":[]})", R"({"into":"","sources":["relative"]})",
               R"({"into":"%:a%2","sources":[]})", R"({"into":"","sources":["/a","%:plain"]})"})
             QTest::newRow(list) << QByteArray(list);
     }
@@ -156,13 +157,15 @@ private slots:
         const AlbumFolder album;
         album.write(".touchphoto/import/1.json", list.toStdString());
         QCOMPARE(go_on_importing(album.path(), "1", {}).error(),
-                 std::string("The list of the import \"1\" cannot be read; import its folder again, nothing comes twice."));
+                 std::string("The list of the import \"1\" cannot be read; import its folder again, nothing "
+                             "comes twice."));
         QCOMPARE(unfinished_imports(album.path()), std::vector<std::string>{"1"});
     }
 
     void a_bundle_is_told_while_it_is_unpacked() {
         const AlbumFolder card, album;
-        test::write_zip(card / "b.touchphoto", {{"a.jpg", std::string(300'000, 'x')}}, "zip:compression=store");
+        test::write_zip(card / "b.touchphoto", {{"a.jpg", std::string(300'000, 'x')}},
+                        "zip:compression=store");
         std::vector<double> shares;
         ImportTools tools;
         tools.unpacking = [&](const fs::path& bundle, double share) {
@@ -180,7 +183,8 @@ private slots:
     /// It is not said to hold no photograph, and goes on another time.
     void an_import_that_is_stopped_while_it_unpacks_is_not_finished() {
         const AlbumFolder card, album;
-        test::write_zip(card / "b.touchphoto", {{"a.jpg", std::string(300'000, 'x')}}, "zip:compression=store");
+        test::write_zip(card / "b.touchphoto", {{"a.jpg", std::string(300'000, 'x')}},
+                        "zip:compression=store");
         std::stop_source stop;
         ImportTools tools;
         tools.stop = stop.get_token();
@@ -212,13 +216,17 @@ private slots:
         QCOMPARE(import_photos(album.path(), {}, {card / "missing"}, {}).error(),
                  "There is no file or folder \"" + (card / "missing").string() + "\".");
         for (const char* into : {"..", "../x", "/tmp", "a/../.."})
-            QVERIFY(import_photos(album.path(), into, {photo}, {}).error().ends_with(" is not a folder in the album."));
+            QVERIFY(import_photos(album.path(), into, {photo}, {})
+                        .error()
+                        .ends_with(" is not a folder in the album."));
         album.write("file", "no folder");
         QVERIFY(import_photos(album.path(), "file/x", {photo}, {}).error().find(" cannot be created: ") !=
                 std::string::npos);
         album.write(".touchphoto", "no folder either");
-        QVERIFY(import_photos(album.path(), {}, {photo}, {}).error().starts_with("The import cannot begin: "));
-        QCOMPARE(import_photos(album.path(), "a/../b", {photo}, {}).error().substr(0, 24), std::string("The import cannot begin:"));
+        QVERIFY(
+            import_photos(album.path(), {}, {photo}, {}).error().starts_with("The import cannot begin: "));
+        QCOMPARE(import_photos(album.path(), "a/../b", {photo}, {}).error().substr(0, 24),
+                 std::string("The import cannot begin:"));
         QVERIFY(fs::is_directory(album / "b"));
     }
 };

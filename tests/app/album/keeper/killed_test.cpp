@@ -90,8 +90,9 @@ struct Scene {
         const fs::path count = place / "calls";
         Told told = told_in(test::faulty_run(
             TP_FAILING_FILES, QCoreApplication::applicationFilePath(),
-            {QString::fromLatin1(works), QString::fromStdString(album.path().string()), QString::fromStdString(card.path().string()),
-             QString::fromStdString(sound.string()), QString::fromStdString(bundle().string())},
+            {QString::fromLatin1(works), QString::fromStdString(album.path().string()),
+             QString::fromStdString(card.path().string()), QString::fromStdString(sound.string()),
+             QString::fromStdString(bundle().string())},
             album.path(), fault, count));
         if (calls)
             *calls = test::calls_in(count);

@@ -53,6 +53,14 @@ private slots:
             QVERIFY2(parse_name_language(text).error().ends_with('.'), text);
     }
 
+    void a_file_is_read_up_to_a_megabyte() {
+        const AlbumFolder album;
+        for (const std::size_t more : {std::size_t{0}, std::size_t{1}}) {
+            const fs::path file = album.write("x.language", "fr\n" + std::string((1 << 20) - 4 + more, 'x') + "\n");
+            QCOMPARE(NameLanguages::read(file).ok(), more == 0);
+        }
+    }
+
     void any_bytes_are_refused_or_read() {
         const auto seeds =
             tp::test::corpus(tp::test::in_source("tests/app/album/keeper/name_language_corpus"));

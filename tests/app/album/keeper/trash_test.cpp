@@ -97,6 +97,7 @@ private slots:
             ids.push_back(*id);
         }
         stands_still_at = 0;
+        QCOMPARE(trash.entries().back().deleted, std::string("2026-05-01T10:15:00Z"));
         QCOMPARE(ids.front(), std::string("2026-05-01T101500.000"));
         const auto entries = trash.entries();
         QCOMPARE(entries.size(), std::size_t{30});
@@ -183,12 +184,58 @@ private slots:
         QVERIFY(album.files().empty());
     }
 
+    void what_names_no_entry_is_left_alone() {
+        const AlbumFolder album;
+        Trash trash(album.path());
+        album.write("a.jpg", "a");
+        const auto id = trash.put({"a.jpg"}, "x");
+        const auto before = album.files();
+        for (const std::string& name :
+             {std::string(), std::string("."), std::string(".."), *id + "/0", *id + "/list.json",
+              "../trash/" + *id, (album / ".touchphoto").string(), std::string("unknown")}) {
+            for (const std::string& said :
+                 {trash.erase(name), trash.restore(name), trash.entry(name).error()})
+                QVERIFY2(said.starts_with("There is nothing of the name ") &&
+                             said.ends_with(" in the trash."),
+                         said.c_str());
+            QVERIFY(trash.files_in(name).empty());
+        }
+        QVERIFY(album.files() == before);
+    }
+
+    /// A power cut before its list was there: nothing was moved. A file without a list is somebody's.
+    void a_folder_without_a_list_is_told_where_something_lies_in_it() {
+        const AlbumFolder album;
+        Trash trash(album.path());
+        fs::create_directories(trash.folder() / "empty");
+        album.write(".touchphoto/trash/cut/.touchphoto-1-1.tmp", "half a list");
+        std::vector<std::string> problems;
+        QVERIFY(trash.entries(&problems).empty() && problems.empty());
+        album.write(".touchphoto/trash/cut/0", "a photograph");
+        QVERIFY(trash.entries(&problems).empty());
+        QCOMPARE(problems, std::vector<std::string>{"The list of what was deleted in \"" +
+                                                    (trash.folder() / "cut").string() +
+                                                    "\" cannot be read; its files are still there."});
+        QVERIFY(trash.entries().empty());
+    }
+
+    void a_list_is_read_up_to_16_megabytes() {
+        const AlbumFolder album;
+        const std::string list = R"({"what":"x","files":["a"]})";
+        for (const std::size_t more : {std::size_t{0}, std::size_t{1}}) {
+            album.write(".touchphoto/trash/1/list.json",
+                        list + std::string((16u << 20) - list.size() + more, ' '));
+            QCOMPARE(Trash(album.path()).entry("1").ok(), more == 0);
+        }
+    }
+
     void a_list_that_was_spoilt_is_said_and_left_alone_data() {
         QTest::addColumn<QByteArray>("list");
         QTest::newRow("empty") << QByteArray();
         QTest::newRow("not JSON") << QByteArray("{");
         QTest::newRow("no files") << QByteArray(R"({"what":"x","files":[]})");
         QTest::newRow("leads out") << QByteArray(R"({"what":"x","files":["../evil"]})");
+        QTest::newRow("no name of ours") << QByteArray(R"({"what":"x","files":["a","%:b%2"]})");
         QTest::newRow("absolute") << QByteArray(R"({"what":"x","files":["/tmp/evil"]})");
     }
 

@@ -56,7 +56,8 @@ private slots:
     void a_file_is_read_up_to_a_megabyte() {
         const AlbumFolder album;
         for (const std::size_t more : {std::size_t{0}, std::size_t{1}}) {
-            const fs::path file = album.write("x.language", "fr\n" + std::string((1 << 20) - 4 + more, 'x') + "\n");
+            const fs::path file =
+                album.write("x.language", "fr\n" + std::string((1 << 20) - 4 + more, 'x') + "\n");
             QCOMPARE(NameLanguages::read(file).ok(), more == 0);
         }
     }

@@ -216,6 +216,7 @@ int simulate_study_verb(const VerbLine& line, const std::filesystem::path& file)
             return refused(read.error());
         faces = std::move(*read);
     }
+    LongWork::step("opening the study");
     auto writer = StudyWriter::open(line.text("out").toStdString(), *experiment,
                                     {static_cast<std::uint64_t>(*seed), true},
                                     machine_of(*bench, line.text("device").toStdString()));

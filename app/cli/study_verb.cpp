@@ -83,14 +83,17 @@ void print(const StudyReport& report) {
 int report_verb(const VerbLine& line, const std::filesystem::path& folder) {
     if (!line.has("out"))
         return wrong_usage("study", "--out DIR is missing.");
+    LongWork::step("reading the study");
     const auto study = read_study(folder);
     if (!study)
         return refused(study.error());
+    LongWork::step("working out what the study shows");
     const auto report = report_on(*study);
     if (!report)
         return refused(report.error());
     if (const std::string problem = line.make_folder("out"); !problem.empty())
         return refused(problem);
+    LongWork::step("writing the report");
     if (const std::string problem = write_report(line.text("out").toStdString(), *report); !problem.empty())
         return refused(problem);
     for (const std::string& remark : report->remarks)
@@ -107,6 +110,7 @@ void share_done(std::size_t done, std::size_t all) {
 }
 
 int check_verb(const std::filesystem::path& folder) {
+    LongWork::step("reading the study");
     const auto study = read_study(folder);
     if (!study)
         return refused(study.error());

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace tp {
 
@@ -32,6 +33,20 @@ int make_directory(const std::filesystem::path& folder, Readers readers);
 int names_to_disk(const std::filesystem::path& folder);
 /// The times of `from` become those of `to`.
 int copy_times(const OpenFile& from, const std::filesystem::path& to);
+
+/// While one lives, another process holds those of the files that are large. Whoever removes their names and closes them does not
+/// wait until the disk has their place back, which may take a second for gigabytes; the other process does, and ends. Nothing where
+/// the system does not let that be done.
+class HeldElsewhere {
+public:
+    explicit HeldElsewhere(const std::vector<std::filesystem::path>& files);
+    ~HeldElsewhere();
+    HeldElsewhere(const HeldElsewhere&) = delete;
+    HeldElsewhere& operator=(const HeldElsewhere&) = delete;
+
+private:
+    int alive_ = -1; ///< the other process waits for its closing
+};
 
 /// The number of this process, which no other on this machine has while it runs.
 long this_process();

@@ -2,14 +2,25 @@
 #include "core/files/facts_posix.hpp"
 #include "core/files/file_system.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/types.h>
+#include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
+#include <vector>
+
+#if defined(__GLIBC__)
+#if __GLIBC_PREREQ(2, 34)
+#define TP_CAN_LEAVE_PROCESS // _Fork, which waits for nobody's locks, and close_range
+#endif
+#endif
 
 namespace tp {
 
@@ -33,6 +44,37 @@ int renamed(const fs::path& from, const fs::path& to, Rename how) {
     return ENOSYS;
 #endif
 }
+
+#if defined(TP_CAN_LEAVE_PROCESS)
+std::vector<OpenFile> large_ones(const std::vector<fs::path>& files) {
+    constexpr std::int64_t large = 64 << 20; // bytes on the disk
+    std::vector<OpenFile> opened;
+    for (const fs::path& file : files) {
+        OpenFile one(file, {});
+        struct stat about {};
+        if (one.ok() && ::fstat(one.number(), &about) == 0 && std::int64_t{about.st_blocks} * 512 >= large)
+            opened.push_back(std::move(one));
+    }
+    return opened;
+}
+
+/// In the process that is left behind, which may do no more than a signal handler. What it does not hold is closed: whoever reads
+/// what the other one wrote, or waits for its locks, does not wait for this one.
+[[noreturn]] void hold(const std::vector<int>& held, int alive) {
+    unsigned from = 0;
+    for (const int file : held) {
+        const auto number = static_cast<unsigned>(file);
+        if (number > from)
+            ::close_range(from, number - 1, 0);
+        from = number + 1;
+    }
+    ::close_range(from, ~0U, 0);
+    char none = 0;
+    while (::read(alive, &none, 1) < 0 && errno == EINTR) {
+    }
+    ::_exit(0);
+}
+#endif
 
 bool unknown(int error) { return error == EINVAL || error == ENOSYS; }
 
@@ -76,6 +118,35 @@ int move_to_free(const fs::path& from, const fs::path& to) {
 int swap_names(const fs::path& one, const fs::path& other) { return renamed(one, other, Rename::swap); }
 
 int remove_name(const fs::path& file) noexcept { return ::unlink(file.c_str()) == 0 ? 0 : errno; }
+
+HeldElsewhere::HeldElsewhere(const std::vector<fs::path>& files) {
+#if defined(TP_CAN_LEAVE_PROCESS)
+    const std::vector<OpenFile> large = large_ones(files);
+    std::array<int, 2> alive{};
+    if (large.empty() || ::pipe2(alive.data(), O_CLOEXEC) != 0)
+        return;
+    const OpenFile other_end(alive[0]);
+    alive_ = alive[1];
+    std::vector<int> held{alive[0]};
+    for (const OpenFile& file : large)
+        held.push_back(file.number());
+    std::ranges::sort(held);
+    const pid_t child = ::_Fork();
+    if (child == 0 && ::_Fork() != 0) // a grandchild, so that nobody has to wait for its end
+        ::_exit(0);
+    if (child == 0)
+        hold(held, alive[0]);
+    while (child > 0 && ::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+    }
+#else
+    static_cast<void>(files);
+#endif
+}
+
+HeldElsewhere::~HeldElsewhere() {
+    if (alive_ >= 0)
+        ::close(alive_);
+}
 
 int make_directory(const fs::path& folder, Readers readers) {
     return ::mkdir(folder.c_str(), readers == Readers::owner_only ? 0700 : 0777) == 0 ? 0 : errno;

@@ -51,6 +51,9 @@ int remove_name(const fs::path& file) noexcept {
     return DeleteFileW(file.c_str()) != 0 ? 0 : errno_of_last();
 }
 
+HeldElsewhere::HeldElsewhere(const std::vector<fs::path>&) {}
+HeldElsewhere::~HeldElsewhere() = default;
+
 int make_directory(const fs::path& folder, Readers) {
     return CreateDirectoryW(folder.c_str(), nullptr) != 0 ? 0 : errno_of_last();
 }

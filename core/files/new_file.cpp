@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::string_view temporary_start = ".touchphoto-";
 constexpr std::string_view temporary_end = ".tmp";
+constexpr std::size_t most_in_memory = 16 << 20; // bytes, which a disk takes in a fraction of a second
 constexpr int most_tries = 100; // names left behind by a power cut, under this process's number
 constexpr int most_links = 40;  // as the system itself follows
 
@@ -56,7 +57,9 @@ public:
 
     void add(const fs::path& file) { files_.push_back(file); }
     void drop(const fs::path& file) { std::erase(files_, file); }
-    void remove_all() const noexcept {
+    void remove_all() const {
+        static const HeldElsewhere& until_the_end = *new HeldElsewhere(files_);
+        static_cast<void>(until_the_end);
         for (const fs::path& file : files_)
             remove_name(file);
     }
@@ -98,12 +101,14 @@ Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
 
 NewFile::NewFile(NewFile&& other) noexcept
     : place_(std::move(other.place_)), linked_(other.linked_),
-      temporary_(std::exchange(other.temporary_, {})), file_(std::move(other.file_)) {}
+      temporary_(std::exchange(other.temporary_, {})), file_(std::move(other.file_)),
+      in_memory_(other.in_memory_) {}
 
 NewFile::~NewFile() {
-    file_.close();
     if (temporary_.empty())
         return;
+    const HeldElsewhere held_elsewhere({temporary_});
+    file_.close();
     const auto held = Unfinished::all().hold();
     remove_name(temporary_);
     Unfinished::all().drop(temporary_);
@@ -111,7 +116,13 @@ NewFile::~NewFile() {
 
 std::string NewFile::write(std::string_view bytes) {
     const Written written = file_.write(bytes);
-    return written.error == 0 ? std::string{} : reason_of(written.error);
+    in_memory_ += written.count;
+    int error = written.error;
+    if (error == 0 && in_memory_ >= most_in_memory) {
+        in_memory_ = 0;
+        error = file_.bytes_to_disk();
+    }
+    return error == 0 ? std::string{} : reason_of(error);
 }
 
 std::string NewFile::take_place(Existing existing) {

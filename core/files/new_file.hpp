@@ -4,6 +4,7 @@
 #include "core/base/result.hpp"
 #include "core/files/open_file.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -32,7 +33,8 @@ public:
 
     /// Where it lies until it takes its place; a library that writes by name may write there.
     const std::filesystem::path& temporary() const { return temporary_; }
-    /// Appends; the reason why not, else empty.
+    /// Appends; the reason why not, else empty. Much that was written goes to the disk in between: a process does not end while
+    /// gigabytes are on their way there.
     std::string write(std::string_view bytes);
     /// Brings it to the disk and gives it its name. When this returns empty, a power cut finds it whole; else
     /// it is the reason why not, and what had the name is as it was (or, where only the folder could not be
@@ -54,6 +56,7 @@ private:
     bool linked_; ///< a link has the name, and leads there
     std::filesystem::path temporary_;
     OpenFile file_;
+    std::size_t in_memory_ = 0; ///< bytes that were written since some were brought to the disk
 };
 
 /// Whether a file of this name is one that `NewFile` was writing; in a folder that nothing writes to, a power

@@ -43,7 +43,10 @@ void link(const QString& file, const QString& name) {
 }
 
 void run(const QStringList& words) {
-    if (QProcess::execute(QStringLiteral(TP_LAB), words) != 0)
+    QProcess process;
+    process.setStandardOutputFile(QProcess::nullDevice());
+    process.start(QStringLiteral(TP_LAB), words);
+    if (!process.waitForFinished(-1) || process.exitCode() != 0)
         qFatal("cannot run touchphoto-lab %s", qPrintable(words.join(' ')));
 }
 
@@ -113,19 +116,27 @@ void write_portraits(const QString& folder, const QString& portrait) {
     write(folder + "/truth.json", truth + "}\n");
 }
 
-/// An album with a recording of hours that was added as a short one.
-void write_long_recording(const QString& folder) {
-    make(folder + "/spoken");
-    const QString photo = folder + "/spoken/one.jpg";
-    if (!QFile::copy(folder + "/one.jpg", photo))
+/// A photograph with a recording of its own; the recording's file.
+QString write_spoken(const QString& folder, const QString& one, const QString& sound) {
+    make(folder);
+    const QString photo = folder + "/one.jpg";
+    if (!QFile::copy(one, photo))
         qFatal("cannot write %s", qPrintable(photo));
-    write_sound(folder + "/short.wav", 96'000);
-    run({"album", "tag", "add", photo, "--from", folder + "/short.wav"});
+    run({"album", "tag", "add", photo, "--from", sound});
     const QDir recordings(photo + ".tags");
-    const QString recording = recordings.filePath(recordings.entryList(QDir::Files).value(0));
+    return recordings.filePath(recordings.entryList(QDir::Files).value(0));
+}
+
+/// Recordings that were added as short ones: one of hours to be read, one of gigabytes to be copied.
+void write_long_recordings(const QString& folder) {
+    const QString one = folder + "/one.jpg", sound = folder + "/short.wav";
+    write_sound(sound, 96'000);
+    const QString recording = write_spoken(folder + "/spoken", one, sound);
     if (!QFile::remove(recording))
-        qFatal("nothing was added to %s", qPrintable(photo));
+        qFatal("nothing was added to a photograph");
     link(folder + "/long.wav", recording);
+    if (!QFile(write_spoken(folder + "/labelled", one, sound)).resize(qint64{16} << 30))
+        qFatal("cannot write a large recording");
 }
 
 /// A trash whose lists take long to read.
@@ -190,7 +201,7 @@ void write_long_inputs(const QString& folder) {
     link(folder + "/long.wav", folder + "/large_models/yunet.onnx");
     run({"devices", "record", folder + "/short.rec", "--seconds", "0.1"});
     write_portraits(folder, folder + "/one.jpg");
-    write_long_recording(folder);
+    write_long_recordings(folder);
     write_trash(folder);
     write_study(folder);
 }

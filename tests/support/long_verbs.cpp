@@ -4,7 +4,6 @@
 #include "long_inputs.hpp"
 #include "places.hpp"
 
-#include <QDir>
 #include <QDirIterator>
 #include <QFile>
 #include <QProcessEnvironment>
@@ -16,6 +15,8 @@ LongWorkInputs::LongWorkInputs() {
     if (!folder_.isValid())
         qFatal("there is no place for the inputs");
     write_long_inputs(folder_.path());
+    files_ = names(QDir::Files);
+    folders_ = names(QDir::Dirs);
     const char* const index = "cache/.*";
     add("field", "field --scene @tangle.svg --out @field.png");
     add("friction", "friction --scene @tangle.svg --out @friction.png");
@@ -54,6 +55,8 @@ LongWorkInputs::LongWorkInputs() {
     add("album tag add", "album tag add @one.jpg --from @long.wav");
     const QString recording = QDir(path("spoken/one.jpg.tags")).entryList(QDir::Files).value(0);
     add("album tag trim", "album tag trim @spoken/one.jpg " + recording + " --begin 1 --end 20000");
+    const QString large = QDir(path("labelled/one.jpg.tags")).entryList(QDir::Files).value(0);
+    add("album tag label", "album tag label @labelled/one.jpg " + large + " --kind story");
     add("album trash list", "album trash list @thrown_away");
     add("album trash empty", "album trash empty @thrown_away --yes");
     add("album check", "album check @album");
@@ -84,12 +87,30 @@ void LongWorkInputs::start(QProcess& process, const LongVerb& verb) const {
     process.start(QStringLiteral(TP_LAB), verb.words);
 }
 
-std::set<QString> LongWorkInputs::files() const {
+std::set<QString> LongWorkInputs::names(QDir::Filters kind) const {
     std::set<QString> found;
-    for (QDirIterator all(folder_.path(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+    for (QDirIterator all(folder_.path(), kind | QDir::Hidden | QDir::NoDotAndDotDot,
+                          QDirIterator::Subdirectories);
          all.hasNext();)
         found.insert(QDir(folder_.path()).relativeFilePath(all.next()));
     return found;
+}
+
+std::set<QString> LongWorkInputs::left() const {
+    std::set<QString> found = names(QDir::Files);
+    for (const QString& file : files_)
+        found.erase(file);
+    return found;
+}
+
+void LongWorkInputs::remove_left() const {
+    for (const QString& file : left())
+        QFile::remove(path(file));
+    const std::set<QString> folders = names(QDir::Dirs);
+    for (auto folder = folders.rbegin(); folder != folders.rend();
+         ++folder) // those within before those around them
+        if (!folders_.contains(*folder))
+            QDir().rmdir(path(*folder));
 }
 
 std::set<QString> long_verbs_of_manual() {

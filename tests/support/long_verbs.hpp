@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QDir>
 #include <QProcess>
 #include <QString>
 #include <QStringList>
@@ -30,14 +31,19 @@ public:
     void start(QProcess& process, const LongVerb& verb) const;
 
     QString path(const QString& name) const { return folder_.filePath(name); }
-    /// All files there now, by their names in the folder.
-    std::set<QString> files() const;
+    /// Files that verbs have left there, by their names in the folder.
+    std::set<QString> left() const;
+    /// Away with them, and with folders.
+    void remove_left() const;
 
 private:
     void add(const char* name, const QString& words, const char* leaves = "",
              const char* models = "models"); ///< a word behind @ is a file's name in the folder
 
+    std::set<QString> names(QDir::Filters kind) const;
+
     QTemporaryDir folder_;
+    std::set<QString> files_, folders_; ///< before any verb
     std::vector<LongVerb> verbs_;
 };
 

@@ -7,6 +7,7 @@ set(not_there
   core.files.new_file          # asks POSIX for a process of its own
   core.files.open_file         # asks POSIX for pipes, times and what programs inherit
   core.files.names             # asks POSIX for links and processes
+  core.files.held_elsewhere    # asks POSIX for processes and what they have open
   core.libraries               # names libraries as Linux does
   core.processes.helper_on_linux # asks Linux what is refused; processes_test.cpp beside this is Windows's own
   core.guidance.hostile_scenes # reads SVG: core/svg needs lib2geom

@@ -109,6 +109,7 @@ int tag_label(const QStringList& words) {
     if (const auto over = line.parse(words, 2, 2))
         return *over;
     const std::string file = line.arguments()[1].toStdString();
+    LongWork::step("labelling " + file);
     const auto record = read_record(photo_given(line));
     if (!record)
         return refused(record.error());

@@ -18,6 +18,7 @@ int trash_list(const QStringList& words) {
     line.option("json", "One JSON object per line.").argument("ALBUM", "The album's folder.");
     if (const auto over = line.parse(words, 1, 1))
         return *over;
+    LongWork::step("reading what is in the trash");
     std::vector<std::string> problems;
     for (const TrashEntry& entry : Trash(path_given(line.arguments().first())).entries(&problems))
         if (line.has("json"))

@@ -115,14 +115,19 @@ NewFile::~NewFile() {
 }
 
 std::string NewFile::write(std::string_view bytes) {
-    const Written written = file_.write(bytes);
-    in_memory_ += written.count;
-    int error = written.error;
-    if (error == 0 && in_memory_ >= most_in_memory) {
+    while (!bytes.empty()) {
+        const Written written = file_.write(bytes.substr(0, most_in_memory - in_memory_));
+        if (written.error != 0)
+            return reason_of(written.error);
+        bytes.remove_prefix(written.count);
+        in_memory_ += written.count;
+        if (in_memory_ < most_in_memory)
+            continue;
         in_memory_ = 0;
-        error = file_.bytes_to_disk();
+        if (const int error = file_.bytes_to_disk(); error != 0)
+            return reason_of(error);
     }
-    return error == 0 ? std::string{} : reason_of(error);
+    return {};
 }
 
 std::string NewFile::take_place(Existing existing) {

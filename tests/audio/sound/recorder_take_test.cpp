@@ -4,12 +4,14 @@
 #include "fake_microphone.hpp"
 #include "sound_files.hpp"
 
+#include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 using namespace tp;

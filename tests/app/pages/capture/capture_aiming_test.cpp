@@ -2,6 +2,7 @@
 // From frames to words, tone and the wish for the shutter, without a camera and in the frames' time.
 #include "capture_ground.hpp"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
 

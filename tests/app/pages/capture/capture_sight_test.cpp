@@ -6,7 +6,14 @@
 #include "app/pages/capture/capture_sight.hpp"
 #include "capture_bench.hpp"
 
+#include <QCoreApplication>
+#include <QDir>
+#include <QImage>
 #include <QLocale>
+
+#include <functional>
+#include <memory>
+#include <vector>
 
 using namespace tp;
 using State = CaptureSight::State;
@@ -198,6 +205,8 @@ private slots:
         bench.sight.leave();
         QTRY_VERIFY_WITH_TIMEOUT(bench.last_said().contains("Saved"), 60000);
         QVERIFY(!bench.memo.running());
+        bench.hear_moment(0.5); // nobody listens
+        QCoreApplication::processEvents();
         QVERIFY(!bench.moment.hears());
         QCOMPARE(QDir(bench.photographs().front() + ".tags").entryList({"*.flac"}).size(), 1);
     }

@@ -6,9 +6,8 @@
 #include "core/experiment/trial_order.hpp"
 #include "core/study_folder/path_file.hpp"
 
-#include <QDir>
+#include <QCoreApplication>
 #include <QFile>
-#include <QStringList>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>

@@ -219,6 +219,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "The file \"%1\" cannot be read."),
     QT_TRANSLATE_NOOP("Sentence", "The file \"%1\" could not be read: there is not enough memory for it."),
     QT_TRANSLATE_NOOP("Sentence", "The file \"%1\" is in a folder that you are not allowed to open."),
+    QT_TRANSLATE_NOOP("Sentence", "The file \"%1\" is larger than %2 KB; that is more than such a file may be."),
     QT_TRANSLATE_NOOP("Sentence", "The file \"%1\" is larger than %2 MB; that is more than such a file may be."),
     QT_TRANSLATE_NOOP("Sentence", "The file \"%1\" is named like a photograph, but is not one."),
     QT_TRANSLATE_NOOP("Sentence", "The file cannot be read."),

@@ -12,6 +12,19 @@ namespace tp {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+Error too_large(const fs::path& file, std::size_t most_bytes) {
+    const std::size_t kilobytes = most_bytes / 1024;
+    if (kilobytes < 1024)
+        return Error{"The file " + quoted(file) + " is larger than " + std::to_string(kilobytes) +
+                     " KB; that is more than such a file may be."};
+    return Error{"The file " + quoted(file) + " is larger than " + std::to_string(kilobytes / 1024) +
+                 " MB; that is more than such a file may be."};
+}
+
+} // namespace
+
 Result<std::string> read_whole(const fs::path& file, std::size_t most_bytes) try {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
@@ -31,9 +44,7 @@ Result<std::string> read_whole(const fs::path& file, std::size_t most_bytes) try
         stream.read(block.data(), block.size());
         bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
         if (bytes.size() > most_bytes)
-            return Error{"The file " + quoted(file) + " is larger than " +
-                         std::to_string(most_bytes / (1024 * 1024)) +
-                         " MB; that is more than such a file may be."};
+            return too_large(file, most_bytes);
     }
     if (stream.bad())
         return Error{"The file " + quoted(file) + " cannot be read to its end."};

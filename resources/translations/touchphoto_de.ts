@@ -4532,6 +4532,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>simulated motor</source>
         <translation>simulierter Motor</translation>
     </message>
+    <message>
+        <source>The file &quot;%1&quot; is larger than %2 KB; that is more than such a file may be.</source>
+        <translation>Die Datei „%1“ ist größer als %2 KB; das ist mehr, als so eine Datei haben darf.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -4509,6 +4509,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>simulated motor</source>
         <translation>모의 모터</translation>
     </message>
+    <message>
+        <source>The file &quot;%1&quot; is larger than %2 KB; that is more than such a file may be.</source>
+        <translation>파일 “%1”: %2 KB보다 큽니다. 이런 파일로는 너무 큽니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

@@ -97,7 +97,7 @@ cv::Mat bgr_of_jpeg(const MappedPicture& picture) {
         return {};
     const Bytes bytes(picture.planes[0].bytes.begin(), picture.planes[0].bytes.end());
     const JpegHeader header = jpeg_header(bytes);
-    if (header.width != picture.size.width() || header.height != picture.size.height())
+    if (!can_be_read(picture.form, {header.width, header.height}))
         return {};
     const Result<cv::Mat> pixels = decode_jpeg(bytes, header, 1, JpegDamage::shown);
     return pixels ? *pixels : cv::Mat();

@@ -29,9 +29,9 @@ bool is_read(QVideoFrameFormat::PixelFormat form);
 /// A picture of this form and size can be one of a camera: at most `most_pixels`, with the even sides that its form needs.
 bool can_be_read(QVideoFrameFormat::PixelFormat form, QSize size);
 
-/// The picture as 8-bit BGR of the told size, in memory of its own. Empty where it cannot be read, where its planes are too
-/// short for what is told, or where a JPEG's header tells another size than the camera. A JPEG that is damaged inside is shown
-/// as far as it goes, because cables lose bytes.
+/// The picture as 8-bit BGR of the told size, in memory of its own. Empty where it cannot be read, or where its planes are too
+/// short for what is told. A JPEG has the size of its own header, which cameras fill up to whole blocks, of at most
+/// `most_pixels`; one that is damaged inside is shown as far as it goes, because cables lose bytes.
 cv::Mat bgr_of(const MappedPicture& picture);
 
 } // namespace tp

@@ -369,6 +369,7 @@ private slots:
         QVERIFY(said("missing", "There is no file"));
         QCOMPARE(replace_file(root_ / "large", std::string(3 << 20, 'x')), std::string());
         QVERIFY(read_whole(root_ / "large", 2 << 20).error().find("larger than 2 MB") != std::string::npos);
+        QVERIFY(read_whole(root_ / "large", 64 << 10).error().find("larger than 64 KB") != std::string::npos);
         QVERIFY(copy_whole(root_ / "pipe", root_ / "copy").find("is not a file.") != std::string::npos);
         QVERIFY(replace_file(root_ / "folder", "x").find("is a folder.") != std::string::npos);
         QVERIFY(replace_file(root_ / "no" / "a", "x").find("there is no folder") != std::string::npos);

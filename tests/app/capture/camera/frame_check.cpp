@@ -97,7 +97,8 @@ std::string complaint_about_frame(std::string_view bytes) {
     const QSize told = frame.picture.size;
     if (!is_read(frame.picture.form))
         return "a picture of a form that is not read";
-    if (pixels.cols != told.width() || pixels.rows != told.height() || pixels.type() != CV_8UC3)
+    const bool of_told_size = pixels.cols == told.width() && pixels.rows == told.height();
+    if (pixels.type() != CV_8UC3 || (!of_told_size && frame.picture.form != Form::Format_Jpeg))
         return "a picture of another size than was told";
     if (pixels.total() > static_cast<std::size_t>(most_pixels))
         return "a picture that is larger than a camera's may be";

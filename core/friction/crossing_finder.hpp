@@ -14,12 +14,12 @@ namespace tp {
 
 /// Where the way of a finger crosses a line.
 struct LineCrossing {
-    int contour;           ///< index into the FlatScene
-    std::uint32_t segment; ///< of that contour's line
-    double share;          ///< of the step, 0 at its beginning … 1 at its end
-    Vec2 place;            ///< mm
-    Vec2 along;            ///< of the segment as it was drawn, mm; never zero
-    bool to_left;          ///< of the line as it was drawn
+    int contour{};           ///< index into the FlatScene
+    std::uint32_t segment{}; ///< of that contour's line
+    double share{};          ///< of the step, 0 at its beginning … 1 at its end
+    Vec2 place{};            ///< mm
+    Vec2 along{};            ///< of the segment as it was drawn, mm; never zero
+    bool to_left{};          ///< of the line as it was drawn
 };
 
 /// The crossings of one step, in their order along it; room for so many that a finger cannot feel more.

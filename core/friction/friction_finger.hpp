@@ -20,13 +20,13 @@ enum class LineEventKind {
 
 struct LineEvent {
     LineEventKind kind;
-    int contour;           ///< index into the FlatScene
-    std::uint32_t segment; ///< of that contour's line; of a crossing the one that is crossed
-    Vec2 place;            ///< mm; of a crossing and a corner on the line, else the finger's
-    double speed;          ///< of the finger, mm/s
-    double angle;          ///< between the finger's way and the line, rad, 0 … π/2; of a crossing only
-    bool to_left;          ///< of the line as it was drawn; of a crossing only
-    double share; ///< FrictionLaw::share_at of this speed: nothing of it is felt where the finger rests
+    int contour{};           ///< index into the FlatScene
+    std::uint32_t segment{}; ///< of that contour's line; of a crossing the one that is crossed
+    Vec2 place{};            ///< mm; of a crossing and a corner on the line, else the finger's
+    double speed{};          ///< of the finger, mm/s
+    double angle{};          ///< between the finger's way and the line, rad, 0 … π/2; of a crossing only
+    bool to_left{};          ///< of the line as it was drawn; of a crossing only
+    double share{}; ///< FrictionLaw::share_at of this speed: nothing of it is felt where the finger rests
 };
 
 /// What a bare finger should feel now.
@@ -60,20 +60,20 @@ public:
 private:
     /// Of the finger, and of the line nearest to it; see Guidance.
     struct Sample {
-        Vec2 place;
-        double distance;
-        Vec2 nearest;
-        int contour;
-        std::uint32_t segment;
+        Vec2 place{};
+        double distance{};
+        Vec2 nearest{};
+        int contour{};
+        std::uint32_t segment{};
     };
     /// How far a finger went near the same line, mm.
     struct WayNear {
-        double all;
-        double lately; ///< the same, older way forgotten
-        double along;  ///< … as far as it was along the line
+        double all{};
+        double lately{}; ///< the same, older way forgotten
+        double along{};  ///< … as far as it was along the line
     };
     struct Movement {
-        Vec2 place;
+        Vec2 place{};
         double way;   ///< mm since the sample before
         double speed; ///< mm/s
         double share; ///< FrictionLaw::share_at of it
@@ -97,8 +97,8 @@ private:
     Vec2 corner_{}; ///< mm, the one told last
 
     struct Crossed {
-        int contour;
-        Vec2 place;
+        int contour{};
+        Vec2 place{};
     };
     std::array<Crossed, 4> lately_{}; ///< crossings told of, from which the finger has not been far yet
     std::size_t lately_count_ = 0;

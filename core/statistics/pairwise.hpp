@@ -13,7 +13,7 @@ namespace tp {
 /// A level of a factor, over all levels of the others.
 struct LevelMean {
     std::string level;
-    double mean;
+    double mean{};
     std::optional<double> standard_error; ///< of the participants' means; none with one participant
     /// Levels that have one in common do not differ (Piepho, Journal of Computational and Graphical Statistics 13, 2004); "a" has
     /// the smallest mean. Empty where nothing can be compared.
@@ -23,8 +23,8 @@ struct LevelMean {
 /// Two levels, by their indices.
 struct LevelPair {
     std::size_t one, other;
-    double difference; ///< of the other's mean from the one's
-    double p;          ///< that some two of all levels are so far apart by chance
+    double difference{}; ///< of the other's mean from the one's
+    double p{};          ///< that some two of all levels are so far apart by chance
 };
 
 struct Pairwise {

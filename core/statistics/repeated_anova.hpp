@@ -13,10 +13,10 @@ namespace tp {
 /// What a factor, or several together (an interaction), does to the mean.
 struct WithinEffect {
     std::vector<std::size_t> factors; ///< indices
-    double sum;                       ///< of squares
-    double df;
-    double error_sum; ///< of squares, of the same between participants
-    double error_df;
+    double sum{};                     ///< of squares
+    double df{};
+    double error_sum{}; ///< of squares, of the same between participants
+    double error_df{};
     /// None with one participant, or where the participants do not differ in it at all.
     std::optional<double> f;
     std::optional<double> p; ///< that F is at least so large by chance

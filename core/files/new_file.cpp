@@ -124,7 +124,7 @@ std::string NewFile::write(std::string_view bytes) {
         if (in_memory_ < most_in_memory)
             continue;
         in_memory_ = 0;
-        if (const int error = file_.bytes_to_disk(); error != 0)
+        if (const int error = file_.bytes_out_of_memory(); error != 0)
             return reason_of(error);
     }
     return {};

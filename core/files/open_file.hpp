@@ -85,6 +85,8 @@ public:
     int to_disk() const;
     /// The same without its times.
     int bytes_to_disk() const;
+    /// Waits until what was written is out of this machine's memory; a power cut may lose it yet.
+    int bytes_out_of_memory() const;
     /// Whoever may use `other` may use this one from then on, as far as the system lets that be said.
     void give_readers_of(const std::filesystem::path& other) const;
 

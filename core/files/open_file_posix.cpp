@@ -116,6 +116,18 @@ int OpenFile::bytes_to_disk() const {
 #endif
 }
 
+int OpenFile::bytes_out_of_memory() const {
+#if defined(__linux__)
+    constexpr unsigned all = SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER;
+    const int error = ::sync_file_range(number_, 0, 0, all) == 0 ? 0 : errno;
+    return error == EINVAL || error == ENOSYS || error == ESPIPE
+               ? 0
+               : error; // a file system that keeps it otherwise
+#else
+    return bytes_to_disk();
+#endif
+}
+
 void OpenFile::give_readers_of(const std::filesystem::path& other) const {
     struct stat about {};
     if (::stat(other.c_str(), &about) == 0) // where that cannot be kept, the file is still worth writing

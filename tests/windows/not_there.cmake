@@ -14,6 +14,7 @@ set(not_there
   core.servo.servo_loop        # asks Linux's scheduler
   core.servo.snapshot          # the same
   core.servo.real_time         # the same
+  core.touch.thread            # asks Linux's scheduler
   core.servo.exit_guard        # ends processes by signals
   device.haply_2diy.found_boards # reads folders as Linux's; windows.found_boards is Windows's own
   device.haply_2diy.board_guard  # runs here, on programs for Windows: windows.board_guard

@@ -204,20 +204,20 @@ private slots:
         QFETCH(bool, shown);
         for (const Seed& seed : corpus(in_source("tests/app/capture/camera/frame_corpus")))
             if (seed.name == name.toStdString()) {
-                QCOMPARE(shown_by(seed.text), shown);
+                QCOMPARE(is_shown_by(seed.text), shown);
                 return;
             }
         QFAIL("there is no such frame");
     }
 
 private:
-    static bool shown_by(const std::string& bytes) {
+    static bool is_shown_by(const std::string& bytes) {
         constexpr std::size_t head = 13;
         const auto number = [&](std::size_t at) {
             return static_cast<unsigned char>(bytes[at]) + 256 * static_cast<unsigned char>(bytes[at + 1]);
         };
-        return Frame(std::vector<unsigned char>(bytes.begin() + head, bytes.end()), {number(1), number(3)})
-            .is_shown();
+        return !Frame(std::vector<unsigned char>(bytes.begin() + head, bytes.end()), {number(1), number(3)})
+                    .is_refused();
     }
 };
 

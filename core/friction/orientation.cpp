@@ -24,9 +24,20 @@ Exactly difference(double a, double b) {
     return {high, (a - a_as_seen) + (b_as_seen - b)};
 }
 
+/// The first and the last half of its digits (Dekker 1971).
+Exactly halves(double value) {
+    constexpr double beyond_half = 134217729.0; // 2²⁷ + 1
+    const double spread = beyond_half * value;
+    const double high = spread - (spread - value);
+    return {high, value - high};
+}
+
+/// Dekker's product; without std::fma, which MinGW's library rounds twice.
 Exactly product(double a, double b) {
     const double high = a * b;
-    return {high, std::fma(a, b, -high)};
+    const Exactly one = halves(a), other = halves(b);
+    const double crossed = (one.high * other.high - high) + one.high * other.low + one.low * other.high;
+    return {high, crossed + one.low * other.low};
 }
 
 /// A sum of doubles without rounding, smallest first (Shewchuk's GROW-EXPANSION).

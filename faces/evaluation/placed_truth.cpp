@@ -22,7 +22,7 @@ constexpr const char* names[][2] = {{"eye_on_the_left_of_the_picture", feature::
                                     {"inner_lip", feature::inner_lip},
                                     {"outline", feature::outline}};
 
-constexpr std::size_t largest_truth = 16 * 1024 * 1024; ///< bytes
+constexpr std::size_t largest_truth = std::size_t{16} << 20U; ///< bytes
 constexpr int deepest = 8; ///< levels: photos, contours, points, numbers are four
 constexpr double farthest_px = 1e6;
 

@@ -354,6 +354,7 @@ class HostileWords(unittest.TestCase):
         self.assertEqual(self.listener.callers, [])
         self.assertEqual(self.shown, set(self.album.words) - self.ON_NO_PAGE)
 
+
 class HostileVerbs(unittest.TestCase):
     """What a stranger's models and studies say of themselves, read by the verbs."""
 

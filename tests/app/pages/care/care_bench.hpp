@@ -72,6 +72,14 @@ struct CareGround {
     std::unique_ptr<tp::AlbumFaces> groups;
 };
 
+/// What a list of recordings says of each.
+inline QStringList texts(const tp::RecordingList& list) {
+    QStringList texts;
+    for (const QVariant& row : list.rows())
+        texts << row.toMap()["text"].toString();
+    return texts;
+}
+
 /// The parts on which those that act on the open photograph stand, with none open yet.
 struct CareParts : CareGround {
     using CareGround::CareGround;

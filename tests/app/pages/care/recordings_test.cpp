@@ -12,13 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-QStringList texts(const RecordingList& list) {
-    QStringList texts;
-    for (const QVariant& row : list.rows())
-        texts << row.toMap()["text"].toString();
-    return texts;
-}
-
 /// An album whose photograph has a memo of 2 s and a story of 1 s.
 struct TwoRecordings : CareBench {
     std::string memo, story;

@@ -137,7 +137,8 @@ Result<RecordingAbout> about_recording(const fs::path& file) {
                           reader->exact_length(), bytes.ok() && is_flac(**bytes)};
 }
 
-std::string relabel_recording(const fs::path& file, const RecordingNotes& notes) {
+std::string relabel_recording(const fs::path& file, const RecordingNotes& notes,
+                              const std::stop_token& stop) {
     const auto bytes = FileBytes::open(file);
     if (!bytes)
         return bytes.error();
@@ -149,8 +150,10 @@ std::string relabel_recording(const fs::path& file, const RecordingNotes& notes)
         return made.error();
     VorbisComments comments = head->comments;
     set_notes(comments, notes);
-    std::string reason = write_with_comments(**bytes, *head, comments,
-                                             [&](std::string_view block) { return made->write(block); });
+    std::string reason =
+        write_with_comments(**bytes, *head, comments, [&](std::string_view block) -> std::string {
+            return stop.stop_requested() ? "it was stopped." : made->write(block);
+        });
     return reason.empty() ? made->take_place() : reason;
 }
 

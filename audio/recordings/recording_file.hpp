@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 namespace tp {
@@ -46,7 +47,8 @@ Result<RecordingAbout> about_recording(const std::filesystem::path& file);
 VorbisComments comments_of(const std::filesystem::path& file);
 
 /// Gives a FLAC file other notes; its sound and other programs' comments stay. The file is replaced as a
-/// whole. The reason why not, else empty.
-std::string relabel_recording(const std::filesystem::path& file, const RecordingNotes& notes);
+/// whole. The reason why not, else empty; "it was stopped." once a stop is asked for before all is copied.
+std::string relabel_recording(const std::filesystem::path& file, const RecordingNotes& notes,
+                              const std::stop_token& stop = {});
 
 } // namespace tp

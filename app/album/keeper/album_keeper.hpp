@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,9 +47,10 @@ public:
     /// Lists a recording that lies among the photograph's already, as the recorder leaves it, by its own
     /// comments.
     Result<Tag> list_recording(const std::filesystem::path& photo, const std::string& file);
-    /// Changes what a recording says of itself, in the sidecar and in its own comments.
+    /// Changes what a recording says of itself, in the sidecar and in its own comments. Until its copy with
+    /// these is whole, a stop leaves all as it was.
     std::string label_recording(const std::filesystem::path& photo, const std::string& file,
-                                const RecordingLabel& label);
+                                const RecordingLabel& label, const std::stop_token& stop = {});
     /// Plays the photograph's recordings in this order from now on; those not named follow by kind.
     std::string order_recordings(const std::filesystem::path& photo, const std::vector<std::string>& files);
     /// Keeps the part from `begin_s` to `end_s`; the whole one goes to the trash.
@@ -132,7 +134,7 @@ private:
     std::string list(const std::filesystem::path& photo, const Tag& tag);
     std::string unlist(const std::filesystem::path& photo, const std::string& file);
     std::string relabel(const std::filesystem::path& photo, const std::string& file,
-                        const RecordingLabel& label);
+                        const RecordingLabel& label, const std::stop_token& stop = {});
     std::string set_orders(const std::filesystem::path& photo, const std::vector<std::string>& files);
     Result<std::string> put_recording(const std::filesystem::path& photo, const Tag& tag);
     Result<Tag> tag_of(const std::filesystem::path& photo, const std::string& file) const;

@@ -191,8 +191,8 @@ std::string AlbumKeeper::delete_recording(const fs::path& photo, const std::stri
     return {};
 }
 
-std::string AlbumKeeper::relabel(const fs::path& photo, const std::string& file,
-                                 const RecordingLabel& label) {
+std::string AlbumKeeper::relabel(const fs::path& photo, const std::string& file, const RecordingLabel& label,
+                                 const std::stop_token& stop) {
     auto tag = tag_of(photo, file);
     if (!tag)
         return tag.error();
@@ -201,16 +201,16 @@ std::string AlbumKeeper::relabel(const fs::path& photo, const std::string& file,
         return quoted(tags_folder(photo) / file) + " cannot be changed: " + about.error();
     RecordingNotes notes = about->notes;
     notes.label = label;
-    if (const std::string reason = relabel_recording(tags_folder(photo) / file, notes); !reason.empty())
+    if (const std::string reason = relabel_recording(tags_folder(photo) / file, notes, stop); !reason.empty())
         return quoted(tags_folder(photo) / file) + " cannot be changed: " + reason;
     tag->label = label;
     return list(photo, *tag);
 }
 
 std::string AlbumKeeper::label_recording(const fs::path& photo, const std::string& file,
-                                         const RecordingLabel& label) {
+                                         const RecordingLabel& label, const std::stop_token& stop) {
     const auto tag = tag_of(photo, file);
-    std::string problem = tag ? relabel(photo, file, label) : tag.error();
+    std::string problem = tag ? relabel(photo, file, label, stop) : tag.error();
     if (!problem.empty())
         return problem;
     history_.done({words_for(*tag) + " was labelled",

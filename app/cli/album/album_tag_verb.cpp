@@ -120,8 +120,8 @@ int tag_label(const QStringList& words) {
     const auto label = labelled(line, before);
     if (!label)
         return wrong_usage("album tag label", label.error());
-    return ended(
-        AlbumKeeper(album_around(photo_given(line))).label_recording(photo_given(line), file, *label));
+    return ended(AlbumKeeper(album_around(photo_given(line)))
+                     .label_recording(photo_given(line), file, *label, LongWork::stop_token()));
 }
 
 int tag_order(const QStringList& words) {

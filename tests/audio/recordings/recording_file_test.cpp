@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <csignal>
+#include <stop_token>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -138,6 +139,18 @@ private slots:
         QCOMPARE(names_in(root_), flac.filename().string());
         if (has_program("flac"))
             QCOMPARE(run("flac", {"-t", "-s", QString::fromStdString(flac)}).status, 0);
+    }
+
+    void relabelling_that_is_stopped_leaves_the_recording_as_it_was() {
+        const fs::path flac = recorded(root_, notes_of_anna(), noise(50'000));
+        const std::string before = bytes_of(flac);
+        RecordingNotes notes;
+        notes.label.kind = RecordingKind::ambient;
+        std::stop_source person;
+        person.request_stop();
+        QCOMPARE(relabel_recording(flac, notes, person.get_token()), std::string("it was stopped."));
+        QCOMPARE(bytes_of(flac), before);
+        QCOMPARE(names_in(root_), flac.filename().string());
     }
 
     void nothing_recorded_leaves_nothing() {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <functional>
 #include <random>
+#include <stop_token>
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -65,6 +66,23 @@ private slots:
         QCOMPARE(record_of(photo).tags.size(), std::size_t{1});
         QCOMPARE(album.read("2026/IMG_1.jpg"), bytes);
         QVERIFY(!fs::exists(album / "from/memo.flac"));
+    }
+
+    void labelling_that_is_stopped_changes_nothing() {
+        const AlbumFolder album;
+        const fs::path photo = a_photo(album, "a.jpg", 1), sound = a_sound(album, "s.wav", 0.5, 300.0);
+        AlbumKeeper keeper(album.path());
+        const auto added = keeper.add_recording(photo, sound, {});
+        QVERIFY2(added.ok(), added.error().c_str());
+        const std::string step = keeper.history().next_undo();
+        std::stop_source person;
+        person.request_stop();
+        const RecordingLabel label{RecordingKind::story, "Anna", {}, {}, {}, {}};
+        const std::string said = keeper.label_recording(photo, added->tag.file, label, person.get_token());
+        QVERIFY2(said.ends_with(".flac\" cannot be changed: it was stopped."), said.c_str());
+        QVERIFY(record_of(photo).tags == std::vector<Tag>{added->tag});
+        QVERIFY(about_recording(tags_folder(photo) / added->tag.file)->notes.label == added->tag.label);
+        QCOMPARE(keeper.history().next_undo(), step);
     }
 
     /// Random steps, all taken back, then all done again: what the album says is what it said each time.

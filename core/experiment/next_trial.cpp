@@ -8,15 +8,6 @@
 namespace tp {
 namespace {
 
-/// Another seed for each attempt: what is random in a trial, such as where a shape lies, is not known from the one before.
-std::uint64_t seed_of(const PlannedTrial& trial, int attempts) {
-    SplitMix chance(trial.seed);
-    std::uint64_t seed = trial.seed;
-    for (; attempts > 0; --attempts)
-        seed = chance.next();
-    return seed;
-}
-
 /// How far a person has come in a plan.
 class Progress {
 public:
@@ -25,16 +16,21 @@ public:
 
     void take(const TrialRecord& record) {
         ++records_;
-        attempts_ = record.repeated ? attempts_ + 1 : 0;
-        done_ += record.repeated ? 0 : 1;
-        counted_ += record.repeated || record.training ? 0 : 1;
+        if (record.repeated) {
+            take_again();
+            return;
+        }
+        attempts_ = 0;
+        ++done_;
+        counted_ += record.training ? 0 : 1;
     }
     std::optional<NextTrial> next() const {
         if (done_ >= plan_.size())
             return std::nullopt;
         NextTrial next;
         next.planned = plan_[done_];
-        next.planned.seed = seed_of(plan_[done_], attempts_);
+        if (attempts_ > 0)
+            next.planned.seed = seed_again_;
         next.number = records_ + 1;
         next.attempts = attempts_;
         next.left = plan_.size() - done_;
@@ -43,10 +39,20 @@ public:
     }
 
 private:
+    /// Another seed for each attempt: what is random in a trial, such as where a shape lies, is not known from the one before.
+    void take_again() {
+        if (attempts_ == 0 && done_ < plan_.size())
+            seeds_ = SplitMix(plan_[done_].seed);
+        ++attempts_;
+        seed_again_ = seeds_.next();
+    }
+
     std::span<const PlannedTrial> plan_;
     std::size_t between_;
     std::size_t done_ = 0, counted_ = 0;
     int records_ = 0, attempts_ = 0;
+    SplitMix seeds_{0}; ///< of the attempts at the trial that is done again
+    std::uint64_t seed_again_ = 0;
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/experiment/next_trial.hpp"
+#include "core/experiment/split_mix.hpp"
 #include "experiment_check.hpp"
 
 #include <QTest>
@@ -149,6 +150,36 @@ private slots:
             person.records.erase(person.records.begin() + 2); // the attempt before is missing
         }
         QCOMPARE(person.unplanned(), std::optional(number));
+    }
+    /// Each attempt has the next number of SplitMix64 from the trial's own seed. A table of a hundred thousand is looked at
+    /// in one go, not again from the start for each line.
+    void a_trial_may_be_done_again_a_hundred_thousand_times() {
+        Person person;
+        person.does();
+        SplitMix seeds(person.plan[1].seed);
+        person.does(true);
+        TrialRecord record = person.records.back();
+        while (record.trial < 100'000) {
+            ++record.trial;
+            record.seed = seeds.next();
+            person.records.push_back(record);
+        }
+        QVERIFY(!person.unplanned());
+        QCOMPARE(person.next()->planned.seed, seeds.next());
+        person.records.back().repeated = false;
+        QCOMPARE(person.next()->planned, person.plan[2]);
+        person.records.back().seed ^= 1;
+        QCOMPARE(person.unplanned(), std::optional(100'000));
+    }
+    /// Of two trials that go wrong, the second does not go on with the numbers of the first.
+    void each_trial_has_seeds_of_its_own() {
+        Person one, other;
+        one.does(true);
+        one.does();
+        one.does(true);
+        other.does();
+        other.does(true);
+        QCOMPARE(one.next()->planned, other.next()->planned);
     }
     void a_trial_after_the_last_is_not_planned() {
         Person person;

@@ -31,6 +31,21 @@ std::vector<fs::path> names_in(const fs::path& folder) {
     return names;
 }
 
+/// Such as "3, 5–9, 12": numbers that grow, in every language.
+std::string listed(std::span<const int> numbers) {
+    std::string words;
+    for (std::size_t i = 0; i < numbers.size();) {
+        std::size_t last = i;
+        while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1)
+            ++last;
+        words += (words.empty() ? "" : ", ") + std::to_string(numbers[i]);
+        if (last > i)
+            words += (last > i + 1 ? "–" : ", ") + std::to_string(numbers[last]);
+        i = last + 1;
+    }
+    return words;
+}
+
 /// The records of each participant, as they follow each other in the study.
 std::vector<std::span<const TrialRecord>> by_participant(const StudyFolder& study) {
     std::vector<std::span<const TrialRecord>> all;
@@ -93,7 +108,7 @@ private:
     }
 
     void look_at_paths(std::span<const TrialRecord> records) {
-        std::string missing;
+        std::vector<int> missing;
         for (const TrialRecord& record : records) {
             if (stop_.stop_requested())
                 return;
@@ -101,7 +116,7 @@ private:
             known_.insert(file.filename());
             std::error_code error;
             if (!fs::exists(file, error)) {
-                missing += (missing.empty() ? "" : ", ") + std::to_string(record.trial);
+                missing.push_back(record.trial);
             } else if (const auto path = read_path(file); !path) {
                 say(path.error());
             } else if (static_cast<double>(path->size()) <
@@ -116,7 +131,7 @@ private:
         }
         if (!missing.empty())
             say("Participant " + std::to_string(records.front().participant) +
-                ": the finger's path is missing in these trials: " + missing + ".");
+                ": the finger's path is missing in these trials: " + listed(missing) + ".");
     }
 
     void look_at_names() {

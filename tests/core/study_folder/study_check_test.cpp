@@ -9,6 +9,8 @@
 #include <QProcess>
 #include <QTest>
 
+#include <initializer_list>
+
 using namespace tp;
 using namespace tp::test;
 namespace fs = std::filesystem;
@@ -71,10 +73,16 @@ private slots:
     }
     void paths_that_are_missing_are_named_once_a_person() {
         const Study study;
-        for (const int trial : {2, 7})
-            fs::remove(study.path_of(1, trial));
-        QCOMPARE(study.fault(),
-                 std::string("Participant 1: the finger's path is missing in these trials: 2, 7."));
+        const auto missing = [&](std::initializer_list<int> trials) {
+            for (const int trial : trials)
+                fs::remove(study.path_of(1, trial));
+            return study.fault();
+        };
+        const std::string said = "Participant 1: the finger's path is missing in these trials: ";
+        QCOMPARE(missing({2, 7}), said + "2, 7.");
+        QCOMPARE(missing({3, 5}), said + "2, 3, 5, 7.");
+        QCOMPARE(missing({4, 1}), said + "1–5, 7.");
+        QCOMPARE(missing({6}), said + "1–7.");
     }
     void a_torn_path_is_named() {
         const Study study;

@@ -7,7 +7,6 @@
 #include <opencv2/core/utility.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string_view>
 
@@ -18,38 +17,87 @@ constexpr int landmarks = 68;
 constexpr int most_stages = 10; ///< FacemarkLBF has sizes of features for so many
 constexpr int most_trees = 64, most_depth = 12;
 constexpr std::uintmax_t most_model_bytes = 512U << 20;
-constexpr std::size_t most_indented = 16; ///< spaces
 
-std::size_t indentation(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
+constexpr std::string_view digits = "0123456789";
+constexpr std::string_view name_letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_0123456789";
+constexpr std::string_view number_letters = "0123456789+-.eE";
+constexpr std::string_view list_letters = "0123456789+-.eE, ";
+constexpr std::string_view base64_letters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/=";
 
-/// A minus sign that stands within no word and begins no number begins an item of a list.
-bool has_list(std::string_view line) {
-    const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
-    for (std::size_t at = line.find('-'); at != line.npos; at = line.find('-', at + 1)) {
-        const char before = at > 0 ? line[at - 1] : ' ', after = at + 1 < line.size() ? line[at + 1] : ' ';
-        if (!is_letter(before) && after != '.' && !std::isdigit(static_cast<unsigned char>(after)))
-            return true;
-    }
-    return false;
+bool is_made_of(std::string_view text, std::string_view letters) {
+    return !text.empty() && text.find_first_not_of(letters) == text.npos;
 }
 
-/// YAML that holds numbers and tables, without the nesting on which cv::FileStorage's recursive reader would
-/// run out of stack.
-bool is_flat_yaml(std::string_view text) {
-    if (!text.starts_with("%YAML"))
-        return false;
-    std::ptrdiff_t open = 0; // brackets
-    while (!text.empty()) {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        text.remove_prefix(std::min(line.size() + 1, text.size()));
-        const auto count = [&](char c) { return std::count(line.begin(), line.end(), c); };
-        open += count('[') - count(']');
-        if (open > 1 || count(':') > 1 || count('{') > 0 || indentation(line) > most_indented ||
-            (line != "---" && has_list(line)))
+/// YAML as OpenCV's own writer makes it of numbers, lists of numbers and tables, line by line. Of anything else
+/// cv::FileStorage's reader may run out of stack, where it is deep, or never come to an end, as where a name is less indented
+/// than the one before and its fourth letter is a minus.
+class FacemarkLines {
+public:
+    explicit FacemarkLines(std::string_view text) : left_(text) {}
+
+    bool are_all_known() {
+        if (next() != "%YAML:1.0")
             return false;
+        if (left_.starts_with("---\n"))
+            next();
+        while (!left_.empty())
+            if (!take_entry())
+                return false;
+        return true;
     }
-    return true;
-}
+
+private:
+    std::string_view next() {
+        const std::string_view line = left_.substr(0, left_.find('\n'));
+        left_.remove_prefix(std::min(line.size() + 1, left_.size()));
+        return line;
+    }
+    bool take_entry() {
+        const std::string_view line = next();
+        const std::size_t colon = line.find(": ");
+        if (colon == line.npos || !is_made_of(line.substr(0, colon), name_letters))
+            return false;
+        const std::string_view value = line.substr(colon + 2);
+        return value == "!!opencv-matrix" ? take_table()
+                                          : is_made_of(value, number_letters) || take_list(value, "   ");
+    }
+    bool take_table() {
+        for (const std::string_view size : {"   rows: ", "   cols: "})
+            if (const std::string_view line = next();
+                !line.starts_with(size) || !is_made_of(line.substr(size.size()), digits))
+                return false;
+        if (next() != "   dt: d")
+            return false;
+        constexpr std::string_view data = "   data: ";
+        const std::string_view line = next();
+        return line.starts_with(data) && take_list(line.substr(data.size()), "      ");
+    }
+    /// In brackets, or packed below it.
+    bool take_list(std::string_view value, std::string_view indentation) {
+        if (value == "!!binary |")
+            return take_packed(indentation);
+        if (!value.starts_with('['))
+            return false;
+        value.remove_prefix(1);
+        while (!value.ends_with(']')) {
+            if (!is_made_of(value, list_letters) || left_.empty())
+                return false;
+            value = next();
+        }
+        value.remove_suffix(1);
+        return value.empty() || is_made_of(value, list_letters);
+    }
+    bool take_packed(std::string_view indentation) {
+        bool any = false;
+        for (; left_.starts_with(indentation); any = true)
+            if (!is_made_of(next().substr(indentation.size()), base64_letters))
+                return false;
+        return any;
+    }
+
+    std::string_view left_;
+};
 
 /// A matrix of that size, in doubles.
 bool is_table(const cv::FileNode& node, int rows, int columns) {
@@ -82,7 +130,8 @@ std::optional<std::vector<Vec2>> lbf_mean_shape(const std::filesystem::path& fil
     if (std::filesystem::file_size(file) > most_model_bytes)
         return std::nullopt;
     const Result<Bytes> bytes = read_bytes(file);
-    if (!bytes || !is_flat_yaml({reinterpret_cast<const char*>(bytes->data()), bytes->size()}))
+    if (!bytes ||
+        !FacemarkLines({reinterpret_cast<const char*>(bytes->data()), bytes->size()}).are_all_known())
         return std::nullopt;
     const cv::FileStorage model(file.string(), cv::FileStorage::READ | cv::FileStorage::FORMAT_YAML);
     const auto stages = whole(model["stages_n"], most_stages), trees = whole(model["tree_n"], most_trees),

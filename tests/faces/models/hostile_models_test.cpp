@@ -52,6 +52,7 @@ private slots:
         QTest::newRow("yunet") << 0 << "yunet.onnx";
         QTest::newRow("haar") << 1 << "squares.xml";
         QTest::newRow("lbf") << 2 << "facemark.yaml";
+        QTest::newRow("lbf, packed") << 2 << "packed.yaml";
     }
     void the_smallest_of_each_kind_are_taken() {
         QFETCH(int, kind);

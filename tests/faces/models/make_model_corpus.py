@@ -4,6 +4,7 @@
 
     tests/faces/models/make_model_corpus.py        writes tests/faces/models/{onnx,haar,lbf}_corpus
 """
+import base64
 import struct
 from pathlib import Path
 
@@ -93,19 +94,29 @@ def yunet(classes: int = 2) -> bytes:
     return model(nodes, tensors, [1, 3, 320, 320], {"loc": [1, 1, 14], "conf": [1, 1, classes], "iou": [1, 1, 1]})
 
 
-def facemark_begin() -> str:
+def packed(kind: str, values: list[str], indentation: int) -> str:
+    """As cv::FileStorage packs numbers: a head of 24 letters and the bytes, each in base64, 48 bytes a line."""
+    content = b"".join(struct.pack("<d", float(value)) if kind == "d" else struct.pack("<i", int(value)) for value in values)
+    letters = base64.b64encode(f"1{kind}".ljust(24).encode() + content).decode()
+    return "!!binary |\n" + "".join(f"{' ' * indentation}{letters[at : at + 64]}\n" for at in range(0, len(letters), 64))
+
+
+def facemark_begin(in_base64: bool = False) -> str:
     """The first lines of one stage of one tree for each point; the check adds the others' tables."""
 
+    def listed(kind: str, values: list[str], indentation: int) -> str:
+        return packed(kind, values, indentation) if in_base64 else f"[ {', '.join(values)} ]\n"
+
     def table(name: str, rows: int, columns: int, values: list[str]) -> str:
-        data = ", ".join(values)
-        return f"{name}: !!opencv-matrix\n   rows: {rows}\n   cols: {columns}\n   dt: d\n   data: [ {data} ]\n"
+        data = listed("d", values, 6)
+        return f"{name}: !!opencv-matrix\n   rows: {rows}\n   cols: {columns}\n   dt: d\n   data: {data}"
 
     shape = [f"{x:.3f}" for i in range(LANDMARKS) for x in (-0.8 + 1.6 * (i % 9) / 8.0, -0.8 + 1.6 * (i // 9) / 7.0)]
     shape[2 * 36 : 2 * 36 + 2] = ["-0.500", "-0.300"]
     shape[2 * 45 : 2 * 45 + 2] = ["0.500", "-0.300"]
     head = f"%YAML:1.0\n---\nstages_n: 1\ntree_n: 1\ntree_depth: 2\nn_landmarks: {LANDMARKS}\n"
     tree = table("tree_0_0_0", 4, 4, ["0."] * 4 + ["0.1", "0.2", "-0.1", "0.3"] + ["0."] * 8)
-    return head + table("regressor_meanshape", LANDMARKS, 2, shape) + tree + "thresholds_0_0_0: [ 0, 3, 0, 0 ]\n"
+    return head + table("regressor_meanshape", LANDMARKS, 2, shape) + tree + "thresholds_0_0_0: " + listed("i", ["0", "3", "0", "0"], 3)
 
 
 def main() -> None:
@@ -120,7 +131,9 @@ def main() -> None:
         "haar_corpus/squares.xml": squares.encode(),
         "haar_corpus/other_features.xml": squares.replace("HAAR", "LBP").encode(),
         "lbf_corpus/facemark.yaml": begin.encode(),
+        "lbf_corpus/packed.yaml": facemark_begin(in_base64=True).encode(),
         "lbf_corpus/two_stages.yaml": begin.replace("stages_n: 1", "stages_n: 2").encode(),
+        "lbf_corpus/indented_less.yaml": b"%YAML:1.0\n   s: 1\n ata-: d\n",  # OpenCV's reader never comes to its end
     }
     for name, content in files.items():
         (HERE / name).parent.mkdir(exist_ok=True)

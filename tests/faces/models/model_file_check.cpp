@@ -5,15 +5,13 @@
 #include "faces/contours/mesh_model.hpp"
 #include "faces/detect/haar_detector.hpp"
 #include "faces/detect/yunet_detector.hpp"
+#include "memory_folder.hpp"
 
 #include <opencv2/imgproc.hpp>
 
 #include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
+#include <filesystem>
 #include <functional>
-#include <unistd.h>
 
 namespace tp::test {
 namespace {
@@ -25,37 +23,9 @@ constexpr std::size_t seldom = 4; ///< of so many facemarks one places a face: o
 
 bool taken = false;
 
-/// A file in memory where there is such a folder, gone with the program.
-class Place {
-public:
-    Place() {
-        const bool memory = fs::is_directory("/dev/shm");
-        std::string name =
-            ((memory ? fs::path("/dev/shm") : fs::temp_directory_path()) / "model-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) {
-            std::fputs("no folder to write models to\n", stderr);
-            std::abort();
-        }
-        folder_ = name;
-    }
-    ~Place() { fs::remove_all(folder_); }
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
-
-    fs::path written(const char* name, std::string_view bytes) const {
-        const fs::path file = folder_ / name;
-        std::ofstream(file, std::ios::binary | std::ios::trunc)
-            .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        return file;
-    }
-
-private:
-    fs::path folder_;
-};
-
 fs::path written(const char* name, std::string_view bytes) {
-    static const Place place;
-    return place.written(name, bytes);
+    static const MemoryFolder folder;
+    return folder.file(name, bytes);
 }
 
 /// A bright square on dark ground and a slope, of other sizes than what loading shows.

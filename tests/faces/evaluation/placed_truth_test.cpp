@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contours that somebody else placed by hand, as a file: read, or refused with a sentence.
+#include "byte_mutants.hpp"
 #include "faces/evaluation/placed_truth.hpp"
+#include "placed_truth_check.hpp"
+#include "places.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -74,6 +77,16 @@ private slots:
         QFETCH(QByteArray, text);
         const QString said = complaint(text.toStdString());
         QVERIFY2(said.endsWith("truth.json\" cannot be read as contours placed by hand."), qPrintable(said));
+    }
+
+    /// Each file that is known, and some that are damaged.
+    void whatever_it_holds_it_is_refused_or_has_contours() {
+        const auto files = test::corpus(test::in_source("tests/faces/evaluation/truth_corpus"));
+        for (const test::Seed& file : files)
+            QCOMPARE(test::complaint_about_placed_truth(file.text), std::string());
+        test::ByteMutator mutator(7);
+        for (int i = 0; i < 300; ++i)
+            QCOMPARE(test::complaint_about_placed_truth(mutator.mutant(files)), std::string());
     }
 
     void a_contour_that_is_missing_is_named() {

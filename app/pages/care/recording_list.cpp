@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/care/recording_list.hpp"
 
+#include "app/album/metadata/read_record.hpp"
 #include "app/pages/care/care_words.hpp"
 #include "audio/sentences/sentences.hpp"
 
@@ -34,40 +35,36 @@ const QStringList common_languages{"", "en", "de", "ko", "fr", "es", "tr", "ar"}
 } // namespace
 
 RecordingList::RecordingList(CaredPhoto& photo, CareTeller& teller) : photo_(photo), teller_(teller) {
-    connect(&photo_, &CaredPhoto::opened, this, [this] {
-        file_.clear();
-        list();
-    });
     connect(&photo_, &CaredPhoto::changed, this, &RecordingList::list);
 }
 
 /// The chosen one stays the chosen one where it is still there; else the one that came to its place is.
 void RecordingList::list() {
-    tags_ = as_played(photo_.record().tags);
-    const auto same = std::find_if(tags_.begin(), tags_.end(), [&](const Tag& tag) { return tag.file == file_; });
-    const std::string before = file_;
-    int chosen = same != tags_.end() ? static_cast<int>(same - tags_.begin()) : std::min(chosen_, count() - 1);
-    if (chosen < 0 && count() > 0)
-        chosen = 0;
-    chosen_ = chosen;
-    if (same == tags_.end() && chosen_ >= 0)
-        file_ = tags_[static_cast<std::size_t>(chosen_)].file;
-    emit changed();
-    if (file_ != before || chosen_ < 0)
-        emit chosenChanged();
+    std::vector<Tag> tags = as_played(photo_.record().tags);
+    if (tags == tags_)
+        return;
+    tags_ = std::move(tags);
+    const int same = index_of(chosen_file_);
+    become(same >= 0 ? same : std::min(std::max(chosen_, 0), count() - 1));
 }
 
 void RecordingList::become(int chosen) {
     chosen_ = chosen;
-    file_ = chosen_ < 0 ? std::string{} : tags_[static_cast<std::size_t>(chosen_)].file;
+    const std::string before = std::exchange(chosen_file_, chosen_ < 0 ? std::string{} : chosen_tag()->file);
     emit changed();
-    emit chosenChanged();
+    if (chosen_file_ != before)
+        emit chosenChanged();
 }
 
-void RecordingList::choose_file(const std::string& file) {
-    file_ = file;
-    list();
-    emit chosenChanged();
+int RecordingList::index_of(const std::string& file) const {
+    const auto found =
+        std::find_if(tags_.begin(), tags_.end(), [&](const Tag& tag) { return tag.file == file; });
+    return found == tags_.end() ? -1 : static_cast<int>(found - tags_.begin());
+}
+
+void RecordingList::choose_file(const PhotoPlace& place, const std::string& file) {
+    if (const int found = place.photo == photo_.place().photo ? index_of(file) : -1; found >= 0)
+        become(found);
 }
 
 const Tag* RecordingList::chosen_tag() const {
@@ -126,7 +123,8 @@ int RecordingList::language() const {
 void RecordingList::choose(int recording) {
     if (recording < 0 || recording >= count())
         return;
-    become(recording);
+    if (recording != chosen_)
+        become(recording);
     teller_.answer(tr("%1, %2, %3 of %4")
                        .arg(words_of(recording), CareWords::recording_details(*chosen_tag()))
                        .arg(recording + 1)
@@ -144,11 +142,11 @@ void RecordingList::move(int by) {
         files.push_back(tag.file);
     std::swap(files[static_cast<std::size_t>(chosen_)], files[static_cast<std::size_t>(to)]);
     photo_.change(
-        photo_.place(), [files](AlbumKeeper& keeper, const fs::path& photo) { return keeper.order_recordings(photo, files); },
-        [this, to](const QString& problem) {
+        photo_.place(),
+        [files](AlbumKeeper& keeper, const fs::path& photo) { return keeper.order_recordings(photo, files); },
+        [this, what = chosenText(), to, of = count()](const QString& problem) {
             if (problem.isEmpty())
-                teller_.did(Earcon::saved,
-                            tr("%1 is now number %2 of %3.").arg(chosenText()).arg(to + 1).arg(count()));
+                teller_.did(Earcon::saved, tr("%1 is now number %2 of %3.").arg(what).arg(to + 1).arg(of));
             else
                 teller_.problem(problem);
         });
@@ -160,7 +158,9 @@ void RecordingList::remove() {
     const QString what = chosenText();
     photo_.change(
         photo_.place(),
-        [file = file_](AlbumKeeper& keeper, const fs::path& photo) { return keeper.delete_recording(photo, file); },
+        [file = chosen_file_](AlbumKeeper& keeper, const fs::path& photo) {
+            return keeper.delete_recording(photo, file);
+        },
         [this, what](const QString& problem) {
             if (problem.isEmpty())
                 teller_.did(Earcon::deleted, tr("Deleted: %1. Undo brings it back.").arg(what));
@@ -169,53 +169,56 @@ void RecordingList::remove() {
         });
 }
 
-void RecordingList::relabel(const RecordingLabel& label) {
-    if (chosen_ < 0 || label == chosen_tag()->label)
+/// The label is asked of the disk when the step's turn comes, for others may be on their way there.
+void RecordingList::relabel(std::function<void(RecordingLabel&)> change) {
+    if (chosen_ < 0)
         return;
+    const auto label = std::make_shared<RecordingLabel>(chosen_tag()->label);
+    change(*label);
+    if (relabelling_ == 0 && *label == chosen_tag()->label)
+        return;
+    ++relabelling_;
     photo_.change(
         photo_.place(),
-        [file = file_, label](AlbumKeeper& keeper, const fs::path& photo) {
-            return keeper.label_recording(photo, file, label);
+        [file = chosen_file_, label, change = std::move(change)](AlbumKeeper& keeper, const fs::path& photo) {
+            const auto record = read_record(photo);
+            if (!record)
+                return record.error();
+            for (const Tag& tag : record->tags)
+                if (tag.file == file) {
+                    *label = tag.label;
+                    change(*label);
+                }
+            return keeper.label_recording(photo, file, *label);
         },
         [this, label](const QString& problem) {
+            --relabelling_;
             if (problem.isEmpty())
-                teller_.did(Earcon::saved, tr("Saved: %1.").arg(CareWords::recording(label)));
+                teller_.did(Earcon::saved, tr("Saved: %1.").arg(CareWords::recording(*label)));
             else
                 teller_.problem(problem);
         });
 }
 
 void RecordingList::setKind(int kind) {
-    if (chosen_ < 0 || kind < 0 || kind >= CareWords::kinds().size())
+    if (kind < 0 || kind >= CareWords::kinds().size())
         return;
-    RecordingLabel label = chosen_tag()->label;
-    label.kind = static_cast<RecordingKind>(kind);
-    relabel(label);
+    relabel([kind](RecordingLabel& label) { label.kind = static_cast<RecordingKind>(kind); });
 }
 
 void RecordingList::setPerson(const QString& name) {
-    if (chosen_ < 0)
-        return;
-    RecordingLabel label = chosen_tag()->label;
-    label.person = name.simplified().toStdString();
-    relabel(label);
+    relabel([name = name.simplified().toStdString()](RecordingLabel& label) { label.person = name; });
 }
 
 void RecordingList::setSpeaker(const QString& name) {
-    if (chosen_ < 0)
-        return;
-    RecordingLabel label = chosen_tag()->label;
-    label.speaker = name.simplified().toStdString();
-    relabel(label);
+    relabel([name = name.simplified().toStdString()](RecordingLabel& label) { label.speaker = name; });
 }
 
 void RecordingList::setLanguage(int language) {
     const QStringList known = languages();
-    if (chosen_ < 0 || language < 0 || language >= known.size())
+    if (language < 0 || language >= known.size())
         return;
-    RecordingLabel label = chosen_tag()->label;
-    label.language = known[language].toStdString();
-    relabel(label);
+    relabel([tag = known[language].toStdString()](RecordingLabel& label) { label.language = tag; });
 }
 
 void RecordingList::addFiles(const QList<QUrl>& sounds, int kind) {
@@ -229,21 +232,22 @@ void RecordingList::addFiles(const QList<QUrl>& sounds, int kind) {
             continue;
         }
         const fs::path file = QFile::encodeName(sound.toLocalFile()).toStdString();
+        const PhotoPlace place = photo_.place();
         const auto added = std::make_shared<AlbumKeeper::Added>();
         photo_.change(
-            photo_.place(),
+            place,
             [file, label, added](AlbumKeeper& keeper, const fs::path& photo) {
                 auto done = keeper.add_recording(photo, file, label);
                 if (done)
                     *added = *done;
                 return done.error();
             },
-            [this, added](const QString& problem) {
+            [this, place, added](const QString& problem) {
                 if (!problem.isEmpty()) {
                     teller_.problem(problem);
                     return;
                 }
-                choose_file(added->tag.file);
+                choose_file(place, added->tag.file);
                 teller_.did(Earcon::saved,
                             tr("Added: %1, %2. %3")
                                 .arg(CareWords::recording(added->tag.label), CareWords::recording_details(added->tag),

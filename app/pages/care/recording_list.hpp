@@ -9,6 +9,7 @@
 #include <QVariantList>
 #include <QtQml/qqmlregistration.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -55,8 +56,8 @@ public:
 
     /// The chosen one as the sidecar lists it; null: none.
     const Tag* chosen_tag() const;
-    /// Chooses the recording with that file as soon as it is listed.
-    void choose_file(const std::string& file);
+    /// Chooses the recording with that file; nothing where another photograph was opened meanwhile.
+    void choose_file(const PhotoPlace& place, const std::string& file);
 
     Q_INVOKABLE void choose(int recording);
     /// One place nearer to the beginning (-1) or the end (+1).
@@ -77,7 +78,8 @@ signals:
 private:
     void list();
     void become(int chosen);
-    void relabel(const RecordingLabel& label);
+    void relabel(std::function<void(RecordingLabel&)> change);
+    int index_of(const std::string& file) const;
     QStringList languages() const;
     QString words_of(int recording) const;
 
@@ -85,7 +87,8 @@ private:
     CareTeller& teller_;
     std::vector<Tag> tags_; ///< as they are played
     int chosen_ = -1;
-    std::string file_; ///< of the chosen one, or of the one to choose when it comes
+    std::string chosen_file_; ///< empty: none
+    int relabelling_ = 0;     ///< labels on their way to the disk
 };
 
 } // namespace tp

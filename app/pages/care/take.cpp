@@ -196,13 +196,12 @@ void Take::keep(const FinishedRecording& recording) {
         [file, instead_of = instead_of_](AlbumKeeper& keeper, const fs::path& photo) {
             return list_take(keeper, photo, file, instead_of);
         },
-        [this, file, sentence = recording.sentence, photo = place_.photo](const QString& problem) {
+        [this, file, sentence = recording.sentence, place = place_](const QString& problem) {
             if (!problem.isEmpty()) {
                 teller_.problem(problem);
                 return;
             }
-            if (photo == photo_.place().photo)
-                list_.choose_file(file);
+            list_.choose_file(place, file);
             teller_.did(Earcon::saved, tr("%1 Saved.").arg(sentence));
         });
 }

@@ -80,9 +80,11 @@ void Trimming::setEnd(double seconds) {
 }
 
 void Trimming::whole() {
-    begin_s_ = 0.0;
-    end_s_ = duration_s_;
-    emit changed();
+    if (cuts()) {
+        begin_s_ = 0.0;
+        end_s_ = duration_s_;
+        emit changed();
+    }
     teller_.answer(staysText());
 }
 
@@ -110,21 +112,22 @@ void Trimming::cut() {
         return;
     }
     listening_.stop();
+    const PhotoPlace place = photo_.place();
     const auto part = std::make_shared<Tag>();
     photo_.change(
-        photo_.place(),
+        place,
         [file = tag->file, begin = begin_s_, end = end_s_, part](AlbumKeeper& keeper, const fs::path& photo) {
             auto trimmed = keeper.trim_recording(photo, file, begin, end);
             if (trimmed)
                 *part = *trimmed;
             return trimmed.error();
         },
-        [this, part](const QString& problem) {
+        [this, place, part](const QString& problem) {
             if (!problem.isEmpty()) {
                 teller_.problem(problem);
                 return;
             }
-            list_.choose_file(part->file);
+            list_.choose_file(place, part->file);
             teller_.did(Earcon::saved, tr("Trimmed: %1 stay. Undo brings the rest back.")
                                            .arg(CareWords::seconds(part->duration_s)));
         });

@@ -14,9 +14,8 @@ DescriptionCare::DescriptionCare(CaredPhoto& photo, CareTeller& teller, std::fun
     connect(&photo_, &CaredPhoto::opened, this, [this] {
         save(); // of the photograph before
         place_ = photo_.place();
-        saving_ = false;
-        alt_text_ = description_ = kept_alt_text_ = kept_description_ = QString();
-        emit changed();
+        saving_.reset();
+        typed_ = kept_ = Texts(); // and `changed` follows
     });
     connect(&photo_, &CaredPhoto::changed, this, &DescriptionCare::read);
 }
@@ -26,53 +25,50 @@ void DescriptionCare::read() {
     if (saving_)
         return;
     const std::string tag = described_in(photo_.record(), language_());
-    const bool typed_alt_text = alt_text_ != kept_alt_text_;
-    const bool typed_description = description_ != kept_description_;
-    kept_alt_text_ = text_in(photo_.record().alt_text, tag);
-    kept_description_ = text_in(photo_.record().description, tag);
-    if (!typed_alt_text)
-        alt_text_ = kept_alt_text_;
-    if (!typed_description)
-        description_ = kept_description_;
+    const Texts now{text_in(photo_.record().alt_text, tag), text_in(photo_.record().description, tag)};
+    if (typed_.alt_text == kept_.alt_text)
+        typed_.alt_text = now.alt_text;
+    if (typed_.description == kept_.description)
+        typed_.description = now.description;
+    kept_ = now;
     emit changed();
 }
 
 QString DescriptionCare::languageName() const { return CareWords::language(language_()); }
 
 void DescriptionCare::typeAltText(const QString& text) {
-    if (text == alt_text_)
+    if (text == typed_.alt_text)
         return;
-    alt_text_ = text;
+    typed_.alt_text = text;
     emit changed();
 }
 
 void DescriptionCare::typeDescription(const QString& text) {
-    if (text == description_)
+    if (text == typed_.description)
         return;
-    description_ = text;
+    typed_.description = text;
     emit changed();
 }
 
 void DescriptionCare::save() {
-    if (place_.keeper == nullptr || !unsaved() || saving_)
+    if (place_.keeper == nullptr || typed_ == saving_.value_or(kept_))
         return;
-    saving_ = true;
-    const QString alt_text = alt_text_, description = description_;
+    saving_ = typed_;
     photo_.change(
         place_,
-        [language = language_(), alt_text, description](AlbumKeeper& keeper, const std::filesystem::path& photo) {
+        [language = language_(), texts = typed_](AlbumKeeper& keeper, const std::filesystem::path& photo) {
             const auto record = read_record(photo);
-            return record ? keeper.describe(photo, described_in(*record, language), alt_text.trimmed().toStdString(),
-                                            description.trimmed().toStdString())
+            return record ? keeper.describe(photo, described_in(*record, language),
+                                            texts.alt_text.trimmed().toStdString(),
+                                            texts.description.trimmed().toStdString())
                           : record.error();
         },
-        [this, photo = place_.photo, alt_text, description](const QString& problem) {
+        [this, photo = place_.photo, texts = typed_](const QString& problem) {
             if (photo == place_.photo) {
-                saving_ = false;
-                if (problem.isEmpty()) { // more may have been typed meanwhile
-                    kept_alt_text_ = alt_text;
-                    kept_description_ = description;
-                }
+                if (saving_ == texts)
+                    saving_.reset();
+                if (problem.isEmpty()) // more may have been typed meanwhile
+                    kept_ = texts;
                 read();
             }
             if (problem.isEmpty())

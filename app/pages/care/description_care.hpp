@@ -7,6 +7,7 @@
 #include <QtQml/qqmlregistration.h>
 
 #include <functional>
+#include <optional>
 
 namespace tp {
 
@@ -29,9 +30,9 @@ public:
     /// Both must outlive it. `language` is that of the album, BCP 47.
     DescriptionCare(CaredPhoto& photo, CareTeller& teller, std::function<QString()> language);
 
-    QString altText() const { return alt_text_; }
-    QString description() const { return description_; }
-    bool unsaved() const { return alt_text_ != kept_alt_text_ || description_ != kept_description_; }
+    QString altText() const { return typed_.alt_text; }
+    QString description() const { return typed_.description; }
+    bool unsaved() const { return typed_ != kept_; }
     QString languageName() const;
 
     /// What stands in the fields now; kept by save().
@@ -44,15 +45,19 @@ signals:
     void changed();
 
 private:
+    struct Texts {
+        QString alt_text, description;
+        bool operator==(const Texts&) const = default;
+    };
     void read();
 
     CaredPhoto& photo_;
     CareTeller& teller_;
     std::function<QString()> language_;
     PhotoPlace place_; ///< of what is typed
-    QString alt_text_, description_;
-    QString kept_alt_text_, kept_description_; ///< as the sidecar has them, as far as is known
-    bool saving_ = false;
+    Texts typed_;
+    Texts kept_;                  ///< as the sidecar has them, as far as is known
+    std::optional<Texts> saving_; ///< what is on its way to the disk, the newest
 };
 
 } // namespace tp

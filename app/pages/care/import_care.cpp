@@ -39,13 +39,8 @@ std::function<std::optional<fs::path>(const std::string&)> known_in(const AlbumI
 ImportCare::ImportCare(OpenAlbum& album, Preferences& preferences, CareTeller& teller)
     : album_(album), preferences_(preferences), teller_(teller) {
     pool_.setMaxThreadCount(1);
-    connect(&album_, &OpenAlbum::folders_changed, this, [this] {
-        if (folder_ >= static_cast<int>(album_.folders().size()))
-            folder_ = 0;
-        look();
-        emit foldersChanged();
-    });
-    look();
+    connect(&album_, &OpenAlbum::folders_changed, this, &ImportCare::follow_folders);
+    follow_folders();
 }
 
 ImportCare::~ImportCare() {
@@ -73,20 +68,27 @@ QStringList ImportCare::folders() const {
 void ImportCare::setFolder(int folder) {
     if (folder < 0 || folder >= static_cast<int>(album_.folders().size()) || folder == folder_ || running_)
         return;
-    folder_ = folder;
-    look();
-    emit foldersChanged();
+    into_ = album_.folders()[static_cast<std::size_t>(folder)];
+    follow_folders();
 }
 
-fs::path ImportCare::album_folder() const {
-    return album_.folders().empty() ? fs::path() : album_.folders()[static_cast<std::size_t>(folder_)];
+/// An import goes to the folder that was chosen, wherever it stands now; without that one, to the first.
+void ImportCare::follow_folders() {
+    const std::vector<fs::path>& all = album_.folders();
+    const auto same = std::find(all.begin(), all.end(), into_);
+    folder_ = same == all.end() ? 0 : static_cast<int>(same - all.begin());
+    into_ = all.empty() ? fs::path() : all[static_cast<std::size_t>(folder_)];
+    look();
+    emit foldersChanged();
 }
 
 void ImportCare::look() {
     if (running_)
         return;
-    unfinished_ = album_.folders().empty() ? std::vector<std::string>{} : unfinished_imports(album_folder());
-    emit changed();
+    const std::vector<std::string> now =
+        into_.empty() ? std::vector<std::string>{} : unfinished_imports(into_);
+    if (std::exchange(unfinished_, now) != now)
+        emit changed();
 }
 
 void ImportCare::import(const QList<QUrl>& sources) {
@@ -108,7 +110,7 @@ void ImportCare::import(const QList<QUrl>& sources) {
         emit folderWanted();
         return;
     }
-    run(tr("Importing…"), [folder = album_folder(), paths = std::move(paths)](const ImportTools& tools) {
+    run(tr("Importing…"), [folder = into_, paths = std::move(paths)](const ImportTools& tools) {
         return import_photos(folder, {}, paths, tools);
     });
 }
@@ -138,16 +140,15 @@ void ImportCare::stop() {
 void ImportCare::goOn() {
     if (!unfinished())
         return;
-    run(tr("The import continues."),
-        [folder = album_folder(), id = unfinished_.front()](const ImportTools& tools) {
-            return go_on_importing(folder, id, tools);
-        });
+    run(tr("The import continues."), [folder = into_, id = unfinished_.front()](const ImportTools& tools) {
+        return go_on_importing(folder, id, tools);
+    });
 }
 
 void ImportCare::giveUp() {
     if (!unfinished())
         return;
-    if (const std::string problem = give_up_import(album_folder(), unfinished_.front()); !problem.empty())
+    if (const std::string problem = give_up_import(into_, unfinished_.front()); !problem.empty())
         teller_.problem(in_persons_language(problem));
     else
         teller_.tell(tr("The import is discarded. What was imported stays."));
@@ -198,6 +199,7 @@ void ImportCare::finish(const Result<ImportReport>& report) {
             if (!photo.problem.empty())
                 problems_ << in_persons_language(photo.problem);
     look();
+    emit changed();
     emit progressed();
     album_.rescan();
     const bool all_well = report && report->count(ImportedPhoto::Fate::failed) == 0;

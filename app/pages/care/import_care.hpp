@@ -77,15 +77,16 @@ signals:
 
 private:
     using Work = std::function<Result<ImportReport>(const ImportTools&)>;
+    void follow_folders();
     void run(const QString& told, Work work);
     void show(const ImportProgress& progress);
     void finish(const Result<ImportReport>& report);
-    std::filesystem::path album_folder() const;
 
     OpenAlbum& album_;
     Preferences& preferences_;
     CareTeller& teller_;
     int folder_ = 0;
+    std::filesystem::path into_; ///< the folder of that number; empty: none
     bool running_ = false;
     ImportProgress progress_;
     QString report_;

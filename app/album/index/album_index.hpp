@@ -40,7 +40,8 @@ public:
     bool is_in_memory() const { return file_.empty(); }
 
     struct Totals {
-        std::size_t photos = 0, missing = 0;
+        std::size_t photos = 0; ///< that are there
+        std::size_t missing = 0;
     };
     Result<Totals> totals();
 

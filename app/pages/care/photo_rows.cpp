@@ -112,7 +112,7 @@ void PhotoRows::setOrder(Order order) {
 
 void PhotoRows::refresh() {
     const auto totals = album_.index().totals();
-    total_ = totals ? static_cast<int>(totals->photos - std::min(totals->missing, totals->photos)) : 0;
+    total_ = totals ? static_cast<int>(totals->photos) : 0;
     if (order_ == Order::LooksWrong) {
         list_by_judgement();
     } else {

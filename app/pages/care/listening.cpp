@@ -26,10 +26,11 @@ Listening::Listening(Player& player, CareTeller& teller) : player_(player), tell
 void Listening::play(const std::filesystem::path& file, const Tag& tag, double from_s, double to_s) {
     teller_.silence();
     to_s_ = to_s;
-    playing_ = true;
+    const bool was_playing = std::exchange(playing_, true);
     player_.set_list({{file, tag.label.kind, std::nullopt, tag.gain_db, from_s}});
     player_.play_at(0);
-    emit changed();
+    if (playing_ != was_playing)
+        emit changed();
     emit moved();
 }
 

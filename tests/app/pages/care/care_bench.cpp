@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "care_bench.hpp"
 
+#include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "sound_files.hpp"
 
@@ -70,6 +71,16 @@ void CareParts::open(const std::string& name) {
 
 bool CareParts::rests() {
     return QTest::qWaitFor([this] { return !steps.busy() && !album->scanning(); }, 60'000);
+}
+
+TwoRecordings::TwoRecordings()
+    : memo(add_sound("a.jpg", 2.0, 300.0, RecordingKind::memo)),
+      story(add_sound("a.jpg", 1.0, 500.0, RecordingKind::story)) {
+    open("a.jpg");
+}
+
+fs::path TwoRecordings::file(const std::string& recording) const {
+    return tags_folder(photo("a.jpg")) / recording;
 }
 
 CareBench::CareBench(const std::vector<std::string>& names, bool with_folder, bool pictures)

@@ -5,6 +5,7 @@
 #include "app/album/grouping/album_faces.hpp"
 #include "app/album/metadata/photo_record.hpp"
 #include "app/album/open/open_album.hpp"
+#include "app/pages/care/care_history.hpp"
 #include "app/pages/care/care_session.hpp"
 #include "app/pages/care/care_teller.hpp"
 #include "app/pages/care/cared_photo.hpp"
@@ -24,7 +25,9 @@
 #include "fake_microphone.hpp"
 #include "inline_filler.hpp"
 
+#include <QStringList>
 #include <QTest>
+#include <QUrl>
 
 #include <atomic>
 #include <filesystem>
@@ -72,6 +75,10 @@ struct CareGround {
     std::unique_ptr<tp::AlbumFaces> groups;
 };
 
+inline QUrl url(const std::filesystem::path& file) {
+    return QUrl::fromLocalFile(QString::fromStdString(file.string()));
+}
+
 /// What a list of recordings says of each.
 inline QStringList texts(const tp::RecordingList& list) {
     QStringList texts;
@@ -95,6 +102,14 @@ struct CareParts : CareGround {
     tp::Listening listening{player, teller};
     tp::Take take{cared, recordings, recorder, teller, [] { return QString("en"); }};
     tp::RecordingWait recording{take, listening, teller};
+    tp::CareHistory history{steps, cared, *album, recording, teller};
+};
+
+/// An album whose photograph has a memo of 2 s and a story of 1 s; it is open.
+struct TwoRecordings : CareParts {
+    std::string memo, story;
+    TwoRecordings();
+    std::filesystem::path file(const std::string& recording) const;
 };
 
 /// A session of that person.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/pages/care/care_history.hpp"
 #include "care_bench.hpp"
 
 #include <QSignalSpy>
@@ -10,7 +9,6 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Bench : CareParts {
-    CareHistory history{steps, cared, *album, recording, teller};
     using CareParts::CareParts;
 
     /// The open photograph; closed first, as the page does it.

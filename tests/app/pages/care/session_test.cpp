@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/album/index/seen_photos.hpp"
-#include "app/album/metadata/write_sidecar.hpp"
+// What the session does with its parts; each of them has its own test.
+#include "app/album/keeper/photo_files.hpp"
 #include "care_bench.hpp"
 
-#include <QAbstractItemModel>
-#include <QMimeData>
-#include <QSet>
 #include <QSignalSpy>
 
 using namespace tp;
@@ -19,8 +16,6 @@ QStringList names(const PhotoRows& rows) {
         names << rows.data(rows.index(i), PhotoRows::NameRole).toString();
     return names;
 }
-
-QUrl url(const fs::path& file) { return QUrl::fromLocalFile(QString::fromStdString(file.string())); }
 
 } // namespace
 
@@ -41,29 +36,7 @@ private slots:
         QVERIFY(two.last_said().contains("a.jpg is open"));
     }
 
-    // --- the list ---
-
-    void the_newest_photograph_comes_first_page_by_page() {
-        std::vector<std::string> many;
-        for (int i = 0; i < 120; ++i)
-            many.push_back(QString("p%1.jpg").arg(i, 3, 10, QChar('0')).toStdString());
-        CareBench bench(many);
-        PhotoRows& rows = *bench.session->photos();
-        QCOMPARE(rows.total(), 120);
-        QCOMPARE(rows.rowCount(), 50);
-        QVERIFY(rows.canFetchMore({}));
-        rows.fetchMore({});
-        rows.fetchMore({});
-        QCOMPARE(rows.rowCount(), 120);
-        rows.fetchMore({});
-        QVERIFY(!rows.canFetchMore({}));
-        QSet<QString> all;
-        for (const QString& name : names(rows))
-            all << name;
-        QCOMPARE(all.size(), 120);
-    }
-
-    void a_row_tells_who_is_on_it_how_many_recordings_and_a_missing_description() {
+    void what_is_done_to_a_photograph_is_in_its_row() {
         CareBench bench;
         PhotoRows& rows = *bench.session->photos();
         QCOMPARE(rows.data(rows.index(0), PhotoRows::DetailRole).toString(), QString("No description."));
@@ -75,60 +48,6 @@ private slots:
         QVERIFY(bench.rests());
         CARE_TRY_COMPARE(rows.data(rows.index(0), PhotoRows::DetailRole).toString(), QString("1 recording(s)."));
     }
-
-    void what_a_row_says_changes_without_the_list_being_made_anew() {
-        CareBench bench({"a.jpg", "b.jpg"});
-        QSignalSpy resets(bench.session->photos(), &QAbstractItemModel::modelReset);
-        bench.open("a.jpg");
-        bench.session->descriptions()->typeAltText("A garden");
-        bench.session->descriptions()->save();
-        QVERIFY(bench.rests());
-        QCOMPARE(resets.size(), 0);
-    }
-
-    void a_thumbnail_comes_later() {
-        CareBench bench({"a.png"}, true, true);
-        PhotoRows& rows = *bench.session->photos();
-        QVERIFY(rows.data(rows.index(0), PhotoRows::PictureRole).value<QImage>().isNull());
-        CARE_TRY_VERIFY(!rows.data(rows.index(0), PhotoRows::PictureRole).value<QImage>().isNull());
-        const QImage picture = rows.data(rows.index(0), PhotoRows::PictureRole).value<QImage>();
-        QCOMPARE(std::max(picture.width(), picture.height()), Thumbnails::side_px);
-    }
-
-    void faces_that_look_wrong_come_first_those_without_a_face_last() {
-        const AlbumFolder folder;
-        fs::create_directories(folder / "album");
-        for (const char* name : {"good.png", "none.png", "bad.png", "doubtful.png"})
-            a_picture(folder, fs::path("album") / name, 1);
-        Preferences preferences;
-        preferences.change([&](Choices& choices) { choices.folders << QString::fromStdString((folder / "album").string()); });
-        OpenAlbum album(folder / "cache", preferences);
-        CARE_TRY_VERIFY(!album.scanning());
-        FaceFinder finder([](const fs::path& photo, const std::stop_token&) {
-            FoundFaces found;
-            if (photo.filename() != "none.png") {
-                Face face;
-                face.contours = {Contour{feature::outline, {}, false}};
-                face.quality = {{photo.filename() == "bad.png" ? 3.0 : 0.5, {}}};
-                face.problem = photo.filename() == "doubtful.png" ? "It may be covered." : "";
-                found.extraction.faces.push_back(face);
-            }
-            return found;
-        });
-        Thumbnails thumbnails;
-        PhotoRows rows(album, finder, thumbnails, [] { return QString("en"); });
-        rows.setOrder(PhotoRows::Order::LooksWrong);
-        QCOMPARE(rows.rowCount(), 4);
-        CARE_TRY_COMPARE(rows.leftToJudge(), 0);
-        QCOMPARE(names(rows), QStringList({"doubtful.png", "bad.png", "good.png", "none.png"}));
-        QVERIFY(rows.data(rows.index(1), PhotoRows::DetailRole).toString().startsWith("Faces about 3.0 % off."));
-        QVERIFY(rows.data(rows.index(0), PhotoRows::DetailRole).toString().startsWith("Faces look wrong: 0.5 % off."));
-        QVERIFY(rows.data(rows.index(3), PhotoRows::DetailRole).toString().startsWith("No face found."));
-        rows.setOrder(PhotoRows::Order::NewestFirst);
-        QCOMPARE(rows.rowCount(), 4);
-    }
-
-    // --- one photograph ---
 
     void mending_and_printing_are_asked_for_with_the_photograph() {
         CareBench bench;
@@ -166,175 +85,116 @@ private slots:
         CARE_TRY_COMPARE(bench.session->photos()->rowCount(), 1);
     }
 
-    // --- descriptions ---
-
-    void descriptions_are_saved_once_and_taken_back() {
+    void leaving_the_page_keeps_what_was_typed() {
         CareBench bench;
         bench.open("a.jpg");
-        DescriptionCare& descriptions = *bench.session->descriptions();
-        QVERIFY(!descriptions.unsaved());
-        descriptions.typeAltText("A garden ");
-        descriptions.typeDescription("Two people in a garden, laughing.");
-        QVERIFY(descriptions.unsaved());
-        descriptions.save();
-        QVERIFY(bench.rests());
-        QCOMPARE(bench.last_said(), QString("The description is saved."));
-        QVERIFY(!descriptions.unsaved());
-        QCOMPARE(descriptions.altText(), QString("A garden"));
-        QCOMPARE(bench.record().alt_text.at("en"), std::string("A garden"));
-        QCOMPARE(bench.record().description.at("en"), std::string("Two people in a garden, laughing."));
-        descriptions.save();
-        QVERIFY(!bench.session->busy());
-        bench.session->history()->undo();
-        QVERIFY(bench.rests());
-        QCOMPARE(descriptions.altText(), QString());
-        QVERIFY(!descriptions.unsaved());
-    }
-
-    void what_is_seen_is_suggested_and_kept_only_when_it_is_taken() {
-        CareBench bench;
-        SeenPhoto seen;
-        seen.width = seen.height = 100;
-        bench.open("a.jpg");
-        DescriptionDraft& draft = *bench.session->draft();
-        DescriptionCare& descriptions = *bench.session->descriptions();
-        QVERIFY(draft.text().isEmpty());
-        draft.take();
-        QVERIFY(!descriptions.unsaved());
-        const auto entry = bench.album->queries().find(bench.photo("a.jpg"));
-        const auto photo = bench.album->queries().summary(entry.value()->id);
-        QCOMPARE(SeenPhotos(bench.album->index(), 1).put(photo.value()->sha256, {seen, {}}), std::string());
-        draft.looked_at(bench.photo("a.jpg"));
-        QCOMPARE(draft.text(), QString("No faces. A square picture."));
-        QVERIFY(!descriptions.unsaved() && descriptions.altText().isEmpty());
-        draft.take();
-        QCOMPARE(bench.last_said(), QString("No faces. A square picture."));
-        QVERIFY(descriptions.unsaved() && draft.text().isEmpty());
-        descriptions.save();
-        QVERIFY(bench.rests());
-        QCOMPARE(bench.record().alt_text.at("en"), std::string("No faces. A square picture."));
-        bench.session->history()->undo();
-        QVERIFY(bench.rests());
-        QVERIFY(bench.record().alt_text.empty());
-        QCOMPARE(draft.text(), QString("No faces. A square picture."));
-    }
-
-    void what_another_program_wrote_for_everybody_is_changed_where_it_stands() {
-        CareBench bench;
-        SidecarChanges changes;
-        changes.alt_text = LanguageTexts{{"x-default", "A cat"}};
-        QCOMPARE(write_sidecar(bench.photo("a.jpg"), changes), std::string());
-        bench.open("a.jpg");
-        QCOMPARE(bench.session->descriptions()->altText(), QString("A cat"));
-        bench.session->descriptions()->typeAltText("A dog");
-        bench.session->descriptions()->save();
-        QVERIFY(bench.rests());
-        QCOMPARE(bench.record().alt_text, (LanguageTexts{{"x-default", "A dog"}}));
-    }
-
-    void what_was_typed_is_kept_when_another_photograph_is_opened_or_the_page_is_left() {
-        CareBench bench({"a.jpg", "b.jpg"});
-        bench.open("a.jpg");
-        bench.session->descriptions()->typeAltText("A garden");
-        bench.open("b.jpg");
-        QCOMPARE(bench.session->descriptions()->altText(), QString());
-        QCOMPARE(bench.record("a.jpg").alt_text.at("en"), std::string("A garden"));
-        QVERIFY(bench.record("b.jpg").alt_text.empty());
         bench.session->descriptions()->typeDescription("More");
         bench.session->leave();
         QVERIFY(bench.rests());
-        QCOMPARE(bench.record("b.jpg").description.at("en"), std::string("More"));
+        QCOMPARE(bench.record().description.at("en"), std::string("More"));
     }
 
-    void what_was_typed_stays_where_it_could_not_be_saved() {
+    // --- recording ---
+
+    void a_photograph_that_is_deleted_takes_the_recording_that_is_being_made_along() {
         CareBench bench;
         bench.open("a.jpg");
-        bench.folder.write("album/a.jpg.xmp", "not XMP at all");
-        bench.session->descriptions()->typeAltText("A garden");
-        bench.session->descriptions()->save();
+        bench.session->take()->start();
+        bench.hear(1.0);
+        bench.session->deletePhoto();
+        QVERIFY(!bench.session->photoOpen());
+        CARE_TRY_COMPARE(bench.last_said(), QString("Deleted: a.jpg. Undo brings it back."));
         QVERIFY(bench.rests());
-        QVERIFY(bench.last_said().contains("a.jpg.xmp"));
-        QCOMPARE(bench.session->descriptions()->altText(), QString("A garden"));
-        QVERIFY(bench.session->descriptions()->unsaved());
+        QVERIFY(!fs::exists(bench.photo("a.jpg")));
+        QVERIFY(!fs::exists(tags_folder(bench.photo("a.jpg"))));
+        bench.session->history()->undo();
+        CARE_TRY_VERIFY(bench.session->photoOpen());
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.record().tags.size(), std::size_t{1});
+        QCOMPARE(bench.record().tags[0].duration_s, 1.0);
     }
 
-    // --- import ---
-
-    void photographs_are_imported_and_told_with_what_was_there_and_what_failed() {
-        CareBench bench({"a.jpg"});
-        a_photo(bench.folder, "card/new.jpg", 7);
-        a_photo(bench.folder, "card/again.jpg", 1); // the bytes of a.jpg
-        fs::create_symlink("/nowhere/at/all", bench.folder / "card/broken.jpg");
-        ImportCare& import = *bench.session->importing();
-        import.import({url(bench.folder / "card")});
-        QVERIFY(import.running());
-        CARE_TRY_VERIFY(!import.running());
-        QVERIFY2(import.report().startsWith("1 photograph(s) imported, 1 of them already in the album"),
-                 qPrintable(import.report()));
-        QCOMPARE(bench.last_said(), import.report());
-        QVERIFY(fs::exists(bench.photo("new.jpg")));
-        CARE_TRY_COMPARE(bench.session->photos()->rowCount(), 2);
-    }
-
-    void without_a_folder_one_is_asked_for_and_the_import_follows() {
-        CareBench bench({}, false);
-        const fs::path photo = a_photo(bench.folder, "card/new.jpg", 7);
-        QSignalSpy wanted(bench.session->importing(), &ImportCare::folderWanted);
-        bench.session->importing()->import({url(photo)});
-        QCOMPARE(wanted.size(), 1);
-        QVERIFY(!bench.session->importing()->running());
-        bench.session->importing()->chooseFolder(url(bench.folder / "nowhere"));
-        QCOMPARE(bench.last_said(), QString("The album needs a folder on this computer."));
-        bench.session->importing()->chooseFolder(url(bench.folder / "album"));
-        CARE_TRY_COMPARE(bench.session->importing()->report(), QString("1 photograph(s) imported."));
-        QVERIFY(fs::exists(bench.folder / "album/new.jpg"));
-        QVERIFY(bench.session->folders()->hasFolders());
-        CARE_TRY_COMPARE(bench.session->photos()->rowCount(), 1);
-    }
-
-    void an_import_goes_to_the_folder_that_was_chosen() {
-        CareBench bench({"a.jpg"});
-        fs::create_directories(bench.folder / "second");
-        bench.session->importing()->chooseFolder(url(bench.folder / "second"));
-        QCOMPARE(bench.session->importing()->folders().size(), 2);
-        bench.session->importing()->setFolder(1);
-        bench.session->importing()->import({url(a_photo(bench.folder, "card/new.jpg", 7))});
-        CARE_TRY_COMPARE(bench.session->importing()->report(), QString("1 photograph(s) imported."));
-        QVERIFY(fs::exists(bench.folder / "second/new.jpg"));
-    }
-
-    void a_stopped_import_goes_on_or_is_given_up() {
-        CareBench bench({}, true);
-        for (int i = 0; i < 30; ++i)
-            a_photo(bench.folder, "card/" + std::to_string(i) + ".jpg", 100 + i);
-        ImportCare& import = *bench.session->importing();
-        import.import({url(bench.folder / "card")});
-        import.stop(); // before the first one, or soon after
-        CARE_TRY_VERIFY(!import.running());
-        QVERIFY(import.unfinished());
-        QVERIFY(import.report().contains("stopped"));
-        bench.start(); // as after a start of the program
-        QVERIFY(bench.session->importing()->unfinished());
-        bench.session->importing()->goOn();
-        CARE_TRY_VERIFY(!bench.session->importing()->running());
-        QVERIFY(!bench.session->importing()->unfinished());
-        CARE_TRY_COMPARE(bench.session->photos()->total(), 30);
-
-        bench.session->importing()->import({url(bench.folder / "card")});
-        bench.session->importing()->stop();
-        CARE_TRY_VERIFY(!bench.session->importing()->running());
-        if (bench.session->importing()->unfinished())
-            bench.session->importing()->giveUp();
-        QVERIFY(!bench.session->importing()->unfinished());
-    }
-
-    void what_is_not_on_this_computer_is_not_imported() {
+    void nothing_is_taken_back_under_a_recording_and_none_begins_meanwhile() {
         CareBench bench;
-        bench.session->importing()->import({QUrl("https://example.org/a.jpg")});
-        QCOMPARE(bench.last_said(), QString("Only photographs and folders on this computer can be imported."));
-        bench.session->importing()->import({url("/nowhere/at/all.jpg")});
-        CARE_TRY_VERIFY(!bench.session->importing()->running());
-        QVERIFY(bench.session->importing()->report().contains("/nowhere/at/all.jpg"));
+        bench.open("a.jpg");
+        bench.session->deletePhoto();
+        QVERIFY(bench.rests());
+        bench.session->history()->undo();
+        CARE_TRY_VERIFY(bench.session->photoOpen());
+        QVERIFY(bench.rests());
+        bench.session->history()->redo();
+        bench.session->take()->start();
+        QVERIFY(!bench.session->take()->running());
+        QCOMPARE(bench.last_said(), QString("The album is still being changed. Try again in a moment."));
+        QVERIFY(bench.rests());
+        QVERIFY(!bench.session->photoOpen());
+        bench.session->history()->undo();
+        CARE_TRY_VERIFY(bench.session->photoOpen());
+        QVERIFY(bench.rests());
+        bench.session->take()->start();
+        bench.hear(1.0);
+        bench.session->history()->undo();
+        bench.session->history()->redo();
+        QCOMPARE(bench.last_said(), QString("A recording is being made. Finish it first."));
+        bench.session->take()->finish();
+        CARE_TRY_VERIFY(!bench.session->take()->running());
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.record().tags.size(), std::size_t{1});
+    }
+
+    void a_take_belongs_to_the_photograph_that_it_was_begun_for() {
+        CareBench bench({"a.jpg", "b.jpg"});
+        bench.open("a.jpg");
+        bench.session->take()->start();
+        bench.hear(1.0);
+        bench.open("b.jpg"); // ends and keeps it
+        CARE_TRY_VERIFY(!bench.session->take()->running());
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.record("a.jpg").tags.size(), std::size_t{1});
+        QVERIFY(bench.record("b.jpg").tags.empty());
+        QCOMPARE(bench.session->recordings()->count(), 0);
+    }
+
+    void leaving_the_page_keeps_what_was_recorded() {
+        CareBench bench;
+        bench.open("a.jpg");
+        bench.session->take()->start();
+        bench.hear(1.0);
+        bench.session->leave();
+        CARE_TRY_VERIFY(!bench.session->take()->running());
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.record().tags.size(), std::size_t{1});
+    }
+
+    void the_microphone_is_off_behind_the_page_also_where_a_folder_was_being_chosen() {
+        CareBench bench;
+        bench.open("a.jpg");
+        bench.session->take()->start();
+        bench.hear(1.0);
+        bench.session->folders()->importFolder();
+        bench.session->leave();
+        QVERIFY(!bench.session->folders()->choosing());
+        CARE_TRY_VERIFY(!bench.session->take()->running());
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.record().tags.size(), std::size_t{1});
+    }
+
+    void what_plays_is_stopped_and_a_recording_silences_it() {
+        CareBench bench;
+        bench.add_sound("a.jpg", 2.0, 300.0);
+        bench.open("a.jpg");
+        bench.session->trimming()->playOrStop();
+        QVERIFY(bench.session->trimming()->playing());
+        QVERIFY(bench.session->stop());
+        QVERIFY(!bench.session->trimming()->playing());
+        QVERIFY(!bench.session->stop());
+        bench.session->trimming()->playOrStop();
+        bench.session->take()->start();
+        QVERIFY(!bench.session->trimming()->playing());
+        bench.hear(0.5);
+        QVERIFY(bench.session->stop());
+        CARE_TRY_VERIFY(!bench.session->take()->running());
+        QVERIFY(bench.rests());
     }
 };
 

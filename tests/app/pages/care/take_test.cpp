@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording being made for the photograph that is open, without a session.
-#include "app/album/keeper/photo_files.hpp"
 #include "care_bench.hpp"
 #include "sound_files.hpp"
 
@@ -12,20 +11,6 @@
 using namespace tp;
 using State = Take::State;
 namespace fs = std::filesystem;
-
-namespace {
-
-/// An album whose photograph has a memo of 2 s and a story of 1 s.
-struct TwoRecordings : CareParts {
-    std::string story;
-    TwoRecordings() {
-        add_sound("a.jpg", 2.0, 300.0, RecordingKind::memo);
-        story = add_sound("a.jpg", 1.0, 500.0, RecordingKind::story);
-        open("a.jpg");
-    }
-};
-
-} // namespace
 
 class TakeTest : public QObject {
     Q_OBJECT
@@ -115,7 +100,7 @@ private slots:
         QCOMPARE(texts(bench.recordings), QStringList({"Story, about Anna", "Memo"}));
         QCOMPARE(bench.recordings.chosen(), 0);
         QCOMPARE(bench.recordings.chosen_tag()->duration_s, 3.0);
-        QVERIFY(!fs::exists(tags_folder(bench.photo("a.jpg")) / bench.story));
+        QVERIFY(!fs::exists(bench.file(bench.story)));
         QVERIFY(bench.album->keeper_for(bench.photo("a.jpg")).is_in_trash(bench.photo("a.jpg"), bench.story));
     }
 

@@ -42,7 +42,6 @@ void TagPlayback::set_tags(const std::filesystem::path& photo, std::vector<Tag> 
     photo_ = photo;
     tags_ = std::move(tags);
     player_.set_list({});
-    only_.reset();
     emit changed();
 }
 
@@ -117,7 +116,6 @@ void TagPlayback::tell_next(std::size_t next) {
         if (std::exchange(telling_, false))
             player_.play();
     });
-    emit changed();
 }
 
 } // namespace tp

@@ -32,6 +32,8 @@ void LabField::take(const QImage& image) {
 
 /// A coarse picture first, because the published law takes its time over many vertices.
 void LabField::paint() {
+    if (scene_ == nullptr)
+        return;
     if (scale_ < 2.0)
         return paint_finely();
     work_.ask([this, scene = scene_, area = surface_,

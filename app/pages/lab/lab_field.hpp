@@ -21,6 +21,7 @@ public:
     LabField(const Rect& surface, std::function<void()> painted)
         : surface_(surface), painted_(std::move(painted)) {}
 
+    /// Null before the first one is painted.
     const QImage& image() const { return image_; }
     void show(std::shared_ptr<const HapticScene> scene);
     /// Pixels a millimetre.

@@ -39,7 +39,6 @@ std::vector<CameraFrame> CaptureCamera::last_frames() const {
 void CaptureCamera::switch_on() {
     if (state_ == Begins || state_ == On)
         return;
-    ++run_;
     set_state(Begins);
     QTimer::singleShot(0, this, [this, run = run_] {
         if (run == run_)
@@ -69,12 +68,14 @@ void CaptureCamera::begin() {
 }
 
 void CaptureCamera::switch_off() {
+    if (state_ == Off)
+        return;
     ++run_;
     watch_.reset();
     camera_->close();
-    picture_ = {};
     lit_ = false;
-    emit pictureChanged();
+    if (!std::exchange(picture_, {}).isNull())
+        emit pictureChanged();
     set_state(Off);
 }
 
@@ -87,7 +88,7 @@ void CaptureCamera::turn_round() {
 }
 
 void CaptureCamera::light(bool on) {
-    if (!torch_ || on == lit_)
+    if (state_ != On || !torch_ || on == lit_)
         return;
     camera_->light(on);
     lit_ = on;

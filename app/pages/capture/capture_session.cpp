@@ -98,12 +98,15 @@ void CaptureSession::tellAll() {
 
 void CaptureSession::turnRound() {
     if (!camera_.both())
-        return teller_.answer(tr("There is only one camera."));
+        return camera_.state() == CaptureCamera::On ? teller_.answer(tr("There is only one camera."))
+                                                    : tellAll();
     camera_.turn_round();
     teller_.answer(camera_.front() ? tr("Front camera.") : tr("Back camera."));
 }
 
 void CaptureSession::setLight(bool on) {
+    if (camera_.state() != CaptureCamera::On)
+        return tellAll();
     if (!camera_.torch())
         return teller_.answer(tr("This camera has no light."));
     camera_.light(on);

@@ -82,18 +82,6 @@ private slots:
         QCOMPARE(bench.session->camera()->state(), CaptureCamera::On);
     }
 
-    void a_camera_that_is_unplugged_is_told_and_switched_off() {
-        CaptureBench bench;
-        bench.enter();
-        bench.see_for(0.5, {at_the_right});
-        bench.voice.clear();
-        bench.camera->film->fail("The camera was unplugged.");
-        QTRY_COMPARE(bench.session->camera()->state(), CaptureCamera::Failed);
-        QVERIFY2(bench.last_said().startsWith("The camera was unplugged."), qPrintable(bench.last_said()));
-        QVERIFY(!bench.camera->on);
-        QVERIFY(!bench.guide.sounds());
-    }
-
     void the_light_is_switched_where_there_is_one() {
         CaptureBench bench;
         bench.enter();
@@ -107,6 +95,23 @@ private slots:
         bench.session->setLight(true);
         QVERIFY(bench.camera->lit);
         QCOMPARE(bench.last_said(), QString("Light on."));
+    }
+
+    void of_a_camera_that_is_not_on_nothing_is_said_that_nobody_knows() {
+        CaptureBench bench;
+        bench.camera->both = bench.camera->torch = true;
+        bench.enter();
+        bench.session->turnRound();
+        QCOMPARE(bench.last_said(), QString("The camera is starting."));
+        bench.session->setLight(true);
+        QCOMPARE(bench.last_said(), QString("The camera is starting."));
+        bench.see_for(0.2, {middle});
+        bench.camera->film->fail("The camera was unplugged.");
+        QTRY_COMPARE(bench.session->camera()->state(), CaptureCamera::Failed);
+        bench.voice.clear();
+        bench.session->setLight(true);
+        QCOMPARE(bench.last_said(), QString("The camera was unplugged."));
+        QVERIFY(!bench.camera->lit);
     }
 
     void keys_move_the_camera_at_a_desk() {

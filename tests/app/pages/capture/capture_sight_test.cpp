@@ -4,7 +4,8 @@
 #include "app/pages/capture/capture_moment.hpp"
 #include "app/pages/capture/capture_shutter.hpp"
 #include "app/pages/capture/capture_sight.hpp"
-#include "capture_bench.hpp"
+#include "capture_ground.hpp"
+#include "fake_camera.hpp"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -112,14 +113,6 @@ private slots:
         QVERIFY(!bench.guide.sounds());
         QCOMPARE(bench.aiming.advice(), QString());
         QCOMPARE(bench.page_camera.state(), CaptureCamera::Off);
-    }
-
-    void a_page_that_is_left_at_once_never_switches_it_on() {
-        Bench bench;
-        bench.sight.enter();
-        bench.sight.leave();
-        QTest::qWait(0);
-        QCOMPARE(bench.camera->opened, 0);
     }
 
     void it_is_off_while_the_window_is_not_to_be_seen() {

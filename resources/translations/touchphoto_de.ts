@@ -143,6 +143,10 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>All is well. Press Space to take another photograph.</source>
+        <translation>Alles stimmt. Die Leertaste nimmt noch ein Foto auf.</translation>
+    </message>
     <message numerus="yes">
         <source>%n face(s).</source>
         <translation>

@@ -143,6 +143,10 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>All is well. Press Space to take another photograph.</source>
+        <translation>모두 알맞습니다. 스페이스바를 누르면 사진을 한 장 더 찍습니다.</translation>
+    </message>
     <message numerus="yes">
         <source>%n face(s).</source>
         <translation>

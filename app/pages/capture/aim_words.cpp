@@ -74,6 +74,8 @@ QString AimWords::instruction(const AimInstruction& instruction, bool whole) {
     return whole ? tr("Move the tablet: %1.").arg(way) : tr("%1.").arg(begun_large(way));
 }
 
+QString AimWords::another() { return tr("All is well. Press Space to take another photograph."); }
+
 QString AimWords::people(const AimInstruction& instruction) {
     if (instruction.faces == 0)
         return {};

@@ -17,6 +17,8 @@ public:
     /// "A little left." Of few words, because the hand waits for it. `whole`: "Move the tablet: a little left." for whoever
     /// hears it for the first time.
     static QString instruction(const AimInstruction& instruction, bool whole);
+    /// Instead of that all is well, where that was so when the last photograph was taken.
+    static QString another();
     /// It says where the hand is to go.
     static bool is_way(Advice advice) {
         return advice >= Advice::move_left && advice <= Advice::turn_anticlockwise;

@@ -11,6 +11,11 @@
 
 namespace tp {
 
+namespace {
+/// After a camera began anew: not good for so long, the hand is elsewhere; less is a camera that gets used to the light.
+constexpr double elsewhere_s = 2.0;
+} // namespace
+
 CaptureAiming::CaptureAiming(CaptureChoices& choices, CaptureTeller& teller, SonifiedGuide& guide,
                              CaptureTouch& touch)
     : choices_(choices), teller_(teller), guide_(guide), touch_(touch), aiming_(choices.aim()),
@@ -24,10 +29,14 @@ CaptureAiming::CaptureAiming(CaptureChoices& choices, CaptureTeller& teller, Son
 QString CaptureAiming::advice() const { return now_ ? AimWords::instruction(*now_, false) : QString(); }
 
 void CaptureAiming::begin(HeldCamera held) {
+    const bool turned_round = std::exchange(front_, held.front) != held.front;
+    const bool taken_before = aimed_ == Aimed::Taken || aimed_ == Aimed::Again;
     aiming_ = Aiming(aim_, held);
     now_.reset();
     good_since_.reset();
-    aimed_ = Aimed::Sought;
+    bad_since_.reset();
+    aimed_ = taken_before && !turned_round ? Aimed::Again : Aimed::Sought;
+    another_told_ = false;
     words_ = Words::Open;
     whole_ = true;
     people_.clear();
@@ -61,9 +70,13 @@ void CaptureAiming::see(const AimFrame& frame) {
     const AimAnswer answer = aiming_.see(frame);
     now_ = answer.now;
     if (!answer.good) {
-        aimed_ = Aimed::Sought;
         good_since_.reset();
+        if (!bad_since_)
+            bad_since_ = now_s_;
+        if (aimed_ != Aimed::Again || now_s_ - *bad_since_ >= elsewhere_s)
+            aimed_ = Aimed::Sought;
     } else {
+        bad_since_.reset();
         if (aimed_ == Aimed::Sought)
             aimed_ = Aimed::Reached;
         if (!good_since_)
@@ -73,7 +86,7 @@ void CaptureAiming::see(const AimFrame& frame) {
         say(*answer.say);
     hear(answer.tone);
     emit changed();
-    if (answer.take && aimed_ != Aimed::Taken && choices_.by_itself())
+    if (answer.take && aimed_ == Aimed::Reached && choices_.by_itself())
         emit take_asked();
 }
 
@@ -84,12 +97,15 @@ void CaptureAiming::say(const AimInstruction& instruction) {
         words_ = Words::Owed;
         return aiming_.sentence_ended(now_s_);
     }
+    const bool another = aimed_ == Aimed::Again && instruction.advice == Advice::ready;
+    if (another && std::exchange(another_told_, true))
+        return aiming_.sentence_ended(now_s_);
     QStringList words;
     if (const QString people = AimWords::people(instruction); people != people_) {
         people_ = people;
         words << people;
     }
-    words << AimWords::instruction(instruction, whole_);
+    words << (another ? AimWords::another() : AimWords::instruction(instruction, whole_));
     words.removeAll(QString());
     whole_ = whole_ && !AimWords::is_way(instruction.advice);
     teller_.tell(words.join(' '), [this] { aiming_.sentence_ended(now_s_); });

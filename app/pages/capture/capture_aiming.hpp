@@ -25,7 +25,12 @@ namespace tp {
 /// |----------|--------------------------|--------------|-------|----------|
 /// | Sought   |                          | Reached      | Taken |          |
 /// | Reached  | Sought                   |              | Taken | Sought   |
-/// | Taken    | Sought                   |              |       | Sought   |
+/// | Taken    | Sought                   |              |       | Again    |
+/// | Again    | Sought, after a while    |              | Taken |          |
+///
+/// Again is for whoever comes back to the page, or to its window, and may still hold the camera before what was taken: a second
+/// photograph of that would be a surprise, so it is told that Space takes one. A camera that looks to the other side begins with
+/// Sought.
 ///
 /// Whether words are said:
 ///
@@ -46,7 +51,8 @@ public:
     enum class Aimed {
         Sought,  ///< the frame is not as it was wished
         Reached, ///< it is
-        Taken    ///< it has been since the photograph was taken: that all is well is told no more
+        Taken,   ///< it has been since the photograph was taken: that all is well is told no more
+        Again    ///< a camera began anew after that, and has not looked elsewhere yet
     };
     enum class Words {
         Open,  ///< each is said as it comes
@@ -60,7 +66,7 @@ public:
     ~CaptureAiming() override { quiet(); }
 
     QString advice() const;
-    bool good() const { return now_ && aimed_ != Aimed::Sought; }
+    bool good() const { return now_ && good_since_; }
     Aimed aimed() const { return aimed_; }
     Words words() const { return words_; }
 
@@ -97,10 +103,12 @@ private:
     Aim aim_;
     std::optional<AimInstruction> now_;
     Aimed aimed_ = Aimed::Sought;
+    bool front_ = false; ///< the camera that began last looks to the person's side
     Words words_ = Words::Open;
     double now_s_ = 0.0;               ///< the last frame's
-    std::optional<double> good_since_; ///< s
+    std::optional<double> good_since_, bad_since_; ///< s
     bool whole_ = true;   ///< the next way is said in a whole sentence
+    bool another_told_ = false; ///< since the camera began
     QString people_;      ///< who was told of last
 };
 

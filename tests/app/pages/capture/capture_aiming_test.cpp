@@ -129,15 +129,68 @@ private slots:
         QCOMPARE(bench.asked, 2);
     }
 
-    void of_what_was_taken_already_no_shutter_is_asked_for_until_the_camera_begins_anew() {
+    void of_what_was_taken_already_no_shutter_is_asked_for() {
         Bench bench;
         bench.see_for(0.6, {middle});
         bench.aiming.taken(); // by hand
         bench.see_for(4.0, {middle});
         QCOMPARE(bench.asked, 0);
-        bench.aiming.end();
+    }
+
+    void a_camera_that_begins_anew_tells_how_to_take_another_one_and_asks_for_none() {
+        Bench bench;
+        bench.see_for(2.0, {middle});
+        QCOMPARE(bench.asked, 1);
+        bench.aiming.taken();
+        for (int once_more = 0; once_more < 2; ++once_more) { // the page was left, or its window hidden
+            bench.aiming.end();
+            bench.aiming.begin({});
+            bench.voice.clear();
+            bench.see_for(15.0, {middle});
+            QCOMPARE(bench.asked, 1);
+            QCOMPARE(bench.voice.said().size(), 1);
+            QVERIFY2(bench.last_said().startsWith("1 face") &&
+                         bench.last_said().endsWith(" All is well. Press Space to take another photograph."),
+                     qPrintable(bench.last_said()));
+        }
+        bench.voice.clear();
+        bench.see_for(1.5, {at_the_right}); // a camera that gets used to the light sees nothing good either
+        QVERIFY(!bench.voice.said().filter("right").isEmpty()); // the hand is led as ever
+        bench.see_for(2.0, {middle});
+        QCOMPARE(bench.asked, 1);
+        QVERIFY(bench.voice.said().filter("Hold still").isEmpty());
+        bench.see_for(3.0, {at_the_right}); // from here on it is another view
+        bench.see_for(2.0, {middle});
+        QCOMPARE(bench.asked, 2);
+        QVERIFY(!bench.voice.said().filter("Hold still").isEmpty());
+    }
+
+    void a_camera_of_the_other_side_sees_something_else() {
+        Bench bench;
+        bench.see_for(2.0, {middle});
+        bench.aiming.taken();
+        bench.aiming.begin({true, false});
+        bench.see_for(2.0, {middle});
+        QCOMPARE(bench.asked, 2);
+        bench.aiming.taken();
+        bench.aiming.begin({true, false});
+        bench.see_for(2.0, {middle});
+        QCOMPARE(bench.asked, 2);
+    }
+
+    void how_to_take_another_one_waits_for_other_words() {
+        Bench bench;
+        bench.see_for(2.0, {middle});
+        bench.aiming.taken();
         bench.aiming.begin({});
-        bench.see_for(4.0, {middle});
+        bench.speak_slowly();
+        bench.teller.tell("Take a photograph.");
+        bench.see_for(3.0, {middle});
+        QCOMPARE(bench.last_said(), QString("Take a photograph."));
+        bench.voice.set_busy(false);
+        bench.see_for(0.5, {middle});
+        QVERIFY2(bench.last_said().endsWith("Press Space to take another photograph."),
+                 qPrintable(bench.last_said()));
         QCOMPARE(bench.asked, 1);
     }
 
@@ -145,25 +198,34 @@ private slots:
         Bench bench;
         const auto lead_to = [&](Aimed state) {
             bench.aiming.begin({});
-            bench.see_for(2.0, {state == Aimed::Sought ? at_the_right : middle});
-            if (state == Aimed::Taken)
+            bench.see_for(3.0, {at_the_right});
+            if (state != Aimed::Sought)
+                bench.see_for(2.0, {middle});
+            if (state == Aimed::Taken || state == Aimed::Again)
                 bench.aiming.taken();
+            if (state == Aimed::Again)
+                bench.aiming.begin({});
             QVERIFY(bench.aiming.aimed() == state);
         };
-        for (const Aimed from : {Aimed::Sought, Aimed::Reached, Aimed::Taken}) {
+        for (const Aimed from : {Aimed::Sought, Aimed::Reached, Aimed::Taken, Aimed::Again}) {
             lead_to(from);
             bench.see_for(0.3, {at_the_right});
-            QVERIFY(bench.aiming.aimed() == Aimed::Sought && !bench.aiming.good());
+            QVERIFY(bench.aiming.aimed() == (from == Aimed::Again ? Aimed::Again : Aimed::Sought));
+            QVERIFY(!bench.aiming.good());
+            bench.see_for(2.0, {at_the_right});
+            QVERIFY(bench.aiming.aimed() == Aimed::Sought);
             lead_to(from);
             bench.see_for(2.0, {middle});
-            QVERIFY(bench.aiming.aimed() == (from == Aimed::Taken ? Aimed::Taken : Aimed::Reached));
+            QVERIFY(bench.aiming.aimed() == (from == Aimed::Sought ? Aimed::Reached : from));
             QVERIFY(bench.aiming.good());
             lead_to(from);
             bench.aiming.taken();
             QVERIFY(bench.aiming.aimed() == Aimed::Taken);
             lead_to(from);
             bench.aiming.begin({});
-            QVERIFY(bench.aiming.aimed() == Aimed::Sought && !bench.aiming.good());
+            const bool taken_before = from == Aimed::Taken || from == Aimed::Again;
+            QVERIFY(bench.aiming.aimed() == (taken_before ? Aimed::Again : Aimed::Sought));
+            QVERIFY(!bench.aiming.good());
         }
     }
 

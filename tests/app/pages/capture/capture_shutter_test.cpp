@@ -55,6 +55,28 @@ private slots:
         QCOMPARE(bench.photographs().size(), 2);
     }
 
+    void whoever_comes_back_gets_no_second_one_of_the_same_scene() {
+        CaptureBench bench;
+        bench.enter();
+        bench.see_for(2.0, {middle});
+        bench.settle();
+        QCOMPARE(bench.photographs().size(), 1);
+        bench.session->setInSight(false); // another window for a moment
+        bench.session->setInSight(true);
+        QTRY_VERIFY(bench.camera->on);
+        bench.see_for(3.0, {middle});
+        bench.settle();
+        QCOMPARE(bench.photographs().size(), 1);
+        bench.session->leave();
+        bench.enter();
+        bench.see_for(3.0, {middle});
+        bench.settle();
+        QCOMPARE(bench.photographs().size(), 1);
+        bench.session->take();
+        bench.settle();
+        QCOMPARE(bench.photographs().size(), 2);
+    }
+
     void whoever_takes_it_alone_gets_no_second_one() {
         CaptureBench bench;
         bench.enter();

@@ -51,7 +51,6 @@ void StudyRun::begin(StudyPlan plan) {
     records_.clear();
     next_.reset();
     rested_before_ = 0;
-    ++sitting_;
     become(State::Consent);
     teller_.tell(consent());
 }

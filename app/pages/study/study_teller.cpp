@@ -23,9 +23,4 @@ void StudyTeller::did(Earcon earcon, const QString& sentence) {
     tell(sentence);
 }
 
-void StudyTeller::fault(const QString& sentence) {
-    sound(Earcon::fault);
-    say(sentence, Priority::fault);
-}
-
 } // namespace tp

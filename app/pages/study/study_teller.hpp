@@ -32,8 +32,6 @@ public:
     void did(Earcon earcon, const QString& sentence);
     /// What was asked for was not done, and what to do.
     void problem(const QString& sentence) { did(Earcon::error, sentence); }
-    /// Safety: the force is off.
-    void fault(const QString& sentence);
     void sound(Earcon earcon);
     void hush() { narrator_.stop(); }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sitting with a force device: it brings the finger to the start, and goes with its force at every way out.
+// A sitting with a force device, by itself: it brings the finger to the start, and goes with its force at every way out.
 #include "device_socket.hpp"
-#include "study_bench.hpp"
+#include "study_parts.hpp"
+
+#include <QDir>
 
 using namespace tp;
 using tp::testing::DeviceSocket;
@@ -16,7 +18,7 @@ constexpr const char* small_shapes =
 
 struct DeviceBench {
     DeviceSocket socket;
-    StudyBench bench{socket.access()};
+    StudyParts bench{socket.access()};
     Vec2 handle{0.0}; ///< surface, mm
 
     void hold(Vec2 place) {
@@ -26,24 +28,24 @@ struct DeviceBench {
     void begin(const char* text) {
         hold({-50.0, -40.0});
         socket.plug_in();
-        bench.set_up(text);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session->setup()->hands().size(), 2, 60000);
-        bench.session->begin();
-        bench.run().agree();
-        QTRY_VERIFY_WITH_TIMEOUT(bench.run().state() != State::Opening, 60000);
+        bench.device = true;
+        bench.finger.look(true);
+        QTRY_VERIFY_WITH_TIMEOUT(found(), 60000);
+        bench.begin(text);
     }
+    bool found() const { return !bench.finger.found().isEmpty(); }
     /// The hand gives way to the force, for at most so long.
     void be_led(double seconds) {
         for (double t = 0.0; t < seconds && bench.run().state() == State::Coming; t += 0.005) {
             hold(handle + 0.6 * socket.force());
-            bench.session->advance(0.005);
+            bench.pass(0.005);
         }
     }
 };
 
 } // namespace
 
-class StudyDeviceTest : public QObject {
+class StudyRunDeviceTest : public QObject {
     Q_OBJECT
 private slots:
     void the_device_brings_the_finger_to_the_start_and_then_rests() {
@@ -57,7 +59,7 @@ private slots:
         with.be_led(20.0);
         QCOMPARE(with.bench.run().state(), State::Ready);
         QVERIFY(length(with.handle - with.bench.now().start) < 5.0);
-        with.bench.session->advance(0.5);
+        with.bench.pass(0.5);
         QVERIFY(with.socket.force() == Vec2(0.0));
     }
 
@@ -68,14 +70,15 @@ private slots:
         const StudyTrial trial = with.bench.now();
         with.bench.run().goOn();
         QCOMPARE(with.bench.run().state(), State::Feeling);
-        const Vec2 beside = with.bench.session->finger().felt().lines[0].points[0] * 0.85;
+        const Vec2 beside = with.bench.finger.felt().lines[0].points[0] * 0.85;
         with.hold(beside);
-        with.bench.session->advance(1.0);
+        with.bench.pass(1.0);
         QVERIFY(length(with.socket.force()) > 0.3);
         QVERIFY(!with.bench.guide.sounds());
+        with.bench.run().goOn();
+        with.bench.pass(0.03);                     // a ramp of 20 ms
+        QVERIFY(with.socket.force() == Vec2(0.0)); // while one thinks
         with.bench.run().answer(0);
-        with.bench.session->advance(0.03); // a ramp of 20 ms
-        QVERIFY(with.socket.force() == Vec2(0.0));
         with.bench.settle();
         QCOMPARE(with.bench.records().size(), std::size_t(1));
         const auto study = read_study(with.bench.study_folder());
@@ -87,13 +90,13 @@ private slots:
     void a_pause_while_the_device_leads_takes_its_force() {
         DeviceBench with;
         with.begin(small_shapes);
-        with.bench.session->advance(0.3);
+        with.bench.pass(0.3);
         QVERIFY(length(with.socket.force()) > 0.1);
         with.bench.run().pause();
         QCOMPARE(with.bench.run().state(), State::Paused);
-        with.bench.session->advance(0.03); // a ramp of 20 ms
+        with.bench.pass(0.03); // a ramp of 20 ms
         QVERIFY(with.socket.force() == Vec2(0.0));
-        with.bench.session->advance(2.0);
+        with.bench.pass(2.0);
         QVERIFY(with.socket.force() == Vec2(0.0));
         QCOMPARE(with.bench.records().size(), std::size_t(0));
         with.bench.run().goOn();
@@ -105,12 +108,13 @@ private slots:
         with.begin(small_shapes);
         with.be_led(20.0);
         with.bench.run().goOn();
-        with.bench.session->advance(0.5);
+        with.bench.pass(0.5);
         with.socket.switch_motors_off("The force pad is too hot. Let it cool down.");
-        with.bench.session->advance(1.0);
+        with.bench.pass(1.0);
         with.bench.settle();
         QCOMPARE(with.bench.run().state(), State::Paused);
         QVERIFY2(with.bench.said().startsWith("The force pad is too hot."), qPrintable(with.bench.said()));
+        QVERIFY(with.bench.finger.here()); // it may be used again
     }
 
     void a_finger_that_has_gone_away_is_brought_again() {
@@ -118,7 +122,7 @@ private slots:
         with.begin(small_shapes);
         with.be_led(20.0);
         with.hold(with.bench.now().start + Vec2(30.0, 0.0));
-        with.bench.session->advance(0.1);
+        with.bench.pass(0.1);
         with.bench.run().goOn();
         QCOMPARE(with.bench.run().state(), State::Coming);
         with.be_led(20.0);
@@ -127,26 +131,58 @@ private slots:
         QCOMPARE(with.bench.run().state(), State::Feeling);
     }
 
+    void one_pulled_out_before_the_trial_begins_pauses_at_once() {
+        for (const State state : {State::Coming, State::Ready}) {
+            DeviceBench with;
+            with.begin(small_shapes);
+            if (state == State::Ready)
+                with.be_led(20.0);
+            QCOMPARE(with.bench.run().state(), state);
+            QVERIFY(!with.bench.sounded(Earcon::fault));
+            with.socket.unplug();
+            with.bench.pass(0.5);
+            QCOMPARE(with.bench.run().state(), State::Paused);
+            QVERIFY2(with.bench.said().endsWith(" Paused. Press Space to go on."),
+                     qPrintable(with.bench.said()));
+            QVERIFY(with.bench.sounded(Earcon::fault));
+            QVERIFY(!with.bench.finger.here()); // it is opened again, or said to be missing
+            QVERIFY(with.bench.records().empty());
+        }
+    }
+
+    void escape_while_it_leads_asks_without_force() {
+        DeviceBench with;
+        with.begin(small_shapes);
+        with.bench.pass(0.3);
+        QVERIFY(length(with.socket.force()) > 0.1);
+        QVERIFY(with.bench.run().stop());
+        QCOMPARE(with.bench.run().state(), State::Stopping);
+        with.bench.pass(0.03); // a ramp of 20 ms
+        QVERIFY(with.socket.force() == Vec2(0.0));
+        QVERIFY(with.bench.run().stop());
+        QTRY_VERIFY_WITH_TIMEOUT(!with.socket.in_use(), 60000);
+    }
+
     void a_device_pulled_out_pauses_and_is_opened_again() {
         DeviceBench with;
         with.begin(small_shapes);
         with.be_led(20.0);
         with.bench.run().goOn();
-        with.bench.session->advance(0.5);
+        with.bench.pass(0.5);
         with.socket.unplug();
-        with.bench.session->advance(1.0);
+        with.bench.pass(1.0);
         with.bench.settle();
         QCOMPARE(with.bench.run().state(), State::Paused);
         QVERIFY2(with.bench.said().contains("Press Space to go on."), qPrintable(with.bench.said()));
         QCOMPARE(with.bench.records().size(), std::size_t(1));
         QVERIFY(with.bench.records()[0].repeated);
-        QTRY_COMPARE_WITH_TIMEOUT(with.bench.session->setup()->hands().size(), 1, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(!with.found(), 60000);
         with.bench.run().goOn();
         QCOMPARE(with.bench.run().state(), State::Paused); // never by the mouse instead
         QVERIFY2(with.bench.said().startsWith("The force device is not there. Connect it."),
                  qPrintable(with.bench.said()));
         with.socket.plug_in();
-        QTRY_COMPARE_WITH_TIMEOUT(with.bench.session->setup()->hands().size(), 2, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(with.found(), 60000);
         with.bench.run().goOn();
         QTRY_COMPARE_WITH_TIMEOUT(with.bench.run().state(), State::Coming, 60000);
     }
@@ -156,9 +192,9 @@ private slots:
         with.begin(small_shapes);
         with.be_led(20.0);
         with.bench.run().goOn();
-        with.bench.session->advance(0.2);
+        with.bench.pass(0.2);
         QVERIFY(with.socket.in_use());
-        with.bench.session->leave();
+        with.bench.run().leave();
         QTRY_VERIFY_WITH_TIMEOUT(!with.socket.in_use(), 60000);
         QVERIFY(with.socket.force() == Vec2(0.0));
     }
@@ -173,5 +209,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(StudyDeviceTest)
-#include "study_device_test.moc"
+QTEST_GUILESS_MAIN(StudyRunDeviceTest)
+#include "study_run_device_test.moc"

@@ -37,6 +37,7 @@ void MendPictureItem::setSession(MendSession* session) {
                 update();
         });
     }
+    update();
     emit changed();
 }
 

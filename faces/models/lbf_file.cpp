@@ -23,7 +23,10 @@ constexpr std::string_view name_letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijk
 constexpr std::string_view number_letters = "0123456789+-.eE";
 constexpr std::string_view list_letters = "0123456789+-.eE, ";
 constexpr std::string_view base64_letters =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/=";
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::string_view doubles_head = "MWQgICAgICAgICAgICAgICAgICAgICAg";  ///< "1d" and 22 blanks
+constexpr std::string_view integers_head = "MWkgICAgICAgICAgICAgICAgICAgICAg"; ///< "1i" and 22 blanks
+constexpr std::size_t head_bytes = 24, most_in_line = 64;
 
 bool is_made_of(std::string_view text, std::string_view letters) {
     return !text.empty() && text.find_first_not_of(letters) == text.npos;
@@ -31,7 +34,7 @@ bool is_made_of(std::string_view text, std::string_view letters) {
 
 /// YAML as OpenCV's own writer makes it of numbers, lists of numbers and tables, line by line. Of anything else
 /// cv::FileStorage's reader may run out of stack, where it is deep, or never come to an end, as where a name is less indented
-/// than the one before and its fourth letter is a minus.
+/// than the one before and its fourth letter is a minus, or where packed numbers are of no kind.
 class FacemarkLines {
 public:
     explicit FacemarkLines(std::string_view text) : left_(text) {}
@@ -88,12 +91,22 @@ private:
         value.remove_suffix(1);
         return value.empty() || is_made_of(value, list_letters);
     }
+    /// A head that says of what kind the numbers are, and their bytes, in base64: full lines and a last one.
     bool take_packed(std::string_view indentation) {
-        bool any = false;
-        for (; left_.starts_with(indentation); any = true)
-            if (!is_made_of(next().substr(indentation.size()), base64_letters))
+        const std::string_view head = left_.substr(std::min(indentation.size(), left_.size()));
+        const std::size_t size = head.starts_with(doubles_head) ? 8 : head.starts_with(integers_head) ? 4 : 0;
+        std::size_t letters = 0, padding = 0;
+        for (bool last = false; left_.starts_with(indentation);) {
+            const std::string_view line = next().substr(indentation.size());
+            padding = line.ends_with("==") ? 2 : line.ends_with('=') ? 1 : 0;
+            if (last || line.size() > most_in_line || line.size() % 4 != 0 ||
+                !is_made_of(line.substr(0, line.size() - padding), base64_letters))
                 return false;
-        return any;
+            letters += line.size();
+            last = line.size() < most_in_line || padding > 0;
+        }
+        const std::size_t bytes = letters / 4 * 3 - padding;
+        return size > 0 && bytes > head_bytes && (bytes - head_bytes) % size == 0;
     }
 
     std::string_view left_;

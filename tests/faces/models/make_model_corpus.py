@@ -121,7 +121,7 @@ def facemark_begin(in_base64: bool = False) -> str:
 
 def main() -> None:
     squares = SQUARES.read_text().split('R"(', 1)[1].split(')"', 1)[0]
-    begin = facemark_begin()
+    begin, begin_packed = facemark_begin(), facemark_begin(in_base64=True)
     files = {
         "onnx_corpus/mesh.onnx": mesh(),
         "onnx_corpus/mesh_of_68_points.onnx": mesh(68),
@@ -131,9 +131,10 @@ def main() -> None:
         "haar_corpus/squares.xml": squares.encode(),
         "haar_corpus/other_features.xml": squares.replace("HAAR", "LBP").encode(),
         "lbf_corpus/facemark.yaml": begin.encode(),
-        "lbf_corpus/packed.yaml": facemark_begin(in_base64=True).encode(),
-        "lbf_corpus/two_stages.yaml": begin.replace("stages_n: 1", "stages_n: 2").encode(),
+        "lbf_corpus/packed.yaml": begin_packed.encode(),
         "lbf_corpus/indented_less.yaml": b"%YAML:1.0\n   s: 1\n ata-: d\n",  # OpenCV's reader never comes to its end
+        "lbf_corpus/packed_of_no_kind.yaml": begin_packed.replace("MWkg", "MTkg").encode(),  # of "19": nor here
+        "lbf_corpus/two_stages.yaml": begin.replace("stages_n: 1", "stages_n: 2").encode(),
     }
     for name, content in files.items():
         (HERE / name).parent.mkdir(exist_ok=True)

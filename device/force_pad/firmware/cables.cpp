@@ -24,6 +24,30 @@ Directions<Real> directions(const CableFrame<Real>& frame, Vec<Real> place) {
     return to;
 }
 
+/// AAᵀ of the cables' directions: what their tensions make in the two axes of the plane.
+template <typename Real>
+class Crossed {
+public:
+    void add(Vec<Real> unit) {
+        xx_ += unit.x * unit.x;
+        xy_ += unit.x * unit.y;
+        yy_ += unit.y * unit.y;
+    }
+    /// Solves AAᵀ·x = b; false, and x left as it is, where all cables lie nearly in one line.
+    bool solve(Vec<Real> b, Vec<Real>& x) const {
+        const Real determinant = xx_ * yy_ - xy_ * xy_; // 4 at best
+        if (!(determinant > Real(1e-4)))
+            return false;
+        x = {(yy_ * b.x - xy_ * b.y) / determinant, (xx_ * b.y - xy_ * b.x) / determinant};
+        return true;
+    }
+
+private:
+    Real xx_ = 0;
+    Real xy_ = 0;
+    Real yy_ = 0;
+};
+
 template <typename Real>
 struct Polygon {
     Vec<Real> corners[longest_polygon];
@@ -45,7 +69,7 @@ struct Polygon {
         *this = kept;
     }
 
-    /// Nearest point of the edges to the origin.
+    /// Nearest point of the edges to the origin, which it is itself where there are none.
     Vec<Real> nearest_to_origin() const {
         Vec<Real> best = corners[0];
         for (int i = 0; i < count; ++i) {
@@ -77,16 +101,9 @@ struct NullSpace {
         for (int k = 2; k < 4; ++k) {
             // Of the four axes the one that the vectors so far cover least.
             int best = 0;
-            Real least = 2;
-            for (int i = 0; i < cable_count; ++i) {
-                Real covered = 0;
-                for (int j = 0; j < k; ++j)
-                    covered += basis[j][i] * basis[j][i];
-                if (covered < least) {
-                    least = covered;
+            for (int i = 1; i < cable_count; ++i)
+                if (covered(basis, k, i) < covered(basis, k, best))
                     best = i;
-                }
-            }
             basis[k][best] = 1;
             normalise(basis, k);
         }
@@ -94,17 +111,23 @@ struct NullSpace {
             row[i] = {basis[2][i], basis[3][i]};
     }
 
-    /// Takes from vector k what lies along the earlier ones, twice against rounding, and makes it a unit
-    /// vector.
+    /// How much of an axis lies along the first k vectors, 0 … 1.
+    static Real covered(const Real (&basis)[4][cable_count], int k, int axis) {
+        Real squares = 0;
+        for (int j = 0; j < k; ++j)
+            squares += basis[j][axis] * basis[j][axis];
+        return squares;
+    }
+
+    /// Takes from vector k what lies along the earlier ones, and makes it a unit vector.
     static void normalise(Real (&basis)[4][cable_count], int k) {
-        for (int pass = 0; pass < 2; ++pass)
-            for (int j = 0; j < k; ++j) {
-                Real along = 0;
-                for (int i = 0; i < cable_count; ++i)
-                    along += basis[j][i] * basis[k][i];
-                for (int i = 0; i < cable_count; ++i)
-                    basis[k][i] -= along * basis[j][i];
-            }
+        for (int j = 0; j < k; ++j) {
+            Real along = 0;
+            for (int i = 0; i < cable_count; ++i)
+                along += basis[j][i] * basis[k][i];
+            for (int i = 0; i < cable_count; ++i)
+                basis[k][i] -= along * basis[j][i];
+        }
         Real square = 0;
         for (int i = 0; i < cable_count; ++i)
             square += basis[k][i] * basis[k][i];
@@ -116,23 +139,26 @@ struct NullSpace {
 };
 
 /// The force nearest to `wanted` that tensions within their bounds can make, from the edges of the zonotope
-/// of all such forces; false where `wanted` itself is inside.
+/// of all such forces; false, and the tensions left as they are, where `wanted` itself is inside.
 template <typename Real>
 bool nearest_feasible(const CableFrame<Real>& frame, const Directions<Real>& to, Vec<Real> wanted,
                       Real (&tensions)[cable_count]) {
     constexpr Real parallel = Real(1e-5);
+    constexpr Real sides[] = {-1, 1};
     const Real range = frame.greatest_tension - frame.least_tension;
-    Real best = -1;
-    for (int i = 0; i < cable_count; ++i)
-        for (int side = -1; side <= 1; side += 2) {
-            const Vec<Real> along = to.unit[i];
-            const Vec<Real> outward = Real(side) * Vec<Real>{-along.y, along.x};
+    bool found = false;
+    Real best{};
+    for (const Vec<Real> along : to.unit)
+        for (const Real side : sides) {
+            const Vec<Real> outward = side * Vec<Real>{-along.y, along.x};
             Real edge[cable_count];
-            Vec<Real> from; // the end of the edge that is farthest back along it
+            Real on_edge
+                [cable_count]; // 1 or −1 for a cable that pulls along the edge or back along it, or else 0
+            Vec<Real> from;    // the end of the edge that is farthest back along it
             for (int j = 0; j < cable_count; ++j) {
                 const Real out = dot(outward, to.unit[j]);
-                const bool on_edge = absolute(out) < parallel;
-                const bool high = on_edge ? dot(along, to.unit[j]) < 0 : out > 0;
+                on_edge[j] = absolute(out) < parallel ? dot(along, to.unit[j]) : Real(0);
+                const bool high = on_edge[j] < 0 || (on_edge[j] == 0 && out > 0);
                 edge[j] = high ? frame.greatest_tension : frame.least_tension;
                 from = from + edge[j] * to.unit[j];
             }
@@ -141,22 +167,23 @@ bool nearest_feasible(const CableFrame<Real>& frame, const Directions<Real>& to,
                 continue; // not beyond this edge
             Real left = dot(along, rest);
             for (int j = 0; j < cable_count; ++j)
-                if (absolute(dot(outward, to.unit[j])) < parallel) {
+                if (on_edge[j] != 0) {
                     const Real take = clamped(left, Real(0), range);
-                    edge[j] += dot(along, to.unit[j]) < 0 ? -take : take;
+                    edge[j] += on_edge[j] < 0 ? -take : take;
                     left -= take;
                 }
             Vec<Real> made;
             for (int j = 0; j < cable_count; ++j)
                 made = made + edge[j] * to.unit[j];
             const Real square = dot(wanted - made, wanted - made);
-            if (best < 0 || square < best) {
+            if (!found || square < best) {
+                found = true;
                 best = square;
                 for (int j = 0; j < cable_count; ++j)
                     tensions[j] = edge[j];
             }
         }
-    return best >= 0;
+    return found;
 }
 
 } // namespace
@@ -169,9 +196,7 @@ CablePlace<Real> locate(const CableFrame<Real>& frame, const Real (&lengths)[cab
     CablePlace<Real> found;
     found.place = start;
     for (int step = 0; step < most_steps; ++step) {
-        Real xx = 0;
-        Real xy = 0;
-        Real yy = 0;
+        Crossed<Real> cables;
         Vec<Real> slope;
         for (int i = 0; i < cable_count; ++i) {
             const Vec<Real> way = found.place - frame.exits[i];
@@ -179,16 +204,12 @@ CablePlace<Real> locate(const CableFrame<Real>& frame, const Real (&lengths)[cab
             if (!(distance > 0))
                 continue;
             const Vec<Real> unit = (Real(1) / distance) * way;
-            xx += unit.x * unit.x;
-            xy += unit.x * unit.y;
-            yy += unit.y * unit.y;
+            cables.add(unit);
             slope = slope + (lengths[i] - distance) * unit;
         }
-        const Real determinant = xx * yy - xy * xy; // 4 at best; 0 where all cables lie in one line
-        if (!(determinant > Real(1e-4)))
+        Vec<Real> move;
+        if (!cables.solve(slope, move))
             break;
-        Vec<Real> move{(yy * slope.x - xy * slope.y) / determinant,
-                       (xx * slope.y - xy * slope.x) / determinant};
         const Real size = length(move);
         if (size > longest)
             move = (longest / size) * move;
@@ -217,39 +238,28 @@ Tensions<Real> distribute(const CableFrame<Real>& frame, Vec<Real> place, Vec<Re
 
     // The tensions nearest to rest that make the force, bounds left aside: t = t_rest + Aᵀ(AAᵀ)⁻¹(F −
     // A·t_rest).
-    Real xx = 0;
-    Real xy = 0;
-    Real yy = 0;
+    Crossed<Real> cables;
     Vec<Real> missing = wanted;
-    for (int i = 0; i < cable_count; ++i) {
-        const Vec<Real> unit = to.unit[i];
-        xx += unit.x * unit.x;
-        xy += unit.x * unit.y;
-        yy += unit.y * unit.y;
+    for (const Vec<Real> unit : to.unit) {
+        cables.add(unit);
         missing = missing - frame.rest_tension * unit;
     }
-    const Real determinant = xx * yy - xy * xy;
-    bool within = determinant > Real(1e-4);
     Vec<Real> pull;
-    if (within)
-        pull = {(yy * missing.x - xy * missing.y) / determinant,
-                (xx * missing.y - xy * missing.x) / determinant};
-    Real far = 0;
+    const bool solved = cables.solve(missing, pull);
+    bool within = solved;
     for (int i = 0; i < cable_count; ++i) {
         found.newtons[i] = frame.rest_tension + dot(pull, to.unit[i]);
         within = within && found.newtons[i] >= low && found.newtons[i] <= high;
-        far = larger(far, absolute(found.newtons[i]));
     }
-    found.feasible = true;
+    found.feasible = solved;
     if (!within) {
-        Real at_edge[cable_count] = {};
-        if (nearest_feasible(frame, to, wanted, at_edge)) {
+        if (nearest_feasible(frame, to, wanted, found.newtons)) {
             found.feasible = false;
-            for (int i = 0; i < cable_count; ++i)
-                found.newtons[i] = at_edge[i];
         } else {
             const NullSpace<Real> none(to);
-            const Real wide = Real(4) * (high + far);
+            // The tensions above are the foot of a perpendicular, so that those within their bounds are no
+            // farther from them than from rest: 2·high at most.
+            const Real wide = Real(4) * high;
             Polygon<Real> polygon;
             polygon.count = 4;
             polygon.corners[0] = {-wide, -wide};
@@ -260,16 +270,13 @@ Tensions<Real> distribute(const CableFrame<Real>& frame, Vec<Real> place, Vec<Re
                 polygon.clip(none.row[i], high - found.newtons[i]);
                 polygon.clip(Real(-1) * none.row[i], found.newtons[i] - low);
             }
-            // Nothing is left of it only where rounding decides on the very edge of what is feasible: the
-            // bounds hold all the same.
-            if (polygon.count > 0) {
-                const Vec<Real> shift = polygon.nearest_to_origin();
-                for (int i = 0; i < cable_count; ++i)
-                    found.newtons[i] += dot(none.row[i], shift);
-            }
+            // Nothing is left of it only where rounding decides on the very edge of what is feasible.
+            const Vec<Real> shift = polygon.nearest_to_origin();
             for (int i = 0; i < cable_count; ++i)
-                found.newtons[i] = clamped(found.newtons[i], low, high);
+                found.newtons[i] += dot(none.row[i], shift);
         }
+        for (Real& tension : found.newtons)
+            tension = clamped(tension, low, high); // whatever rounding made of it
     }
     for (int i = 0; i < cable_count; ++i)
         found.force = found.force + found.newtons[i] * to.unit[i];

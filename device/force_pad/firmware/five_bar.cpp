@@ -4,10 +4,10 @@
 namespace tp::pad {
 
 template <typename Real>
-FiveBarPose<Real> locate(const FiveBar<Real>& bars, const Real (&angles)[2]) {
+FiveBarPose<Real> locate(const FiveBar<Real>& bars, const Real (&angles)[arm_count]) {
     FiveBarPose<Real> pose;
-    Vec<Real> elbow[2];
-    for (int i = 0; i < 2; ++i) {
+    Vec<Real> elbow[arm_count];
+    for (int i = 0; i < arm_count; ++i) {
         const SineCosine<Real> turn = sine_cosine(angles[i]);
         elbow[i] = {bars.proximal * turn.cosine + (i == 1 ? bars.base : Real(0)), bars.proximal * turn.sine};
         pose.swing[i] = {-bars.proximal * turn.sine, bars.proximal * turn.cosine};
@@ -22,7 +22,7 @@ FiveBarPose<Real> locate(const FiveBar<Real>& bars, const Real (&angles)[2]) {
     }
     const Real rise = square_root(square) / apart;
     pose.place = Real(0.5) * (elbow[0] + elbow[1]) + rise * Vec<Real>{-between.y, between.x};
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < arm_count; ++i)
         pose.link[i] = pose.place - elbow[i];
     pose.spread = absolute(cross(pose.link[0], pose.link[1])) / (bars.distal * bars.distal);
     return pose;
@@ -39,9 +39,9 @@ Torques<Real> torques(const FiveBarPose<Real>& pose, Vec<Real> wanted, Real grea
     // The force is carried by the two distal links: F = c₀·link₀ + c₁·link₁. Virtual work turns each into a
     // torque.
     const Real area = cross(pose.link[0], pose.link[1]);
-    const Real carried[2] = {cross(wanted, pose.link[1]) / area, cross(pose.link[0], wanted) / area};
+    const Real carried[arm_count] = {cross(wanted, pose.link[1]) / area, cross(pose.link[0], wanted) / area};
     Real greatest = 0;
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < arm_count; ++i) {
         found.newton_mm[i] = carried[i] * dot(pose.link[i], pose.swing[i]);
         greatest = larger(greatest, absolute(found.newton_mm[i]));
     }
@@ -56,10 +56,10 @@ Torques<Real> torques(const FiveBarPose<Real>& pose, Vec<Real> wanted, Real grea
     return found;
 }
 
-template FiveBarPose<float> locate(const FiveBar<float>&, const float (&)[2]);
+template FiveBarPose<float> locate(const FiveBar<float>&, const float (&)[arm_count]);
 template Torques<float> torques(const FiveBarPose<float>&, Vec<float>, float, float);
 #if __STDC_HOSTED__
-template FiveBarPose<double> locate(const FiveBar<double>&, const double (&)[2]);
+template FiveBarPose<double> locate(const FiveBar<double>&, const double (&)[arm_count]);
 template Torques<double> torques(const FiveBarPose<double>&, Vec<double>, double, double);
 #endif
 

@@ -5,6 +5,8 @@
 
 namespace tp::pad {
 
+inline constexpr int arm_count = 2;
+
 /// A pantograph: two motors at (0, 0) and (base, 0), two proximal links of one length, two distal links of
 /// one length that meet in the knob on the side of larger y (Campion, Wang, Hayward, IROS 2005; the signs
 /// from differentiating |P − A| = |P − B| = distal).
@@ -18,8 +20,8 @@ struct FiveBar {
 template <typename Real>
 struct FiveBarPose {
     Vec<Real> place;    ///< mm
-    Vec<Real> link[2];  ///< mm, from each elbow to the knob
-    Vec<Real> swing[2]; ///< mm, how each elbow moves per rad of its motor
+    Vec<Real> link[arm_count];  ///< mm, from each elbow to the knob
+    Vec<Real> swing[arm_count]; ///< mm, how each elbow moves per rad of its motor
     /// Sine of the angle between the distal links: 0 in a singular pose, where they lie in one line and some
     /// forces need torques without bound.
     Real spread = 0;
@@ -28,11 +30,11 @@ struct FiveBarPose {
 
 /// Where the knob is by the motors' angles, rad from the x axis.
 template <typename Real>
-FiveBarPose<Real> locate(const FiveBar<Real>& bars, const Real (&angles)[2]);
+FiveBarPose<Real> locate(const FiveBar<Real>& bars, const Real (&angles)[arm_count]);
 
 template <typename Real>
 struct Torques {
-    Real newton_mm[2] = {};
+    Real newton_mm[arm_count] = {};
     Vec<Real> force;      ///< N, what they make
     bool limited = false; ///< it is smaller than what was wanted, in the same direction
 };

@@ -16,8 +16,10 @@ int32_t moved(int32_t now, int32_t before) {
 
 int32_t rounded(float value) { return static_cast<int32_t>(value < 0 ? value - 0.5f : value + 0.5f); }
 
+constexpr float most_in_a_word = 2e9f;
+
 /// In thousandths, at most `most` of them; what is not a number is 0.
-int32_t thousandths(float value, float most) {
+int32_t thousandths(float value, float most = most_in_a_word) {
     const float scaled = 1000.0f * value;
     return scaled == scaled ? rounded(clamped(scaled, -most, most)) : 0;
 }
@@ -43,7 +45,6 @@ void rectangle(PadConfig& config, Vec<float> low, Vec<float> high) {
 
 PadConfig cable_pad() {
     PadConfig config;
-    config.kind = PadKind::cables;
     config.cables.exits[0] = {-150, -110};
     config.cables.exits[1] = {150, -110};
     config.cables.exits[2] = {150, 110};
@@ -51,11 +52,7 @@ PadConfig cable_pad() {
     config.cables.least_tension = 0.3f;
     config.cables.greatest_tension = 4.0f;
     config.cables.rest_tension = 0.6f;
-    config.drum_radius = 5;
-    config.greatest_torque = 20;
-    config.max_force = 1.2f;
     rectangle(config, {-100, -75}, {100, 75});
-    config.resolution_um = 8;
     name(config, "TPC-0001");
     return config;
 }
@@ -71,7 +68,6 @@ PadConfig pantograph_pad() {
     config.counts_per_turn = 16384;
     config.greatest_torque = 123;
     rectangle(config, {-41, 75}, {79, 135});
-    config.max_force = 1.2f;
     config.resolution_um = 30;
     name(config, "TPP-0001");
     return config;
@@ -160,8 +156,8 @@ void PadFirmware::reply(const AskFrame& ask) {
         frame.page = ask.page;
         for (int i = ask.page * corners_per_page; i < config_.corners && frame.corners < corners_per_page;
              ++i) {
-            frame.x_um[frame.corners] = thousandths(config_.outline[i].x, 1e9f);
-            frame.y_um[frame.corners] = thousandths(config_.outline[i].y, 1e9f);
+            frame.x_um[frame.corners] = thousandths(config_.outline[i].x);
+            frame.y_um[frame.corners] = thousandths(config_.outline[i].y);
             ++frame.corners;
         }
         answer_ = encode(frame);
@@ -199,14 +195,13 @@ void PadFirmware::find_place() {
         if (!(dot(place_, place_) < 1e8f))
             place_ = config_.mark; // a search that ran away begins anew
     } else {
-        float angles[2];
-        for (int i = 0; i < 2; ++i)
+        float angles[arm_count];
+        for (int i = 0; i < arm_count; ++i)
             angles[i] = config_.mark_angles[i] +
                         per_count * static_cast<float>(moved(sensors_.counts[i], home_[i]) %
                                                        static_cast<int32_t>(config_.counts_per_turn));
         pose_ = locate(config_.bars, angles);
         place_ = pose_.place;
-        residual_ = 0;
         if (!pose_.reachable)
             flags_ |= status::unsure;
         if (!(pose_.spread >= config_.least_spread))
@@ -232,7 +227,7 @@ bool PadFirmware::may_be_armed() const {
 }
 
 Drive PadFirmware::step(const Sensors& sensors) {
-    const uint32_t elapsed_us = stepped_ ? sensors.time_us - sensors_.time_us : 0;
+    const uint32_t elapsed_us = sensors.time_us - sensors_.time_us;
     sensors_ = sensors;
     stepped_ = true;
 
@@ -257,7 +252,7 @@ Drive PadFirmware::step(const Sensors& sensors) {
         armed_ = false;
         tripped_ = status::watchdog;
     }
-    limit_force(1e-6f * static_cast<float>(elapsed_us < 10000 ? elapsed_us : 10000));
+    limit_force(1e-6f * static_cast<float>(smaller(elapsed_us, uint32_t{10000})));
     return pull();
 }
 
@@ -280,7 +275,7 @@ void PadFirmware::limit_force(float seconds) {
 
 int32_t PadFirmware::torque(int motor, float newton_mm) const {
     const float scaled = newton_mm * 0.001f * static_cast<float>(permille_[motor]);
-    return thousandths(clamped(scaled, -config_.greatest_torque, config_.greatest_torque), 1e9f);
+    return thousandths(clamped(scaled, -config_.greatest_torque, config_.greatest_torque));
 }
 
 Drive PadFirmware::pull_cables() {
@@ -306,7 +301,7 @@ Drive PadFirmware::turn_bars() {
     const Torques<float> found = torques(pose_, allowed_, config_.greatest_torque, config_.least_spread);
     if (found.limited)
         flags_ |= status::limited;
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < arm_count; ++i)
         drive.torque_unm[i] = torque(i, found.newton_mm[i]);
     made_ = found.force;
     drive.powered = true;
@@ -324,8 +319,8 @@ Frame PadFirmware::state() {
     StateFrame frame;
     frame.sequence = ++sequence_;
     frame.time_us = sensors_.time_us;
-    frame.x_um = thousandths(place_.x, 1e9f);
-    frame.y_um = thousandths(place_.y, 1e9f);
+    frame.x_um = thousandths(place_.x);
+    frame.y_um = thousandths(place_.y);
     frame.force_x_mn = static_cast<int16_t>(thousandths(made_.x, 32767.0f));
     frame.force_y_mn = static_cast<int16_t>(thousandths(made_.y, 32767.0f));
     frame.residual_um = unsigned_thousandths(residual_);

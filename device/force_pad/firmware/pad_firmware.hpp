@@ -10,28 +10,28 @@ namespace tp::pad {
 inline constexpr uint8_t most_corners = 8;
 inline constexpr int most_motors = 4;
 
-/// What one pad is made of. Lengths in mm, forces in N, torques in N·mm.
+/// What one pad is made of, by default a cable pad without its frame. Lengths in mm, forces in N, torques in N·mm.
 struct PadConfig {
     PadKind kind = PadKind::cables;
     CableFrame<float> cables;       ///< of a cable pad
     float drum_radius = 5;          ///< of a cable pad
     Vec<float> mark;                ///< where the knob of a cable pad stands when it is homed
     FiveBar<float> bars;            ///< of a pantograph
-    float mark_angles[2] = {};      ///< rad, of a pantograph's motors when it is homed
+    float mark_angles[arm_count] = {}; ///< rad, of a pantograph's motors when it is homed
     float counts_per_turn = 4096;   ///< of every encoder
-    float greatest_torque = 15;     ///< of every motor
+    float greatest_torque = 20;     ///< of every motor
     float greatest_residual = 0.5f; ///< beyond it the encoders are not believed
     float least_spread = 0.3f;      ///< of a pantograph; below it there is no force
     Vec<float> outline[most_corners];
     uint8_t corners = 0;
-    float max_force = 1.5f;
+    float max_force = 1.2f;
     float continuous_force = 1;
     float max_force_rate = 100; ///< N/s; the computer keeps to 40
     uint32_t watchdog_us = 30000;
     int8_t hot = 70;  ///< °C: motors off from here on
     int8_t cool = 60; ///< °C: and only below this they may be armed again
     uint16_t greatest_current_ma = 800;
-    uint16_t resolution_um = 10;
+    uint16_t resolution_um = 8;
     uint16_t rate_hz = 1000;
     uint16_t delay_us = 1000;
     char serial[serial_size + 1] = {};

@@ -27,6 +27,37 @@ private slots:
         }
     }
 
+    /// By the tensions of the cables on their drums, and by the work that a turn of a pantograph's motors does.
+    void its_motors_make_the_force_that_it_tells_of() {
+        FirmwareBench cables;
+        cables.move_to(40.0, 20.0);
+        cables.pull(700, -300);
+        double x = 0.0;
+        double y = 0.0;
+        for (int i = 0; i < cable_count; ++i) {
+            const double dx = double(cables.config.cables.exits[i].x) - 40.0;
+            const double dy = double(cables.config.cables.exits[i].y) - 20.0;
+            const double newtons = 1e-3 * cables.drive.torque_unm[i] / double(cables.config.drum_radius);
+            x += newtons * dx / std::hypot(dx, dy);
+            y += newtons * dy / std::hypot(dx, dy);
+        }
+        QVERIFY(std::abs(x - 0.7) < 0.001 && std::abs(y + 0.3) < 0.001);
+
+        FirmwareBench bars(pantograph_pad());
+        bars.pull(700, -300);
+        for (int motor = 0; motor < arm_count; ++motor) {
+            constexpr float turn = 0.01f;
+            float ahead[arm_count] = {bars.config.mark_angles[0], bars.config.mark_angles[1]};
+            float behind[arm_count] = {ahead[0], ahead[1]};
+            ahead[motor] += turn;
+            behind[motor] -= turn;
+            const Vec<float> way =
+                locate(bars.config.bars, ahead).place - locate(bars.config.bars, behind).place;
+            const double work = double(dot(Vec<float>{0.7f, -0.3f}, way) / (2 * turn)); // N·mm
+            QVERIFY(std::abs(1e-3 * bars.drive.torque_unm[motor] - work) < 0.05);
+        }
+    }
+
     void a_force_that_is_taken_back_is_gone_at_once() {
         FirmwareBench bench;
         bench.pull(800, -300);

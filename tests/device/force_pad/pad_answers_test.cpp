@@ -150,6 +150,28 @@ private slots:
         }
     }
 
+    void each_answer_has_the_number_of_the_last_state() {
+        FirmwareBench bench;
+        bench.step(3);
+        Frame answer;
+        CapabilitiesFrame can;
+        bench.pad.receive(encode(AskFrame{1, FrameType::capabilities, 0}));
+        QVERIFY(bench.pad.answer(answer) && decode(answer, can));
+        QCOMPARE(can.sequence, bench.state.sequence);
+        OutlineFrame outline;
+        bench.pad.receive(encode(AskFrame{1, FrameType::outline, 0}));
+        QVERIFY(bench.pad.answer(answer) && decode(answer, outline));
+        QCOMPARE(outline.sequence, bench.state.sequence);
+        IdentityFrame identity;
+        bench.pad.receive(encode(AskFrame{1, FrameType::identity, 0}));
+        QVERIFY(bench.pad.answer(answer) && decode(answer, identity));
+        QCOMPARE(identity.sequence, bench.state.sequence);
+        CalibrationFrame calibration;
+        bench.pad.receive(encode(AskFrame{1, FrameType::calibration, 0}));
+        QVERIFY(bench.pad.answer(answer) && decode(answer, calibration));
+        QCOMPARE(calibration.sequence, bench.state.sequence);
+    }
+
     void a_broken_frame_is_told_of_once() {
         FirmwareBench bench;
         Frame broken = encode(ForceFrame{1, 0, 0, true});

@@ -83,7 +83,7 @@ Result<Capabilities> ForcePad::open() {
     constexpr pad::ForceFrame off;
     line_->transport->write(pad::encode(off));
     const auto question = [](pad::FrameType what, std::uint8_t page = 0) {
-        return pad::encode(pad::AskFrame{0, what, page});
+        return pad::encode(pad::AskFrame{.what = what, .page = page});
     };
     pad::IdentityFrame identity;
     pad::CapabilitiesFrame can;

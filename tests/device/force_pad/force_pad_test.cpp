@@ -175,32 +175,6 @@ private slots:
         QCOMPARE(*users, 0);
     }
 
-    // The model and its cable, of which nothing is read back through what they are to try
-
-    void a_pad_that_was_homed_when_it_was_switched_on_says_where_it_is_and_nothing_else() {
-        ModelPad model(pad::cable_pad());
-        pad::Frame frame;
-        QVERIFY(!model.report(frame));
-        model.step();
-        QVERIFY(model.report(frame));
-        QCOMPARE(pad::type_of(frame), pad::FrameType::state);
-        QVERIFY(!model.report(frame));
-    }
-    void a_line_spoils_each_frame_that_it_is_told_to() {
-        ModelPad model(pad::cable_pad());
-        SimulatedLink link(model);
-        link.troubles.garble = 1.0;
-        int whole = 0; // a byte may be replaced by the same
-        for (int i = 0; i < 400; ++i) {
-            link.advance();
-            pad::Frame frame;
-            pad::StateFrame state;
-            QCOMPARE(link.read(frame, 0), ReportTransport::Got::report);
-            whole += pad::decode(frame, state) ? 1 : 0;
-        }
-        QVERIFY2(whole < 10, qPrintable(QString::number(whole)));
-    }
-
     void a_force_is_rounded_towards_none() {
         const pad::ForceFrame frame = force_frame(safe({0.79996, -0.2509}));
         QCOMPARE(frame.x_mn, std::int16_t(799));

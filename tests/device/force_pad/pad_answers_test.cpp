@@ -140,6 +140,22 @@ private slots:
         }
     }
 
+    void one_that_was_just_switched_on_tells_of_nothing_that_was() {
+        for (const PadConfig& config : {cable_pad(), pantograph_pad()}) {
+            PadFirmware pad(config);
+            Frame answer;
+            QVERIFY(!pad.answer(answer));
+            QVERIFY(!pad.step(Sensors{}).powered);
+            StateFrame state;
+            QVERIFY(decode(pad.state(), state));
+            QCOMPARE(int(state.sequence), 1);
+            QCOMPARE(int(state.heard), 0);
+            QCOMPARE(int(state.status), int(status::not_homed));
+            QCOMPARE(int(state.residual_um), 0);
+            QVERIFY(state.force_x_mn == 0 && state.force_y_mn == 0);
+        }
+    }
+
     /// So that a computer tells a new one from an old one.
     void each_state_has_the_next_number() {
         FirmwareBench bench;

@@ -42,6 +42,9 @@ private slots:
         bench.pull(0, -1001);
         QVERIFY(bench.has(status::limited));
         QVERIFY(bench.state.force_y_mn == -1000);
+        bench.pad.receive(encode(ForceFrame{++bench.sequence, 0, 0, false}));
+        bench.step();
+        QVERIFY(!bench.has(status::limited)); // nothing is asked of it any more
     }
 
     void encoders_that_differ_by_what_is_allowed_are_believed() {

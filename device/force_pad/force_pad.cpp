@@ -42,10 +42,12 @@ ForcePad::ForcePad(Opener opener, LatestWriter::Thread thread)
 ForcePad::~ForcePad() { stop(); }
 
 template <typename Answer>
-bool ForcePad::ask(pad::Frame question, Answer& answer, std::uint8_t page) {
+bool ForcePad::ask(const pad::Frame& question, Answer& answer) {
     constexpr int asks = 20;
     constexpr int reads = 20; // states come in between
     constexpr int wait_ms = 5;
+    pad::AskFrame asked;
+    pad::decode(question, asked);
     for (int i = 0; i < asks; ++i) {
         if (!line_->transport->write(question))
             return false;
@@ -57,7 +59,7 @@ bool ForcePad::ask(pad::Frame question, Answer& answer, std::uint8_t page) {
             if (got != ReportTransport::Got::report || !pad::decode(frame, answer))
                 continue;
             if constexpr (requires { answer.page; }) {
-                if (answer.page != page)
+                if (answer.page != asked.page)
                     continue;
             }
             return true;
@@ -96,7 +98,7 @@ Result<Capabilities> ForcePad::open() {
     std::vector<Vec2> outline;
     for (std::uint8_t page = 0; outline.size() < can.corners; ++page) {
         pad::OutlineFrame corners;
-        if (!ask(question(pad::FrameType::outline, page), corners, page) || corners.corners == 0) {
+        if (!ask(question(pad::FrameType::outline, page), corners) || corners.corners == 0) {
             line_->transport.reset();
             return Error{
                 "The force pad did not say which places it reaches. Unplug it and plug it in again."};

@@ -53,7 +53,7 @@ private:
     };
     void take(const pad::Frame& frame) noexcept;
     template <typename Answer>
-    bool ask(pad::Frame question, Answer& answer, std::uint8_t page = 0);
+    bool ask(const pad::Frame& question, Answer& answer);
 
     Opener opener_;
     LatestWriter::Thread thread_;

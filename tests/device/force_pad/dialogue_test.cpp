@@ -135,6 +135,12 @@ private slots:
         QVERIFY(pad::decode(bench.script.written.at(0), first));
         QVERIFY(!first.motors && first.x_mn == 0 && first.y_mn == 0);
         QCOMPARE(bench.script.written.size(), std::size_t(5)); // identity, capabilities, two pages
+        for (const std::size_t question : {1u, 2u, 3u, 4u}) {
+            pad::AskFrame asked;
+            asked.page = 9;
+            QVERIFY(pad::decode(bench.script.written[question], asked));
+            QCOMPARE(int(asked.page), question == 4 ? 1 : 0);
+        }
         QCOMPARE(bench.can->continuous_force, 0.9);
         QCOMPARE(bench.can->delay, 0.002);
         QVERIFY(bench.can->calibrated);

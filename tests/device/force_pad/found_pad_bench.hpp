@@ -5,6 +5,7 @@
 #include "device/force_pad/force_pad.hpp"
 #include "device/force_pad/found_pad.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -15,14 +16,35 @@
 
 namespace tp {
 
+/// Waits a millisecond where it is told to wait longer: what never gives the right answer is asked as often, and sooner
+/// done with.
+class ImpatientTransport final : public ReportTransport {
+public:
+    explicit ImpatientTransport(std::unique_ptr<ReportTransport> real) : real_(std::move(real)) {}
+    Got read(pad::Frame& frame, int wait_ms) noexcept override {
+        return real_->read(frame, std::min(wait_ms, 1));
+    }
+    bool write(const pad::Frame& frame) noexcept override { return real_->write(frame); }
+
+private:
+    std::unique_ptr<ReportTransport> real_;
+};
+
 /// The only pad that is found, behind its real transport.
 struct FoundPadBench : testing::WireBench<ForcePad> {
-    FoundPadBench(const std::vector<FoundPad>& found,
-                  Result<std::unique_ptr<ReportTransport>> (*open)(const FoundPad&),
-                  std::function<long()> answered_now)
+    using Opened = Result<std::unique_ptr<ReportTransport>>;
+
+    FoundPadBench(const std::vector<FoundPad>& found, Opened (*open)(const FoundPad&),
+                  std::function<long()> answered_now, bool patient = true)
         : WireBench(std::move(answered_now)) {
         if (found.size() == 1)
-            begin(std::make_unique<ForcePad>([open, pad = found.front()] { return open(pad); }));
+            begin(std::make_unique<ForcePad>([open, patient, pad = found.front()]() -> Opened {
+                Opened opened = open(pad);
+                if (patient || !opened.ok())
+                    return opened;
+                return std::unique_ptr<ReportTransport>(
+                    std::make_unique<ImpatientTransport>(std::move(opened).value()));
+            }));
         else
             error = "found " + std::to_string(found.size());
     }

@@ -64,7 +64,9 @@ private:
 };
 
 struct Bench : FoundPadBench {
-    explicit Bench(const Bed& bed) : FoundPadBench(find_hid(), open_hid, [&bed] { return bed.answered(); }) {}
+    explicit Bench(const Bed& bed, bool patient = true)
+        : FoundPadBench(
+              find_hid(), open_hid, [&bed] { return bed.answered(); }, patient) {}
 };
 
 } // namespace
@@ -109,7 +111,7 @@ private slots:
         QFETCH(bool, silent);
         Bed bed;
         QVERIFY(bed.plug_in(silent ? Bed::Behaviour::silent : Bed::Behaviour::other_device));
-        Bench bench(bed);
+        const Bench bench(bed, false);
         judge_another_device(bench);
     }
 

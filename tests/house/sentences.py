@@ -16,7 +16,7 @@ LIST = "audio/sentences/sentence_list.cpp"
 ROOMS = ["core", "device", "faces", "audio", "app"]
 NOT_ROOMS = [  # nothing of these reaches a page: tools, the shell's verbs, SQL
     "faces/evaluation", "faces/training", "faces/models/model_catalog.cpp", "faces/models/model_catalog.hpp",
-    "faces/models/haar_file.cpp", "faces/detect/yunet_detector.cpp", "faces/detect/haar_detector.cpp",
+    "faces/models/haar_file.cpp", "faces/models/lbf_file.cpp", "faces/detect/yunet_detector.cpp", "faces/detect/haar_detector.cpp",
     "faces/contours/lbf_model.cpp", "faces/contours/mesh_model.cpp", "core/experiment", "core/packing/zip.cpp", "core/statistics", "core/study",
     "core/study_folder/study_export.cpp", "core/study_folder/study_readme.cpp",
     "core/handheld", "app/cli", "app/figures/bench", "app/figures/simulated", "app/main.cpp",

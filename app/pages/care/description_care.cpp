@@ -16,6 +16,8 @@ DescriptionCare::DescriptionCare(CaredPhoto& photo, CareTeller& teller, std::fun
         place_ = photo_.place();
         saving_.reset();
         typed_ = kept_ = Texts(); // and `changed` follows
+        if (const auto unkept = unkept_.extract(place_.photo))
+            typed_ = unkept.mapped();
     });
     connect(&photo_, &CaredPhoto::changed, this, &DescriptionCare::read);
 }
@@ -64,7 +66,13 @@ void DescriptionCare::save() {
                           : record.error();
         },
         [this, photo = place_.photo, texts = typed_](const QString& problem) {
-            if (photo == place_.photo) {
+            if (photo != place_.photo) {
+                if (!problem.isEmpty())
+                    unkept_[photo] = texts;
+            } else {
+                if (!problem.isEmpty() && !saving_ &&
+                    typed_ == kept_) // it was left and opened again meanwhile
+                    typed_ = texts;
                 if (saving_ == texts)
                     saving_.reset();
                 if (problem.isEmpty()) // more may have been typed meanwhile

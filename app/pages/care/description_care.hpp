@@ -6,7 +6,9 @@
 
 #include <QtQml/qqmlregistration.h>
 
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 
 namespace tp {
@@ -58,6 +60,8 @@ private:
     Texts typed_;
     Texts kept_;                  ///< as the sidecar has them, as far as is known
     std::optional<Texts> saving_; ///< what is on its way to the disk, the newest
+    std::map<std::filesystem::path, Texts>
+        unkept_; ///< of photographs that were left: the disk did not take it
 };
 
 } // namespace tp

@@ -227,6 +227,38 @@ private slots:
         QCOMPARE(bench.descriptions.altText(), QString("A cat"));
         QVERIFY(bench.descriptions.unsaved());
     }
+    void what_could_not_be_saved_of_a_photograph_that_was_left_is_there_again() {
+        Bench bench({"a.jpg", "b.jpg"});
+        bench.write("a.jpg", {{"en", "A cat"}});
+        bench.open("a.jpg");
+        bench.type("A garden", "In May");
+        {
+            const FullDisk disk("a.jpg.xmp");
+            bench.open("b.jpg");
+            QCOMPARE(bench.descriptions.altText(), QString());
+        }
+        bench.open("a.jpg");
+        QCOMPARE(bench.descriptions.altText(), QString("A garden"));
+        QCOMPARE(bench.descriptions.description(), QString("In May"));
+        QVERIFY(bench.descriptions.unsaved());
+        bench.open("b.jpg"); // there is room again
+        QCOMPARE(bench.alt_text("a.jpg"), std::string("A garden"));
+        bench.open("a.jpg");
+        QVERIFY(!bench.descriptions.unsaved());
+    }
+    void nor_is_it_lost_when_the_photograph_was_opened_again_before_the_disk_answered() {
+        Bench bench({"a.jpg", "b.jpg"});
+        bench.open("a.jpg");
+        bench.type("A garden");
+        {
+            const FullDisk disk("a.jpg.xmp");
+            bench.go_to("b.jpg");
+            bench.go_to("a.jpg");
+            QVERIFY(bench.rests());
+        }
+        QCOMPARE(bench.descriptions.altText(), QString("A garden"));
+        QVERIFY(bench.descriptions.unsaved());
+    }
     void of_a_photograph_that_another_program_deleted_nothing_is_saved() {
         Bench bench;
         bench.open();

@@ -18,6 +18,7 @@
 #include "audio/speech/recording_voice.hpp"
 #include "fake_loudspeaker.hpp"
 #include "fake_microphone.hpp"
+#include "heard_earcon.hpp"
 #include "sound_files.hpp"
 #include "touch_socket.hpp"
 
@@ -28,13 +29,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 /// What stands below the page's parts: an album's folder, voice, loudspeakers and microphones of the test's, and what a camera
@@ -98,13 +96,7 @@ struct CaptureGround {
             Qt::BlockingQueuedConnection);
     }
     /// Of the sounds that were begun since the last call, whether this one is among them; all of them are forgotten.
-    bool sounded(tp::Earcon earcon) {
-        earcon_speaker.play(1.0);
-        const std::vector<float> heard = std::exchange(earcon_speaker.heard, {});
-        const auto sound = tp::samples_of(earcon);
-        return std::search(heard.begin(), heard.end(), sound.begin(), sound.end(),
-                           [](float a, float b) { return std::abs(a - b) < 1e-4F; }) != heard.end();
-    }
+    bool sounded(tp::Earcon earcon) { return tp::testing::heard_earcon(earcon_speaker, earcon); }
     QString last_said() const { return voice.said().isEmpty() ? QString() : voice.said().back(); }
 
     QTemporaryDir folder;

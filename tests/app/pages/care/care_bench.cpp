@@ -3,6 +3,7 @@
 
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "heard_earcon.hpp"
 #include "sound_files.hpp"
 
 #include <QColor>
@@ -10,11 +11,7 @@
 #include <QPainter>
 #include <QPoint>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <span>
-#include <utility>
 
 using namespace tp;
 using namespace std::chrono_literals;
@@ -125,10 +122,4 @@ void CareGround::hear(double seconds) {
     CARE_TRY_COMPARE(recorder.state(), RecorderState::recording);
 }
 
-bool CareGround::sounded(Earcon earcon) {
-    earcon_loudspeaker.play(1.0);
-    const std::vector<float> heard = std::exchange(earcon_loudspeaker.heard, {});
-    const std::span<const float> sound = samples_of(earcon);
-    return std::search(heard.begin(), heard.end(), sound.begin(), sound.end(),
-                       [](float a, float b) { return std::abs(a - b) < 1e-4F; }) != heard.end();
-}
+bool CareGround::sounded(Earcon earcon) { return testing::heard_earcon(earcon_loudspeaker, earcon); }

@@ -14,13 +14,12 @@
 #include "core/study_folder/path_file.hpp"
 #include "core/study_folder/study_folder.hpp"
 #include "fake_loudspeaker.hpp"
+#include "heard_earcon.hpp"
 
 #include <QString>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <utility>
@@ -120,13 +119,7 @@ struct StudyGround {
     bool has_said(const QString& part) const { return !voice.said().filter(part).isEmpty(); }
 
     /// Of the sounds that were begun since the last call, whether this one is among them; all of them are forgotten.
-    bool sounded(tp::Earcon earcon) {
-        earcon_speaker.play(1.0);
-        const std::vector<float> heard = std::exchange(earcon_speaker.heard, {});
-        const auto sound = tp::samples_of(earcon);
-        return std::search(heard.begin(), heard.end(), sound.begin(), sound.end(),
-                           [](float a, float b) { return std::abs(a - b) < 1e-4F; }) != heard.end();
-    }
+    bool sounded(tp::Earcon earcon) { return tp::testing::heard_earcon(earcon_speaker, earcon); }
 
     QTemporaryDir folder;
     tp::VirtualClock time;

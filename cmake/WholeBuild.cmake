@@ -59,12 +59,31 @@ if(TOUCHPHOTO_WHOLE_BUILD)
   target_compile_options(tp_precompiled PRIVATE ${_test_effort})
 endif()
 
+# What Clang precompiles tells where the clone lies and when its files were written. For a compiler's cache to know a test in
+# another clone, tests name it from the build's folder, and the cache is told what it is made of (CCACHE_PCH_EXTSUM).
+if(TOUCHPHOTO_WHOLE_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  set(_precompiled_by_clang CMakeFiles/tp_precompiled.dir/cmake_pch.hxx.pch)
+  set(_made_of ${PROJECT_BINARY_DIR}/${_precompiled_by_clang}.sum)
+  add_custom_command(OUTPUT ${_made_of} DEPENDS tp_precompiled ${PROJECT_BINARY_DIR}/${_precompiled_by_clang}
+    COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -fPIC -E -dD -P
+      "-isystem$<JOIN:$<TARGET_PROPERTY:tp_precompiled,INCLUDE_DIRECTORIES>,;-isystem>"
+      -o precompiled.txt ${PROJECT_BINARY_DIR}/CMakeFiles/tp_precompiled.dir/cmake_pch.hxx
+    COMMAND ${CMAKE_COMMAND} -E sha256sum precompiled.txt > ${_made_of}
+    WORKING_DIRECTORY ${PROJECT_BINARY_DIR} COMMAND_EXPAND_LISTS VERBATIM)
+  add_custom_target(tp_precompiled_sum DEPENDS ${_made_of})
+endif()
+
 # tp_compile_quickly(test)
 # Not for a test that itself computes much: what of its code the rooms use too would be as slow there, because one copy
 # of a function serves the whole program.
 function(tp_compile_quickly test)
   if(TOUCHPHOTO_WHOLE_BUILD)
-    target_precompile_headers(${test} REUSE_FROM tp_precompiled)
     target_compile_options(${test} PRIVATE ${_test_effort})
+    if(_precompiled_by_clang)
+      target_compile_options(${test} PRIVATE "SHELL:-Xclang -include-pch -Xclang ${_precompiled_by_clang}")
+      add_dependencies(${test} tp_precompiled_sum)
+    else()
+      target_precompile_headers(${test} REUSE_FROM tp_precompiled)
+    endif()
   endif()
 endfunction()

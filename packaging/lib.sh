@@ -50,7 +50,7 @@ install_packages() {
 
 # What was compiled once is not compiled again, in no other clone either; the cache is the user's own.
 export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1 CCACHE_PCH_EXTSUM=1
 export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_ctime,include_file_mtime
 
 # configure PRESET [OPTION…]: once; later only where an option changes.

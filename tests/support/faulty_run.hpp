@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "places.hpp"
+
 #include <QByteArray>
 #include <QProcess>
 #include <QProcessEnvironment>
@@ -17,14 +19,14 @@
 
 namespace tp::test {
 
-/// What a program writes to stdout while `library` (failing_files.cpp) breaks its way to the disk below `below`: "kill@12",
+/// What a program writes to stdout while failing_files.cpp breaks its way to the disk below `below`: "kill@12",
 /// "ENOSPC@3", "none@1". `count`: a file for the number of its calls. Ends the test where the program hangs.
-inline QByteArray faulty_run(const char* library, const QString& program, const QStringList& arguments,
+inline QByteArray faulty_run(const QString& program, const QStringList& arguments,
                              const std::filesystem::path& below, const QByteArray& fault,
                              const std::filesystem::path& count) {
     QProcess worker;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("LD_PRELOAD", library);
+    environment.insert("LD_PRELOAD", in_build("tests/app/album/keeper/libfailing_files.so"));
     environment.insert("TP_FAULT_BELOW", QString::fromStdString(below.string()));
     environment.insert("TP_FAULT", QString::fromLatin1(fault));
     environment.insert("TP_FAULT_COUNT", QString::fromStdString(count.string()));

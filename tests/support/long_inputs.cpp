@@ -45,7 +45,7 @@ void link(const QString& file, const QString& name) {
 void run(const QStringList& words) {
     QProcess process;
     process.setStandardOutputFile(QProcess::nullDevice());
-    process.start(QStringLiteral(TP_LAB), words);
+    process.start(tp::test::in_build("bin/touchphoto-lab"), words);
     if (!process.waitForFinished(-1) || process.exitCode() != 0)
         qFatal("cannot run touchphoto-lab %s", qPrintable(words.join(' ')));
 }

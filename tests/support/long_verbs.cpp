@@ -84,7 +84,7 @@ void LongWorkInputs::start(QProcess& process, const LongVerb& verb) const {
     environment.insert("TOUCHPHOTO_MODELS", path(verb.models));
     process.setProcessEnvironment(environment);
     process.setReadChannel(QProcess::StandardError);
-    process.start(QStringLiteral(TP_LAB), verb.words);
+    process.start(tp::test::in_build("bin/touchphoto-lab"), verb.words);
 }
 
 std::set<QString> LongWorkInputs::names(QDir::Filters kind) const {

@@ -20,5 +20,6 @@ const char* kept(const char* root, const char* path) {
 
 const char* in_source(const char* path) { return kept(TP_SOURCE_DIR, path); }
 const char* in_shared(const char* path) { return kept(TP_SHARED_DIR, path); }
+const char* in_build(const char* path) { return kept(TP_BUILD_DIR, path); }
 
 } // namespace tp::test

@@ -11,4 +11,7 @@ const char* in_source(const char* path);
 /// The same below ../shared, which not every clone has beside it.
 const char* in_shared(const char* path);
 
+/// The same below the folder of the build that the test is part of.
+const char* in_build(const char* path);
+
 } // namespace tp::test

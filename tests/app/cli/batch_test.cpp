@@ -56,7 +56,7 @@ class BatchTest : public QObject {
     }
     /// A batch whose third photograph is done, and many of whose are not.
     void start(QProcess& process, const QString& results) const {
-        process.start(QStringLiteral(TP_LAB), batch(results, {"--jobs", "2"}));
+        process.start(tp::test::in_build("bin/touchphoto-lab"), batch(results, {"--jobs", "2"}));
         QByteArray err;
         while (!err.contains("\n3 of ")) {
             QVERIFY2(process.waitForReadyRead(240'000) || process.bytesAvailable() > 0, err.constData());
@@ -186,7 +186,8 @@ private slots:
     void a_full_disk_ends_in_a_sentence_and_costs_nothing() {
         QProcess process;
         // Files of this shell's children end at 32 KiB, and writing beyond is an error instead of a signal.
-        process.start("bash", QStringList{"-c", "trap '' XFSZ; ulimit -f 32; exec \"$@\"", "bash", TP_LAB} +
+        process.start("bash", QStringList{"-c", "trap '' XFSZ; ulimit -f 32; exec \"$@\"", "bash",
+                                          tp::test::in_build("bin/touchphoto-lab")} +
                                   batch("full.jsonl"));
         const Run run = ended(process);
         QCOMPARE(run.code, 1);

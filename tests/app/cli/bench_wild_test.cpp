@@ -125,7 +125,7 @@ private slots:
             QVERIFY(QFile::link(sample("anna_smiling.jpg"), path("many/%1.jpg").arg(i, 3, 10, QChar('0'))));
         QProcess process;
         process.setReadChannel(QProcess::StandardError);
-        process.start(QStringLiteral(TP_LAB), wild(path("many"), "stopped"));
+        process.start(tp::test::in_build("bin/touchphoto-lab"), wild(path("many"), "stopped"));
         QByteArray err;
         while (!err.contains("3 of 200") && process.waitForReadyRead(60'000))
             err += process.readAllStandardError();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "places.hpp"
+
 #include <QByteArray>
 #include <QFile>
 #include <QProcess>
@@ -35,7 +37,7 @@ inline Run ended(QProcess& process) {
 
 inline Run lab(const QStringList& words, const QByteArray& input = {}) {
     QProcess process;
-    process.start(QStringLiteral(TP_LAB), words);
+    process.start(tp::test::in_build("bin/touchphoto-lab"), words);
     process.write(input);
     process.closeWriteChannel();
     return ended(process);

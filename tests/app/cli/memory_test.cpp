@@ -31,7 +31,7 @@ double peak_bytes(qint64 program) {
 
 /// Runs touchphoto-lab; the largest that it became, bytes.
 double peak_of(QProcess& process, const QStringList& words) {
-    process.start(QStringLiteral(TP_LAB), words);
+    process.start(tp::test::in_build("bin/touchphoto-lab"), words);
     double most = 0.0;
     while (process.state() != QProcess::NotRunning) {
         most = std::max(most, peak_bytes(process.processId()));

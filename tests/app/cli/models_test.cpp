@@ -30,7 +30,7 @@ Run lab_and_serve(const QStringList& words, const QByteArray& input) {
     QProcess process;
     QEventLoop loop;
     QObject::connect(&process, &QProcess::finished, &loop, &QEventLoop::quit);
-    process.start(QStringLiteral(TP_LAB), words);
+    process.start(tp::test::in_build("bin/touchphoto-lab"), words);
     process.write(input);
     process.closeWriteChannel();
     loop.exec();

@@ -18,7 +18,7 @@ struct Run {
 Run run(const QStringList& arguments) {
     QProcess process;
     process.setProcessChannelMode(QProcess::MergedChannels);
-    process.start(TP_PROGRAM, arguments);
+    process.start(tp::test::in_build("bin/touchphoto"), arguments);
     process.waitForFinished(120000);
     return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
             QString::fromUtf8(process.readAll())};

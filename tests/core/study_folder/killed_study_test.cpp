@@ -7,6 +7,7 @@
 #include "core/study_folder/path_file.hpp"
 #include "faulty_run.hpp"
 #include "memory_folder.hpp"
+#include "places.hpp"
 #include "worked_study.hpp"
 
 #include <QTest>
@@ -65,7 +66,7 @@ struct Place {
     fs::path study = dir.path() / "study", count = dir.path() / "calls";
 
     Told run(const QByteArray& fault) const {
-        return told_in(faulty_run(TP_FAILING_FILES, QStringLiteral(TP_STUDY_WORKER),
+        return told_in(faulty_run(test::in_build("tests/core/study_folder/study_worker"),
                                   {QString::fromStdString(study.string())}, study, fault, count));
     }
     /// Name → bytes of the study.

@@ -89,7 +89,7 @@ struct Scene {
         fs::create_directory(album / "export");
         const fs::path count = place / "calls";
         Told told = told_in(test::faulty_run(
-            TP_FAILING_FILES, QCoreApplication::applicationFilePath(),
+            QCoreApplication::applicationFilePath(),
             {QString::fromLatin1(works), QString::fromStdString(album.path().string()),
              QString::fromStdString(card.path().string()), QString::fromStdString(sound.string()),
              QString::fromStdString(bundle().string())},

@@ -9,6 +9,7 @@
 #include "app/album/metadata/read_record.hpp"
 #include "faces/decode/picture.hpp"
 #include "faulty_run.hpp"
+#include "places.hpp"
 
 #include <QTest>
 
@@ -59,7 +60,7 @@ struct Scene {
 
     Told run(const QByteArray& fault, long* calls = nullptr) {
         const QByteArray said = test::faulty_run(
-            TP_FAILING_FILES, QStringLiteral(TP_SHUTTER_WORKER),
+            test::in_build("tests/app/capture/shutter/shutter_worker"),
             {QString::fromStdString(album.path().string()), QString::fromStdString(sound.string())},
             album.path(), fault, place / "calls");
         if (calls)

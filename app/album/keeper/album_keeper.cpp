@@ -114,7 +114,9 @@ std::string AlbumKeeper::move_companions(const fs::path& from, const fs::path& t
     return {};
 }
 
-std::string AlbumKeeper::restore(const std::string& id) {
+std::string AlbumKeeper::restore(const std::string& id) { return restore(id, {}); }
+
+std::string AlbumKeeper::restore(const std::string& id, const Behind& behind) {
     const auto entry = trash_.entry(id);
     if (!entry)
         return entry.error();
@@ -128,7 +130,7 @@ std::string AlbumKeeper::restore(const std::string& id) {
     note->tag.file = place.filename().string();
     if (std::string problem = trash_.restore(id, place.lexically_relative(album_)); !problem.empty())
         return problem;
-    return list(photo, note->tag);
+    return list(photo, note->tag, behind);
 }
 
 } // namespace tp

@@ -44,9 +44,13 @@ public:
     /// that is longer than a minute is a film, and refused.
     Result<Added> add_video_sound(const std::filesystem::path& photo, const std::filesystem::path& file,
                                   const VideoPlace& video, const RecordingLabel& label);
+    /// Behind which file a recording is listed; empty: it is the first; none: it is the last, and so it is where
+    /// that file is not there.
+    using Behind = std::optional<std::string>;
     /// Lists a recording that lies among the photograph's already, as the recorder leaves it, by its own
     /// comments.
-    Result<Tag> list_recording(const std::filesystem::path& photo, const std::string& file);
+    Result<Tag> list_recording(const std::filesystem::path& photo, const std::string& file,
+                               const Behind& behind = {});
     /// Changes what a recording says of itself, in the sidecar and in its own comments. Until its copy with
     /// these is whole, a stop leaves all as it was.
     std::string label_recording(const std::filesystem::path& photo, const std::string& file,
@@ -131,7 +135,10 @@ private:
     std::string put_face(const FaceToName& face, FaceBefore* before = nullptr);
     /// As it was before put_face.
     std::string put_face_back(const FaceToName& face, const FaceBefore& before);
-    std::string list(const std::filesystem::path& photo, const Tag& tag);
+    /// In place of what is listed under its file's name, else there.
+    std::string list(const std::filesystem::path& photo, const Tag& tag, const Behind& behind = {});
+    std::string listed_behind(const std::filesystem::path& photo, const std::string& file) const;
+    std::string restore(const std::string& id, const Behind& behind);
     std::string unlist(const std::filesystem::path& photo, const std::string& file);
     std::string relabel(const std::filesystem::path& photo, const std::string& file,
                         const RecordingLabel& label, const std::stop_token& stop = {});

@@ -66,16 +66,31 @@ Error unknown(const fs::path& photo, const std::string& file) {
 
 } // namespace
 
-std::string AlbumKeeper::list(const fs::path& photo, const Tag& tag) {
+std::string AlbumKeeper::list(const fs::path& photo, const Tag& tag, const Behind& behind) {
     return change_sidecar(photo, [&](const PhotoRecord& record) {
         SidecarChanges changes;
         changes.tags = record.tags;
-        if (const auto there = find_tag(*changes.tags, tag.file); there != changes.tags->end())
+        std::vector<Tag>& tags = *changes.tags;
+        const auto there = find_tag(tags, tag.file), before = find_tag(tags, behind.value_or(""));
+        if (there != tags.end())
             *there = tag;
+        else if (before != tags.end())
+            tags.insert(before + 1, tag);
         else
-            changes.tags->push_back(tag);
+            tags.insert(behind == "" ? tags.begin() : tags.end(), tag);
         return changes;
     });
+}
+
+std::string AlbumKeeper::listed_behind(const fs::path& photo, const std::string& file) const {
+    std::string before;
+    if (const auto record = read_record(photo))
+        for (const Tag& tag : record->tags) {
+            if (tag.file == file)
+                break;
+            before = tag.file;
+        }
+    return before;
 }
 
 std::string AlbumKeeper::unlist(const fs::path& photo, const std::string& file) {
@@ -138,13 +153,14 @@ Result<AlbumKeeper::Added> AlbumKeeper::listed(const fs::path& photo, const Impo
     return tag ? Result<Added>(Added{*std::move(tag), kept.warning}) : Error{tag.error()};
 }
 
-Result<Tag> AlbumKeeper::list_recording(const fs::path& photo, const std::string& file) {
+Result<Tag> AlbumKeeper::list_recording(const fs::path& photo, const std::string& file,
+                                        const Behind& behind) {
     if (std::string problem = outside(photo); !problem.empty())
         return Error{problem};
     const auto tag = recording_facts(tags_folder(photo) / file);
     if (!tag)
         return Error{tag.error()};
-    if (std::string problem = list(photo, *tag); !problem.empty())
+    if (std::string problem = list(photo, *tag, behind); !problem.empty())
         return Error{"The recording " + quoted(tags_folder(photo) / file) +
                      " is kept, but the photograph's list could not be written: " + problem};
     auto id = std::make_shared<std::string>();
@@ -155,7 +171,7 @@ Result<Tag> AlbumKeeper::list_recording(const fs::path& photo, const std::string
                            *id = *put;
                        return put.error();
                    },
-                   [this, id] { return restore(*id); }});
+                   [this, id, behind] { return restore(*id, behind); }});
     return *tag;
 }
 
@@ -177,11 +193,12 @@ std::string AlbumKeeper::delete_recording(const fs::path& photo, const std::stri
     const auto tag = tag_of(photo, file);
     if (!tag)
         return tag.error();
+    const std::string behind = listed_behind(photo, file);
     const auto put = put_recording(photo, *tag);
     if (!put)
         return put.error();
     auto id = std::make_shared<std::string>(*put);
-    history_.done({words_for(*tag) + " was deleted", [this, id] { return restore(*id); },
+    history_.done({words_for(*tag) + " was deleted", [this, id, behind] { return restore(*id, behind); },
                    [this, photo, tag = *tag, id] {
                        const auto again = put_recording(photo, tag);
                        if (again)
@@ -279,14 +296,14 @@ Result<Tag> AlbumKeeper::trim_recording(const fs::path& photo, const std::string
     if (!tag)
         return left_whole(tag.error());
     tag->order = whole->order;
-    if (const std::string problem = list(photo, *tag); !problem.empty())
+    if (const std::string problem = list(photo, *tag, file); !problem.empty())
         return left_whole(problem);
     const auto put = put_recording(photo, *whole);
     if (!put)
         return unlist(photo, tag->file).empty() ? left_whole(put.error()) : Error{put.error()};
     auto whole_id = std::make_shared<std::string>(*put), part_id = std::make_shared<std::string>();
     const auto exchange = [this, photo](const Tag& away, std::string& away_id, const std::string& back_id) {
-        if (std::string problem = restore(back_id); !problem.empty())
+        if (std::string problem = restore(back_id, away.file); !problem.empty())
             return problem;
         const auto gone = put_recording(photo, away);
         if (gone)

@@ -20,7 +20,8 @@ constexpr double quietest_shown_dbfs = -60.0;
 
 /// Lists the new recording; in place of another one it takes its place in the order, and the other goes to the trash.
 std::string list_take(AlbumKeeper& keeper, const fs::path& photo, const std::string& file, const std::string& instead_of) {
-    const auto listed = keeper.list_recording(photo, file);
+    const auto listed = instead_of.empty() ? keeper.list_recording(photo, file)
+                                           : keeper.list_recording(photo, file, instead_of);
     if (!listed || instead_of.empty())
         return listed.error();
     const auto record = read_record(photo);

@@ -104,6 +104,28 @@ private slots:
         QVERIFY(bench.album->keeper_for(bench.photo("a.jpg")).is_in_trash(bench.photo("a.jpg"), bench.story));
     }
 
+    /// Though nobody has put them in order.
+    void one_of_a_kind_is_made_anew_in_its_place() {
+        CareParts bench;
+        for (const double seconds : {1.0, 2.0}) {
+            const auto sound =
+                a_sound(bench.folder, "sounds/" + std::to_string(seconds) + ".wav", seconds, 500.0);
+            QVERIFY(
+                bench.album->keeper_for(bench.photo("a.jpg"))
+                    .add_recording(bench.photo("a.jpg"), sound, {RecordingKind::story, {}, {}, {}, {}, {}})
+                    .ok());
+        }
+        bench.open("a.jpg");
+        bench.recordings.choose(0);
+        bench.take.startAgain();
+        bench.hear(3.0);
+        bench.take.finish();
+        CARE_TRY_VERIFY(!bench.take.running());
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.recordings.chosen_tag()->duration_s, 3.0);
+        QCOMPARE(bench.recordings.chosen(), 0);
+    }
+
     void what_is_recorded_again_is_of_now() {
         CareParts bench;
         RecordingLabel old{RecordingKind::story, {}, {}, {}, {}, {}};

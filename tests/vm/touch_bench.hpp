@@ -9,7 +9,6 @@
 #include "virtual_device.hpp"
 
 #include <QCoreApplication>
-#include <QDate>
 #include <QProcess>
 #include <QString>
 #include <QStringList>
@@ -37,12 +36,10 @@ inline constexpr double unfelt = 0.02;        ///< N, what rounding and the rest
 inline constexpr double round_the_face = 8.0; ///< s, in which a hand goes past every line
 inline constexpr double a_minute = 60.0;      ///< s, more than seven times round
 
-/// How long a face is felt with a device, s: a minute with one of the four, another each day, for a second
-/// costs up to four of a processor. TP_A_MINUTE_WITH names one, or "all".
+/// How long a face is felt with a device, s: "hid", "bulk", "stick" or "falcon". A second costs up to four of a
+/// processor. TP_A_MINUTE_WITH names one for a minute, or "all".
 inline double felt_for(const QString& device) {
-    const QStringList in_turn{"hid", "bulk", "stick", "falcon"};
-    const QString today = in_turn[QDate::currentDate().dayOfYear() % in_turn.size()];
-    const QString asked = qEnvironmentVariable("TP_A_MINUTE_WITH", today);
+    const QString asked = qEnvironmentVariable("TP_A_MINUTE_WITH");
     return asked == device || asked == "all" ? a_minute : round_the_face;
 }
 

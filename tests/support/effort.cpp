@@ -19,4 +19,6 @@ std::vector<int> thirds() {
                                             : std::vector{std::abs(std::atoi(turn)) % 3};
 }
 
+bool is_long_run() { return thirds().front() == 0; }
+
 } // namespace tp::test

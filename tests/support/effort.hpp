@@ -14,4 +14,7 @@ std::size_t tried_of(std::size_t count);
 /// one whose turn it is.
 std::vector<int> thirds();
 
+/// Whether this run is as long as can be: always, or, where TP_TURN is set, at every third turn.
+bool is_long_run();
+
 } // namespace tp::test

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <climits>
+#include <cstddef>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -27,6 +29,23 @@ std::vector<Tag> as_played(std::vector<Tag> tags) {
         return std::pair(rank(a), a.label.kind) < std::pair(rank(b), b.label.kind);
     });
     return tags;
+}
+
+/// Changes places with what is played `by` before or after it, as far as there is one. `place`: where it is now.
+std::string change_places(AlbumKeeper& keeper, const fs::path& photo, const std::string& file, int by,
+                          std::ptrdiff_t& place) {
+    const auto record = read_record(photo);
+    if (!record)
+        return record.error();
+    std::vector<std::string> files;
+    for (const Tag& tag : as_played(record->tags))
+        files.push_back(tag.file);
+    const auto at = std::find(files.begin(), files.end(), file);
+    if (at == files.end())
+        return keeper.order_recordings(photo, {file}); // says that it is not there
+    place = std::clamp<std::ptrdiff_t>(at - files.begin() + by, 0, std::ssize(files) - 1);
+    std::iter_swap(at, files.begin() + place);
+    return keeper.order_recordings(photo, files);
 }
 
 /// BCP 47; the system's and those of recordings are added.
@@ -132,21 +151,25 @@ void RecordingList::choose(int recording) {
 }
 
 void RecordingList::move(int by) {
-    const int to = chosen_ + by;
+    const int to = chosen_ + by + (moving_ == chosen_file_ ? moves_by_ : 0);
     if (chosen_ < 0 || to < 0 || to >= count()) {
         teller_.problem(by < 0 ? tr("This is the first one.") : tr("This is the last one."));
         return;
     }
-    std::vector<std::string> files;
-    for (const Tag& tag : tags_)
-        files.push_back(tag.file);
-    std::swap(files[static_cast<std::size_t>(chosen_)], files[static_cast<std::size_t>(to)]);
+    moving_ = chosen_file_;
+    moves_by_ = to - chosen_;
+    const auto place = std::make_shared<std::ptrdiff_t>();
     photo_.change(
         photo_.place(),
-        [files](AlbumKeeper& keeper, const fs::path& photo) { return keeper.order_recordings(photo, files); },
-        [this, what = chosenText(), to, of = count()](const QString& problem) {
+        [file = chosen_file_, by, place](AlbumKeeper& keeper, const fs::path& photo) {
+            return change_places(keeper, photo, file, by, *place);
+        },
+        [this, file = chosen_file_, by, place, what = chosenText(), of = count()](const QString& problem) {
+            if (moving_ == file)
+                moves_by_ -= by;
             if (problem.isEmpty())
-                teller_.did(Earcon::saved, tr("%1 is now number %2 of %3.").arg(what).arg(to + 1).arg(of));
+                teller_.did(Earcon::saved,
+                            tr("%1 is now number %2 of %3.").arg(what).arg(*place + 1).arg(of));
             else
                 teller_.problem(problem);
         });

@@ -130,6 +130,37 @@ private slots:
         bench.recordings.move(1);
         QCOMPARE(bench.last_said(), QString("This is the last one."));
     }
+    void each_press_moves_it_by_one_though_the_disk_is_slow() {
+        Bench bench;
+        const auto added =
+            bench.album->keeper_for(bench.photo("a.jpg"))
+                .add_recording(bench.photo("a.jpg"), a_sound(bench.folder, "x.wav", 0.5, 440.0),
+                               {RecordingKind::ambient, {}, {}, {}, {}, {}});
+        bench.cared.read_again();
+        QVERIFY(bench.rests());
+        bench.recordings.choose(2);
+        {
+            SlowDisk disk("a.jpg.xmp");
+            bench.recordings.move(-1);
+            CARE_TRY_VERIFY(disk.waits());
+            bench.recordings.move(-1);
+            bench.recordings.move(-1);
+            QCOMPARE(bench.last_said(), QString("This is the first one."));
+            bench.recordings.choose(0); // another, which the list shows there still
+            bench.recordings.move(1);
+        }
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.order(), (Files{added->tag.file, bench.story, bench.memo}));
+        QCOMPARE(bench.recordings.chosen(), 2);
+        QCOMPARE(bench.last_said(), QString("Memo is now number 3 of 3."));
+        bench.recordings.choose(0);
+        bench.recordings.move(1); // nothing is under way any more
+        QVERIFY(bench.rests());
+        QCOMPARE(bench.order(), (Files{bench.story, added->tag.file, bench.memo}));
+        bench.recordings.choose(2);
+        bench.recordings.move(1);
+        QCOMPARE(bench.last_said(), QString("This is the last one."));
+    }
     void one_is_deleted_and_brought_back() {
         Bench bench;
         bench.recordings.remove();

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds forgotten includes: names of Qt and of the standard library that a file uses and that no header reaches it with.
 
-The release build reads Qt's headers once for all (cmake/Precompiled.cmake); a precompiled header also gives a file what
+The release build reads Qt's headers once for all (cmake/WholeBuild.cmake); a precompiled header also gives a file what
 it forgot to include, and another version of Qt or of the library then fails to build. A name counts as reached where the
 file, or one of our own headers that it includes, includes the name's header; Qt's classes also where they are declared
 forward. Usage: check_own_includes.py ROOT

@@ -72,7 +72,7 @@ private slots:
     void the_model_obeys_its_trigger_and_nothing_else() {
         ModelHapticPad model;
         model.receive(Bytes{2, 4, 100, 0, 0, 0});
-        model.receive(Bytes{3, 4, 100, 0, 0}); // cut short
+        model.receive(Bytes{3, 4, 100, 0, 0});                       // cut short
         for (const std::uint8_t ordinal : Bytes{0, 1, 2, 7, 8, 255}) // none of its list
             model.receive(Bytes{3, ordinal, 100, 0, 0, 0});
         QCOMPARE(model.ticks(), 0ul);

@@ -131,6 +131,18 @@ class Turns(unittest.TestCase):
         for turn in range(3):
             self.assertFalse({"room.3", "room.4"} & set(left_out(self.tests, self.programs, changed, turn)))
 
+    def test_of_very_many_that_changed_another_third_is_left_out_each_time(self):
+        names = [f"room.{number}" for number in range(301)]
+        tests = {name: [name] for name in names}
+        for many in (300, 301):
+            changed = set(names[:many])
+            left = [changed & set(left_out(tests, set(names), changed, turn)) for turn in range(3)]
+            for name in changed:
+                self.assertEqual(many > 300, any(name in some for some in left), name)
+                self.assertLessEqual(sum(name in some for some in left), 1, name)
+        for turn in range(3):  # one that has its turn is run, whether it changed or not
+            self.assertFalse([name for name in left[turn] if third_of(name) == turn])
+
     def test_what_runs_no_program_of_ours_is_never_left_out(self):
         for turn in range(3):
             self.assertEqual([], left_out({"house.readmes": ["python3", "readmes.py"]}, self.programs, set(), turn))

@@ -71,7 +71,7 @@ std::string AlbumKeeper::list(const fs::path& photo, const Tag& tag, const Behin
         SidecarChanges changes;
         changes.tags = record.tags;
         std::vector<Tag>& tags = *changes.tags;
-        const auto there = find_tag(tags, tag.file), before = find_tag(tags, behind.value_or(""));
+        const auto there = find_tag(tags, tag.file), before = behind ? find_tag(tags, *behind) : tags.end();
         if (there != tags.end())
             *there = tag;
         else if (before != tags.end())

@@ -44,6 +44,8 @@ std::string change_places(AlbumKeeper& keeper, const fs::path& photo, const std:
     if (at == files.end())
         return keeper.order_recordings(photo, {file}); // says that it is not there
     place = std::clamp<std::ptrdiff_t>(at - files.begin() + by, 0, std::ssize(files) - 1);
+    if (files.begin() + place == at)
+        return {};
     std::iter_swap(at, files.begin() + place);
     return keeper.order_recordings(photo, files);
 }
@@ -158,6 +160,7 @@ void RecordingList::move(int by) {
     }
     moving_ = chosen_file_;
     moves_by_ = to - chosen_;
+    ++moves_;
     const auto place = std::make_shared<std::ptrdiff_t>();
     photo_.change(
         photo_.place(),
@@ -165,7 +168,9 @@ void RecordingList::move(int by) {
             return change_places(keeper, photo, file, by, *place);
         },
         [this, file = chosen_file_, by, place, what = chosenText(), of = count()](const QString& problem) {
-            if (moving_ == file)
+            if (--moves_ == 0)
+                moves_by_ = 0;
+            else if (moving_ == file)
                 moves_by_ -= by;
             if (problem.isEmpty())
                 teller_.did(Earcon::saved,

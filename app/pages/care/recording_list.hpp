@@ -88,6 +88,7 @@ private:
     std::vector<Tag> tags_; ///< as they are played
     int chosen_ = -1;
     std::string chosen_file_; ///< empty: none
+    int moves_ = 0;           ///< on their way to the disk
     std::string moving_;      ///< the file that is being moved
     int moves_by_ = 0;        ///< so many places, which the list does not show yet
     int relabelling_ = 0;     ///< labels on their way to the disk

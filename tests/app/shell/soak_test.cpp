@@ -33,7 +33,7 @@ constexpr double look_every_h = 0.5;
 constexpr double most_growth = 5.0;        ///< MB an hour
 constexpr double judged_h = 6.0;           ///< fewer tell chance from growth no more
 constexpr int most_judged = 3;             ///< so many hours each, one after the other
-constexpr double fills_h = 10.0;
+constexpr double fills_h = 10.0;           ///< what is kept, until it does not grow any more
 constexpr double unlike = 3.0;             ///< handles or threads, of the pages and dialogs that happen to be open
 
 double hours_asked() {

@@ -125,6 +125,11 @@ configure() {
     say "Configuring build/$preset"
     (cd "$root" && cmake --preset "$preset" "$@" >"$root/build-$preset.log" 2>&1) || {
         cat "$root/build-$preset.log" >&2
+        case "$root" in
+        *[!\'[:alnum:][:space:]/._+,@~=-]*)
+            fail "The configuration of build/$preset failed. CMake does not build in every folder: move this one to a path of letters, digits and spaces if the lines above give no other reason."
+            ;;
+        esac
         fail "The configuration of build/$preset failed; the lines above give the reason."
     }
     mv "$root/build-$preset.log" "$root/build/$preset/configure.log"

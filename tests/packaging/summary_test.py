@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""packaging/summary.py, held against reports that CTest itself writes.
+"""packaging/testing/summary.py, held against reports that CTest itself writes.
 
 summary_test.py SUMMARY    the script
 """

@@ -5,7 +5,8 @@ it again, each skipped test with its reason. The last line is CTest's own for th
 
 summary.py RESULTS STATUS STAGE…
 
-RESULTS holds `stages` (a line for each stage that began: seconds since 1970, name) and, of each test run, PRESET.xml (CTest's
+RESULTS holds `stages` (a line for each stage that began: seconds since 1970, name), `left_out` (a line for each stage that
+cannot run here: name, tab, reason) and, of each test run, PRESET.xml (CTest's
 JUnit report) and PRESET.log (its output). STATUS is the exit status of the run; STAGE… are all stages in their order.
 """
 
@@ -60,9 +61,15 @@ def summary(results: pathlib.Path, status: int, stages: list[str], now: float) -
         for line in (results / "stages").read_text(encoding="utf-8").splitlines():
             second, _, name = line.partition(" ")
             began[name] = float(second)
+    left_out = {}
+    if (results / "left_out").exists():
+        left_out = dict(line.split("\t", 1) for line in (results / "left_out").read_text(encoding="utf-8").splitlines())
     lines = []
     names = list(began)
     for stage in stages:
+        if stage in left_out:
+            lines.append(f"{stage}: skipped: {left_out[stage]}")
+            continue
         if stage not in began:
             lines.append(f"{stage}: not reached")
             continue

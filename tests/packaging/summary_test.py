@@ -75,6 +75,14 @@ class Summary(unittest.TestCase):
         self.assertFalse(any("FAILED" in line for line in lines), lines)
         self.assertEqual(lines[-1], said_by_ctest)
 
+    def test_a_stage_that_cannot_run_here_has_its_reason(self) -> None:
+        self.run_ctest("release", 'add_test(good.one "/bin/true")\n')
+        self.began("release tests")
+        (self.results / "left_out").write_text("tsan tests\t/proc is not mounted here\n", encoding="utf-8")
+        lines = self.summary(0, "release tests", "tsan tests")
+        self.assertIn("tsan tests: skipped: /proc is not mounted here", lines)
+        self.assertFalse(any("not reached" in line for line in lines), lines)
+
     def test_a_run_that_ends_before_its_tests(self) -> None:
         self.began("packages")
         lines = self.summary(130, "packages", "release build")

@@ -154,6 +154,7 @@ build() {
     local preset=$1 steps
     shift
     [ "$#" -gt 0 ] || set -- all
+    ninja -C "$root/build/$preset" build.ninja >/dev/null 2>&1 || true # a changed CMakeLists.txt; what fails is shown below
     steps=$(ninja -C "$root/build/$preset" -n "$@" | sed -n '$s|^\[[0-9]*/\([0-9]*\).*|\1|p')
     if [ "${steps:-0}" -gt 20 ]; then
         say "Building build/$preset: $steps steps, up to $(minutes $((steps * step_ms))) minutes on $(cores) processors"

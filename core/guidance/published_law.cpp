@@ -63,30 +63,25 @@ std::optional<TwoNearest> two_nearest(const std::vector<Vec2>& vertices, Vec2 fi
     return found;
 }
 
-struct Projection {
+struct Pull {
     Vec2 foot{0.0};
     double distance = 0.0;
     Vec2 force{0.0};
 };
 
-/// Steps 3 to 8 of the listing, for v1 and v2 already found.
-Projection guide_to_line(Vec2 v1, Vec2 v2, const TentProfile& profile, Vec2 finger) noexcept {
-    const Vec2 along = (v2 - v1) / length(v2 - v1);
-    Projection result;
-    result.foot = v1 + glm::dot(finger - v1, along) * along;
-    result.distance = length(result.foot - finger);
-    const Vec2 direction = (result.foot - finger) / result.distance;
-    const double r = result.distance;
+/// Lines 4 to 24 of the listing, for v1 and v2 already found: the tent is the same in both of its branches.
+Pull pull_by_listing(Vec2 v1, Vec2 v2, const TentProfile& profile, Vec2 finger) noexcept {
+    Pull pull;
+    pull.foot = published_foot(v1, v2, finger);
+    pull.distance = length(pull.foot - finger);
+    const Vec2 direction = (pull.foot - finger) / pull.distance;
+    const double r = pull.distance;
     const double d = profile.range;
     if (r <= d)
-        result.force = profile.stiffness * r * direction;
-    else if (r < 2.0 * d)
-        result.force = profile.stiffness * (2.0 * d - r) * direction;
-    else if (r >= 2.0 * d)
-        result.force = Vec2(0.0);
-    else
-        result.force = direction; // the distance is not a number, and neither is the force
-    return result;
+        pull.force = profile.stiffness * r * direction;
+    else if (r <= 2.0 * d)
+        pull.force = profile.stiffness * (2.0 * d - r) * direction;
+    return pull;
 }
 
 } // namespace
@@ -94,7 +89,7 @@ Projection guide_to_line(Vec2 v1, Vec2 v2, const TentProfile& profile, Vec2 fing
 Vec2 published_algorithm_1(const std::vector<Vec2>& vertices, const TentProfile& profile,
                            Vec2 finger) noexcept {
     const auto found = two_nearest(vertices, finger, {}, 1);
-    return found ? guide_to_line(vertices[found->first], vertices[found->second], profile, finger).force
+    return found ? pull_by_listing(vertices[found->first], vertices[found->second], profile, finger).force
                  : Vec2(0.0);
 }
 
@@ -119,14 +114,11 @@ Guidance PublishedLaw::at(Vec2 finger) const noexcept {
     if (!found || !is_finite(finger))
         return {};
     const Vec2 v1 = vertices_[found->first];
-    const Projection projection = guide_to_line(v1, vertices_[found->second], profile_, finger);
-    const int contour = contours_[found->first];
-    if (!std::isfinite(projection.distance))
-        return {.force = Vec2(0.0), .distance = length(v1 - finger), .nearest = v1, .contour = contour};
-    return {.force = is_finite(projection.force) ? projection.force : Vec2(0.0),
-            .distance = projection.distance,
-            .nearest = projection.foot,
-            .contour = contour};
+    const Pull pull = pull_by_listing(v1, vertices_[found->second], profile_, finger);
+    return {.force = is_finite(pull.force) ? pull.force : Vec2(0.0),
+            .distance = pull.distance,
+            .nearest = pull.foot,
+            .contour = contours_[found->first]};
 }
 
 FlatScene with_vertex_spacing(const FlatScene& scene, double spacing_mm) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/figures/bench/nearest_method.hpp"
+#include "core/guidance/published_law.hpp"
 
 #include <nanoflann.hpp>
 
@@ -50,7 +51,8 @@ private:
     std::size_t bytes_;
 };
 
-/// Steps 2 to 4 of the listing: v1 and v2, and the distance to the endless line through them.
+/// The listing up to its distance: v1 and v2 from the tree, and the foot between them or v1. Of equally near
+/// vertices the tree may take another than the scan.
 class PublishedKdTree final : public LoopingMethod<PublishedKdTree> {
 public:
     explicit PublishedKdTree(const FlatScene& scene)
@@ -60,10 +62,7 @@ public:
         double squared[2];
         if (tree_.knnSearch(&place.x, 2, nearest, squared) < 2)
             return {};
-        const Vec2 v1 = vertices_.points[nearest[0]];
-        const Vec2 v2 = vertices_.points[nearest[1]];
-        const Vec2 along = (v2 - v1) / length(v2 - v1);
-        const Vec2 foot = v1 + glm::dot(place - v1, along) * along;
+        const Vec2 foot = published_foot(vertices_.points[nearest[0]], vertices_.points[nearest[1]], place);
         return {length(foot - place), foot};
     }
     std::size_t bytes() const override { return bytes_; }

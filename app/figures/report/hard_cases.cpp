@@ -190,6 +190,10 @@ std::vector<HardPlace> hard_places() {
     places.push_back({"finger_beside_the_end", scene_of({level}), {{53, 1}, {-52, -2}, {57.9, 0}}});
     places.push_back(
         {"finger_at_a_crossing", scene_of({level, upright}), {{0, 0}, {1, 1}, {-2, 2}, {3, -3}}});
+    places.push_back({"crossing_away_from_vertices",
+                      scene_of({open_line({{-50, 0}, {-7, 0}, {9, 0}, {50, 0}}),
+                                open_line({{0, -50}, {0, -6}, {0, 8}, {0, 50}})}),
+                      {{1.5, 1.2}, {-1.0, 0.5}, {0.3, -0.9}}});
     places.push_back(
         {"equidistant_from_two_contours",
          scene_of({open_line({{-50, 3}, {0, 3}, {50, 3}}), open_line({{-50, -3}, {0, -3}, {50, -3}})}),
@@ -204,6 +208,14 @@ std::vector<HardPlace> hard_places() {
                                 open_line({{-18, 0}, {-6, 0}, {6, 0}, {18, 0}})}),
                       {{0, 2}, {6.5, 1}, {-6.5, -3}}});
     places.push_back({"coincident_contours", scene_of({level, level}), {{5, 2}, {-20, 4}, {0, 1}}});
+    const FlatScene dense_twice = with_vertex_spacing(scene_of({level, level}), 0.5);
+    places.push_back(
+        {"coincident_contours_of_dense_vertices", dense_twice, {{5.2, 0.1}, {-20, 4}, {0.1, 1}}});
+    const FlatScene dense_crossing = with_vertex_spacing(scene_of({level, upright}), 0.5);
+    places.push_back(
+        {"crossing_of_dense_vertices", dense_crossing, {{0.2, 0.15}, {-0.3, 0.25}, {0.4, -0.2}, {0.7, 0.6}}});
+    places.push_back(
+        {"contour_of_dense_vertices", with_vertex_spacing(scene_of({level}), 0.5), {{5.2, 2}, {-20.1, 6}}});
     places.push_back({"coincident_vertices",
                       scene_of({open_line({{0, 0}, {0, 0}, {10, 0}, {10, 0}})}),
                       {{0, 2}, {5, 1}, {10, 3}}});

@@ -21,10 +21,11 @@ std::string yes_no(bool value) { return value ? "1" : "0"; }
 
 CsvTable table_of(const std::vector<LoopWork>& rows) {
     CsvTable table({"law", "vertex_spacing_mm", "wrong_fraction", "max_force_error_n", "max_loop_work_mj",
-                    "max_force_step_n"});
+                    "max_force_step_n", "p99_loop_work_mj", "wrong_of_pulled"});
     for (const LoopWork& row : rows)
         table.add({row.law, cell(row.vertex_spacing_mm), cell(row.wrong_fraction),
-                   cell(row.max_force_error_n), cell(row.max_loop_work_mj), cell(row.max_force_step_n)});
+                   cell(row.max_force_error_n), cell(row.max_loop_work_mj), cell(row.max_force_step_n),
+                   cell(row.p99_loop_work_mj), cell(row.wrong_of_pulled)});
     return table;
 }
 
@@ -71,11 +72,12 @@ std::vector<std::pair<HandleCase, HandleResult>> release_all(const std::vector<H
 void print_summary(const std::vector<LoopWork>& loops, const std::vector<ContinuityCost>& continuity,
                    const std::vector<std::pair<HandleCase, HandleResult>>& handles,
                    const std::vector<HardVerdict>& verdicts) {
-    std::printf("%-10s %10s %10s %12s %12s %12s\n", "law", "spacing", "wrong", "worst error", "loop work",
-                "force step");
+    std::printf("%-10s %10s %10s %12s %12s %12s %12s %12s\n", "law", "spacing", "wrong", "of pulled",
+                "worst error", "p99 loop", "worst loop", "force step");
     for (const LoopWork& row : loops)
-        std::printf("%-10s %7.1f mm %8.2f %% %10.3f N %9.4f mJ %10.3f N\n", row.law.c_str(),
-                    row.vertex_spacing_mm, 100.0 * row.wrong_fraction, row.max_force_error_n,
+        std::printf("%-10s %7.1f mm %8.3f %% %10.3f %% %10.3f N %9.2g mJ %9.2g mJ %10.3f N\n",
+                    row.law.c_str(), row.vertex_spacing_mm, 100.0 * row.wrong_fraction,
+                    100.0 * row.wrong_of_pulled, row.max_force_error_n, row.p99_loop_work_mj,
                     row.max_loop_work_mj, row.max_force_step_n);
     std::printf("%-21s %8s %9s %9s %9s %8s %8s %10s %12s %10s\n", "continuity", "width", "mean", "p99", "max",
                 "wrong", "step", "clicks/m", "tremor", "work");

@@ -64,12 +64,39 @@ private slots:
         }
     }
 
-    void the_published_law_and_nearest_vertices_are_farther_off() {
-        const double exact = rows_of("exact", "ours").back().mean_error_n;
-        for (const auto& [law, index] : {std::pair{"published", "published_kdtree"},
-                                         {"published", "published_scan"},
-                                         {"nearest_vertex", "nanoflann"}})
-            QVERIFY2(rows_of(law, index).back().mean_error_n > 3.0 * exact, law);
+    void nearest_vertices_are_farther_off() {
+        const auto exact = rows_of("exact", "ours");
+        const auto nearest = rows_of("nearest_vertex", "nanoflann");
+        for (std::size_t i = 0; i < exact.size(); ++i)
+            QVERIFY(nearest[i].mean_error_n > 3.0 * exact[i].mean_error_n);
+    }
+
+    void the_published_law_is_nearly_as_good_at_dense_vertices_only() {
+        const auto exact = rows_of("exact", "ours");
+        for (const char* index : {"published_kdtree", "published_scan"}) {
+            const auto published = rows_of("published", index);
+            QCOMPARE(published.size(), exact.size());
+            for (std::size_t i = 0; i < exact.size(); ++i)
+                QVERIFY(published[i].mean_error_n > exact[i].mean_error_n);
+            QVERIFY(published[0].mean_error_n > 2.0 * exact[0].mean_error_n);
+            QVERIFY(published[0].p99_error_n > 5.0 * exact[0].p99_error_n);
+            QVERIFY(published[2].mean_error_n < 2.5 * exact[2].mean_error_n);
+            // At the usual tolerance vertices are unevenly spaced: rarely wrong, but then by much.
+            QVERIFY(published[3].p99_error_n > 4.0 * exact[3].p99_error_n);
+            QVERIFY(published[3].max_error_n > 0.5);
+        }
+    }
+
+    void the_published_law_fails_at_lines_side_by_side_however_fine_the_curves() {
+        AccuracyPlan plan = small_plan();
+        plan.tolerances_mm = {0.001};
+        const auto scenes = accuracy_scenes();
+        QCOMPARE(scenes.back().name, std::string("adversarial"));
+        for (const AccuracyRow& row : run_accuracy_bench(scenes.back(), plan, [](const std::string&) {}))
+            if (row.law == "exact")
+                QVERIFY(row.mean_error_n < 0.002);
+            else if (row.law == "published")
+                QVERIFY(row.mean_error_n > 0.02 && row.p99_error_n > 0.5);
     }
 
     void softened_laws_cost_something_but_little() {

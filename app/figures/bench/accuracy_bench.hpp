@@ -44,7 +44,8 @@ std::vector<AccuracyRow> run_accuracy_bench(const AccuracyScene& scene, const Ac
 /// accuracy.csv in `folder`, a row a line, columns named as the fields.
 Result<std::filesystem::path> write_accuracy_table(const std::filesystem::path& folder,
                                                    const std::vector<AccuracyRow>& rows);
-/// accuracy.png and .svg in `folder`: time over error, a panel a scene, a line a method over its tolerances.
+/// accuracy.png and .svg in `folder`: error over time, a panel a scene, a line a method over its
+/// tolerances; at the usual tolerance an upright line from the mean to the 99th percentile.
 Result<std::filesystem::path> plot_accuracy(const std::filesystem::path& folder,
                                             const std::vector<AccuracyRow>& rows);
 

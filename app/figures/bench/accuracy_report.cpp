@@ -54,11 +54,16 @@ PlotPanel panel_of(const std::string& scene, const std::vector<AccuracyRow>& row
             panel.dots.push_back({place, method.colour, !usual});
             if (!usual)
                 line.points.push_back(place);
+            else
+                panel.lines.push_back(
+                    {QString(), method.colour, {place, Vec2(place.x, std::max(row.p99_error_n, place.y))}});
         }
         if (!line.points.empty())
             panel.lines.push_back(std::move(line));
     }
-    panel.dot_names = {{QStringLiteral("the usual tolerance: 0.01 mm and 2°"), QColor(30, 30, 36)}};
+    const QColor dark(30, 30, 36);
+    panel.lines.push_back({QStringLiteral("upright: from the mean up to the 99th percentile"), dark, {}});
+    panel.dot_names = {{QStringLiteral("the usual tolerance: 0.01 mm and 2°"), dark}};
     return panel;
 }
 

@@ -29,6 +29,7 @@ Vec2 published_algorithm_1(const std::vector<Vec2>& vertices, const TentProfile&
 /// v1 and v2 may belong to different contours, v2 need not adjoin v1 where vertices are unevenly spaced, a
 /// corner may choose the wrong branch, and where the foot changes from one line to the next the force has no
 /// potential. Only what is not a finite number is withheld: such a force is zero.
+/// No distance bounds the search for v1 and v2: a line between far vertices may pass at the finger.
 /// `together` vertices in a row (> 0) are passed over at once where their bounding box is too far away for
 /// any of them, which changes no answer.
 class PublishedLaw final : public GuidanceLaw {

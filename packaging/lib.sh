@@ -9,8 +9,14 @@ say() { printf '\n== %s\n' "$*" >&2; }
 # fail SENTENCE: the reason, then the end of the script.
 fail() { printf '\n!! %s\n' "$*" >&2; exit 1; }
 
-# Ctrl-C ends the script with a sentence: every step below continues where it stopped.
-trap 'printf "\n!! Interrupted. Finished work is kept; the same command continues from here.\n" >&2; exit 130' INT
+# interrupted STATUS: the end by Ctrl-C or another signal; every step below continues where it stopped.
+interrupted() {
+    printf '\n!! Interrupted. Finished work is kept; the same command continues from here.\n' >&2
+    exit "$1"
+}
+trap 'interrupted 129' HUP
+trap 'interrupted 130' INT
+trap 'interrupted 143' TERM
 
 # cores: the number of processors this process may use.
 cores() { nproc 2>/dev/null || getconf _NPROCESSORS_ONLN; }

@@ -169,6 +169,14 @@ class Install(unittest.TestCase):
         self.assertEqual(ran.stdout.strip(), str(self.top / "build/ccache"), ran.stderr)
         self.assertTrue((self.top / "build/ccache").is_dir())
 
+    def test_a_signal_ends_a_script_with_its_own_status(self) -> None:
+        for signal, status in (("HUP", 129), ("INT", 130), ("TERM", 143)):
+            script = f'set -euo pipefail; root=$1; . "$root/packaging/lib.sh"; trap \'echo "ended in $?"\' EXIT; kill -{signal} $$'
+            ran = subprocess.run(["bash", "-c", script, "signal", self.top], env={"PATH": str(self.programs)}, capture_output=True,
+                                 text=True, check=False)
+            self.assertEqual((ran.returncode, ran.stdout), (status, f"ended in {status}\n"), ran.stderr)
+            self.assertIn("the same command continues from here", ran.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -10,7 +10,7 @@ enum class Fault {
     outside_workspace, ///< the device reports a place it cannot reach: ramp to zero
     over_speed,        ///< faster than any hand moves on purpose: ramp to zero
     motors_off,        ///< the device has switched its motors off itself: ramp to zero
-    stale_input,       ///< no new position for 20 ms: ramp to zero
+    stale_input,       ///< no newer reading for 20 ms: ramp to zero
     late_ticks,        ///< the loop was more than three periods late: ramp to zero
     stalled,           ///< the loop stood still for more than 50 ms: the device is disabled
     device_lost,       ///< the device does not answer or was unplugged: disabled

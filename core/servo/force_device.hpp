@@ -50,8 +50,13 @@ struct Capabilities {
 };
 
 /// One reading.
+///
+/// Its stamp is what makes it fresh: two readings with the same stamp are one reading, however often it is
+/// returned. A device with a clock stamps by that clock; a device that only counts its readings stamps when a
+/// new count came, and a device that says neither when its report came. A device never stamps a reading that it
+/// returns again. What the servo does with stamps that jump or stand still: FreshReadings.
 struct DeviceState {
-    double time = 0.0;         ///< s, of the servo's clock, when the position was taken
+    double time = 0.0;         ///< s, the stamp: when the position was taken, of a clock that begins anywhere
     Vec2 position{0.0};        ///< mm, device frame
     std::uint32_t buttons = 0; ///< bit 0 = the main button
 };
@@ -64,7 +69,9 @@ public:
     virtual ~ForceDevice() = default;
     /// Makes the device ready; its force is zero afterwards.
     virtual Result<Capabilities> open() = 0;
-    /// The newest reading at `now`; nothing where there is no newer one. A lost device says so by lost().
+    /// The newest reading at `now`; nothing, or one with the same stamp, where there is no newer one. A device
+    /// that reports only changes gives a newer reading of the same place only where something else shows that
+    /// it is alive. A lost device says so by lost().
     virtual std::optional<DeviceState> read(double now) noexcept = 0;
     /// False where the force could not be delivered.
     virtual bool write(const SafeForce& force) noexcept = 0;

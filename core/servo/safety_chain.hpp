@@ -13,7 +13,7 @@ struct SafetyLimits {
     double max_force = 1.5;        ///< N, the user's own limit; the device's limit is taken where it is lower
     double max_force_rate = 40.0;  ///< N/s; 0.8 N in 20 ms
     double max_speed = 1500.0;     ///< mm/s; a hand exploring a picture stays well below 500
-    double stale_after = 0.020;    ///< s without a new position
+    double stale_after = 0.020;    ///< s without a newer reading; how old one may be when it comes
     double ramp_down = 0.020;      ///< s from any force to zero on a fault
     double engage_ramp = 0.5;      ///< s from no force to the whole force
     double late_periods = 3.0;     ///< ticks late before the force is ramped down
@@ -24,7 +24,7 @@ struct SafetyLimits {
 /// What one tick hands to the chain.
 struct SafetyInput {
     double now = 0.0;   ///< s
-    bool fresh = false; ///< a new reading arrived in this tick
+    bool fresh = false; ///< a reading arrived that is newer by the device's own stamp (FreshReadings)
     bool device_lost = false;
     bool halted = false;     ///< the watchdog has halted the device
     bool motors_off = false; ///< the device's own doing

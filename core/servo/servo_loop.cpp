@@ -13,7 +13,7 @@ ServoLoop::ServoLoop(ForceDevice& device, const Capabilities& capabilities, Cloc
       max_force_(settings.limits.max_force),
       watchdog_(device, {(1.0 + settings.limits.late_periods) / settings.rate, settings.limits.stall,
                          settings.limits.ramp_down}),
-      chain_(settings.limits, capabilities, 1.0 / settings.rate),
+      chain_(settings.limits, capabilities, 1.0 / settings.rate), readings_(settings.limits.stale_after),
       observer_(static_cast<std::size_t>(std::lround(std::max(0.0, capabilities.delay) * settings.rate))) {
     last_tick_ = clock_.now();
 }
@@ -47,6 +47,7 @@ void ServoLoop::stop() noexcept {
 void ServoLoop::forget_force() noexcept {
     watchdog_.rest();
     chain_.rest();
+    readings_ = FreshReadings(settings_.limits.stale_after);
     velocity_ = VelocityFilter{};
     fade_left_ = 0.0;
     rendered_ = Vec2(0.0);
@@ -146,10 +147,14 @@ void ServoLoop::tick() noexcept {
     last_tick_ = now;
 
     const Watchdog::Reading reading = watchdog_.read(now);
-    if (reading.state) {
+    std::optional<double> taken;
+    if (reading.state)
+        taken = readings_.taken(reading.state->time, now);
+    if (taken) {
         state_ = reading.state;
-        velocity_.feed(state_->time, state_->position);
+        velocity_.feed(*taken, state_->position);
     }
+    velocity_.elapse(now);
     const Vec2 position = state_ ? state_->position : Vec2(0.0);
     const Vec2 finger = settings_.device_to_surface(position);
     const Vec2 velocity = settings_.device_to_surface.direction(velocity_.velocity());
@@ -182,7 +187,7 @@ void ServoLoop::tick() noexcept {
 
     SafetyInput input;
     input.now = now;
-    input.fresh = reading.state.has_value();
+    input.fresh = taken.has_value();
     input.device_lost = reading.lost;
     input.halted = watchdog_.halted();
     input.motors_off = reading.motors_off;

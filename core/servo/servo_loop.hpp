@@ -9,6 +9,7 @@
 #include "core/servo/energy_observer.hpp"
 #include "core/servo/exit_guard.hpp"
 #include "core/servo/force_device.hpp"
+#include "core/servo/fresh_readings.hpp"
 #include "core/servo/handover.hpp"
 #include "core/servo/safety_chain.hpp"
 #include "core/servo/snapshot.hpp"
@@ -115,6 +116,7 @@ private:
 
     // Only the ticking thread.
     SafetyChain chain_;
+    FreshReadings readings_;
     VelocityFilter velocity_;
     EnergyObserver observer_;
     std::optional<DeviceState> state_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/servo/velocity_filter.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace tp {
@@ -17,9 +18,25 @@ void VelocityFilter::feed(double time, Vec2 position) noexcept {
             return;
         const double share = 1.0 - std::exp(-2.0 * std::numbers::pi * cutoff_ * dt);
         velocity_ += share * ((position - position_) / dt - velocity_);
+        interval_ = dt;
     }
     time_ = time;
     position_ = position;
+    fed_ = true;
+    left_ = 1.0;
+}
+
+void VelocityFilter::elapse(double now) noexcept {
+    if (fed_) {
+        fed_ = false;
+        fed_at_ = now;
+        return;
+    }
+    const double silent = now - fed_at_;
+    if (silent > longest_silence)
+        velocity_ = Vec2(0.0);
+    const double overdue = silent - std::min(2.0 * interval_, longest_wait);
+    left_ = overdue > 0.0 ? std::exp(-2.0 * std::numbers::pi * cutoff_ * overdue) : 1.0;
 }
 
 } // namespace tp

@@ -28,7 +28,7 @@ public:
 
     /// What the device says of itself in one tick.
     struct Reading {
-        std::optional<DeviceState> state; ///< nothing where there is none newer, or the device was in use
+        std::optional<DeviceState> state; ///< nothing where the device gave none, or was in use
         bool lost = false;
         bool motors_off = false;
     };

@@ -250,6 +250,15 @@ bool Falcon::locate(const Reply& reply, double now) noexcept {
     return true;
 }
 
+/// False where the reply says no place that can be believed.
+bool Falcon::take_place(const Reply& reply, double now) noexcept {
+    const bool knows = reply.homed == 7;
+    homed_.store(knows, std::memory_order_relaxed);
+    if (!knows)
+        touch_.jacobian.reset();
+    return !knows || locate(reply, now);
+}
+
 std::optional<DeviceState> Falcon::read(double now) noexcept {
     if (!open_)
         return std::nullopt;
@@ -264,13 +273,9 @@ std::optional<DeviceState> Falcon::read(double now) noexcept {
         else
             take(packet);
     }
-    if (!touch_.reply)
-        return std::nullopt;
-    const bool knows = touch_.reply->homed == 7;
-    homed_.store(knows, std::memory_order_relaxed);
-    if (!knows)
-        touch_.jacobian.reset();
-    else if (!locate(*touch_.reply, now))
+    const bool newer = touch_.reply && take_place(*touch_.reply, now);
+    touch_.pane.elapse(now);
+    if (!newer)
         return std::nullopt;
     touch_.state.buttons = buttons_of(touch_.reply->buttons);
     touch_.state.time = now;

@@ -80,6 +80,7 @@ private:
     std::optional<falcon::Reply> exchange(const falcon::Command& command);
     void take(const UsbPacket& packet) noexcept;
     bool locate(const falcon::Reply& reply, double now) noexcept;
+    bool take_place(const falcon::Reply& reply, double now) noexcept;
     bool homed() const noexcept { return homed_.load(std::memory_order_relaxed); }
 
     Opener opener_;

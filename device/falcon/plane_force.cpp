@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tp::falcon {
 
@@ -20,14 +19,12 @@ std::array<std::int16_t, 3> motors_for(const glm::dmat3& jacobian, const glm::dv
 }
 
 void Pane::feed(double time, double z) noexcept {
-    constexpr double corner_hz = 40.0; // one count at 1 kHz is a speed of 0.05 m/s
     if (!std::isfinite(time) || !std::isfinite(z))
         return;
     const double dt = time - time_;
-    if (!known_ || dt > 0.020)
-        speed_ = 0.0;
-    else if (dt > 0.0)
-        speed_ += ((z - z_) / dt - speed_) * (1.0 - std::exp(-2.0 * std::numbers::pi * corner_hz * dt));
+    if (dt > VelocityFilter::longest_silence)
+        speed_ = VelocityFilter{};
+    speed_.feed(time, {z, 0.0});
     if (!known_ || dt > 0.0) {
         time_ = time;
         z_ = z;
@@ -39,7 +36,8 @@ double Pane::force(double share) noexcept {
     const double depth = plane_z - z_;
     double wanted = 0.0;
     if (known_ && depth > 0.0 && share > 0.0)
-        wanted = std::min(share, 1.0) * std::clamp(stiffness * depth - damping * speed_, 0.0, most);
+        wanted =
+            std::min(share, 1.0) * std::clamp(stiffness * depth - damping * speed_.velocity().x, 0.0, most);
     last_ = std::min(wanted, last_ + most_rise);
     return last_;
 }

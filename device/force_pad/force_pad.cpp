@@ -78,6 +78,7 @@ Result<Capabilities> ForcePad::open() {
     line_->transport = std::move(opened).value();
     heard_ = false;
     older_ = 0;
+    time_us_ = 0;
     status_.store(0);
     bad_frames_.store(0);
 
@@ -122,6 +123,18 @@ Result<bool> ForcePad::home() {
     return true;
 }
 
+/// A state with this number is newer, or the last of those that say that the pad was restarted. A pad that
+/// repeats a state, or a few, was not.
+bool ForcePad::counts(std::uint16_t sequence) noexcept {
+    if (!heard_ || pad::newer(sequence, sequence_))
+        return true;
+    if (sequence == sequence_ || (older_ > 0 && sequence == older_sequence_))
+        return false;
+    older_ = older_ > 0 && pad::newer(sequence, older_sequence_) ? older_ + 1 : 1;
+    older_sequence_ = sequence;
+    return older_ >= older_of_a_restart;
+}
+
 void ForcePad::take(const pad::Frame& frame) noexcept {
     pad::StateFrame state;
     if (!pad::decode(frame, state)) {
@@ -132,20 +145,23 @@ void ForcePad::take(const pad::Frame& frame) noexcept {
             bad_frames_.fetch_add(1, std::memory_order_relaxed);
         return;
     }
-    if (heard_ && !pad::newer(state.sequence, sequence_) && ++older_ < older_of_a_restart) {
+    if (!counts(state.sequence)) {
         bad_frames_.fetch_add(1, std::memory_order_relaxed);
         return;
     }
+    time_us_ += heard_ ? static_cast<std::int32_t>(state.time_us - clock_us_) : std::int64_t{state.time_us};
+    clock_us_ = state.time_us;
     heard_ = true;
     fresh_ = true;
     older_ = 0;
     sequence_ = state.sequence;
+    state_.time = 1e-6 * static_cast<double>(time_us_);
     state_.position = {1e-3 * state.x_um, 1e-3 * state.y_um};
     state_.buttons = state.buttons;
     status_.store(state.status, std::memory_order_relaxed);
 }
 
-std::optional<DeviceState> ForcePad::read(double now) noexcept {
+std::optional<DeviceState> ForcePad::read(double) noexcept {
     if (!open_)
         return std::nullopt;
     fresh_ = false;
@@ -163,7 +179,6 @@ std::optional<DeviceState> ForcePad::read(double now) noexcept {
     }
     if (!fresh_)
         return std::nullopt;
-    state_.time = now;
     return state_;
 }
 

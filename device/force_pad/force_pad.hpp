@@ -15,8 +15,8 @@ namespace tp {
 
 /// A force pad (PROTOCOL.md) behind the port of the servo.
 ///
-/// Reading never waits: what has arrived is drained and the newest state kept. Writing hands the force to a
-/// LatestWriter.
+/// Reading never waits: what has arrived is drained and the newest state kept, with the pad's own clock for a
+/// stamp. Writing hands the force to a LatestWriter.
 class ForcePad final : public ForceDevice {
 public:
     using Opener = std::function<Result<std::unique_ptr<ReportTransport>>()>;
@@ -52,6 +52,7 @@ private:
         bool send(std::uint64_t message) noexcept override;
     };
     void take(const pad::Frame& frame) noexcept;
+    bool counts(std::uint16_t sequence) noexcept;
     template <typename Answer>
     bool ask(const pad::Frame& question, Answer& answer);
 
@@ -66,8 +67,11 @@ private:
     // Only the servo's thread.
     bool heard_ = false; ///< a state since open
     bool fresh_ = false; ///< a state in this read
-    unsigned older_ = 0; ///< states in a row that were no newer
+    unsigned older_ = 0; ///< states in a row that were older, and each newer than the one before it
+    std::uint16_t older_sequence_ = 0; ///< of the last of them
     std::uint16_t sequence_ = 0;
+    std::uint32_t clock_us_ = 0; ///< the pad's, as it said last
+    std::int64_t time_us_ = 0;   ///< the same without its wraps
     DeviceState state_;
 };
 

@@ -24,6 +24,7 @@ void SimulatedLink::advance() {
     while (pad_.report(frame)) {
         if (troubles.mute || troubles.unplugged || happens(troubles.drop))
             continue;
+        (troubles.repeats ? frame : said_) = troubles.repeats ? said_ : frame;
         if (happens(troubles.garble))
             garble(frame);
         from_pad_.push_back({now_ + delay_ms_, frame});

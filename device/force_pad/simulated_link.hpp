@@ -16,6 +16,7 @@ struct LinkTroubles {
     double garble = 0.0; ///< each way: some bytes are others
     double odd = 0.0;    ///< from the pad: reports of another length
     bool mute = false;   ///< nothing comes from the pad
+    bool repeats = false; ///< its last frame comes from the pad over and over
     bool deaf = false;   ///< nothing reaches the pad
     bool unplugged = false;
 };
@@ -50,6 +51,7 @@ private:
     std::uint64_t now_ = 0; ///< ms
     std::deque<UnderWay> to_pad_;
     std::deque<UnderWay> from_pad_;
+    pad::Frame said_{}; ///< what the pad said last, before it began to repeat itself
 };
 
 } // namespace tp

@@ -267,7 +267,7 @@ void ModelJoystick::step() {
             body_.place[i] = std::copysign(lever_mm, off);
             body_.velocity[i] = 0.0;
         }
-    if (std::vector<std::uint8_t> now = axes_report(); now != told_axes_) {
+    if (std::vector<std::uint8_t> now = axes_report(); speaks_at_rest || now != told_axes_) {
         to_tell_.push_back(now);
         told_axes_ = std::move(now);
     }

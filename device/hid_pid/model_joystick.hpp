@@ -59,7 +59,7 @@ public:
     bool set_feature(std::span<const std::uint8_t> report);
     bool get_feature(std::uint8_t id, std::vector<std::uint8_t>& report);
     void step();
-    /// The next input report; false when all is said. It says what has changed.
+    /// The next input report; false when all is said. It says what has changed, or where the axes are at each step.
     bool report(std::vector<std::uint8_t>& bytes);
     /// The report of its axes as it is now.
     std::vector<std::uint8_t> axes_report() const;
@@ -83,6 +83,7 @@ public:
     /// Which way a positive magnitude pulls; PID 1.0: from the direction.
     Vec2 sign{-1.0, -1.0};
     double lever_mm = 60.0;
+    bool speaks_at_rest = false; ///< it reports its axes at each step, changed or not
 
     /// What can go wrong with it.
     struct Troubles {

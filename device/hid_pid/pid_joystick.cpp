@@ -15,9 +15,11 @@ namespace tp {
 namespace {
 
 constexpr int most_input_reports = 64;    ///< that one read drains
+constexpr int full_queue = 63;            ///< reports, of hidraw, which then drops what comes
 constexpr double start_anew_after = 30.0; ///< s; less than half of 65.5 s
 constexpr double enable_every = 0.25;     ///< s, while the motors are off
 constexpr double stuck_after = 0.020;     ///< s without a message that the device took
+constexpr double rest_gap = 0.020;        ///< s between two reports of a stick that speaks at rest, at most
 
 /// Messages after which a force that did not change is told again: one that got lost does not stay for long.
 constexpr unsigned tell_again_after = 16;
@@ -190,7 +192,9 @@ Result<Capabilities> PidJoystick::open() {
     line_ = std::make_shared<Line>();
     line_->transport = std::move(opened).value();
     assume(scale_.newtons_at_full, scale_.sign);
-    ticked_ = heard_ = safety_switch_off_ = stuck_ = off_ = false;
+    ticked_ = heard_ = speaks_at_rest_ = safety_switch_off_ = stuck_ = off_ = false;
+    said_at_.reset();
+    stamped_.reset();
     motors_on_ = true;
     taken_ = 0;
     starts_ = {};
@@ -240,7 +244,7 @@ Result<Capabilities> PidJoystick::open() {
     return can;
 }
 
-void PidJoystick::take(const hid::Report& report) noexcept {
+bool PidJoystick::take(const hid::Report& report) noexcept {
     const hid::JoystickNews news = hid::joystick_news(line_->layout, report.all());
     if (news.axes) {
         heard_ = true;
@@ -251,6 +255,32 @@ void PidJoystick::take(const hid::Report& report) noexcept {
         motors_on_ = *news.motors_on;
         safety_switch_off_ = news.safety_switch_off;
     }
+    return news.axes.has_value();
+}
+
+/// A stick that only reports changes never says the same twice, or seldom (its idle rate).
+void PidJoystick::note_rest(const hid::Report& report) noexcept {
+    const bool same = said_at_ && now_ - *said_at_ <= rest_gap && report.size == said_.size &&
+                      std::equal(report.all().begin(), report.all().end(), said_.all().begin());
+    if (!same)
+        same_since_ = now_;
+    speaks_at_rest_ = speaks_at_rest_ || now_ - same_since_ >= rest_known_after;
+    said_ = report;
+    said_at_ = now_;
+}
+
+bool PidJoystick::take_reports() noexcept {
+    for (int i = 0; i < most_input_reports && !lost(); ++i) {
+        hid::Report report;
+        const PidTransport::Got got = line_->transport->read(report, 0);
+        if (got == PidTransport::Got::nothing)
+            return i < full_queue;
+        if (got == PidTransport::Got::lost)
+            writer_->lose();
+        else if (take(report))
+            note_rest(report);
+    }
+    return false;
 }
 
 void PidJoystick::watch_the_writer() noexcept {
@@ -268,16 +298,7 @@ std::optional<DeviceState> PidJoystick::read(double now) noexcept {
         taken_at_ = enabled_at_ = now;
         started_at_ = {now, now - 0.5 * start_anew_after}; // never both in one message
     }
-    for (int i = 0; i < most_input_reports && !lost(); ++i) {
-        hid::Report report;
-        const PidTransport::Got got = line_->transport->read(report, 0);
-        if (got == PidTransport::Got::nothing)
-            break;
-        if (got == PidTransport::Got::lost)
-            writer_->lose();
-        else
-            take(report);
-    }
+    const bool newest = take_reports();
     watch_the_writer();
     const bool unguarded = line_->pull->unguarded();
     trouble_.store(unguarded            ? Trouble::unguarded
@@ -287,9 +308,12 @@ std::optional<DeviceState> PidJoystick::read(double now) noexcept {
                                         : Trouble::none,
                    std::memory_order_relaxed);
     off_ = off_ || stuck_ || !motors_on_ || unguarded || line_->pull->let_go();
-    if (lost() || !heard_)
+    if (lost() || !heard_ || !newest)
         return std::nullopt;
-    state_.time = now;
+    const double alive_at = speaks_at_rest_ ? *said_at_ : std::max(said_at_.value_or(taken_at_), taken_at_);
+    if (stamped_ && !(alive_at > *stamped_))
+        return std::nullopt;
+    stamped_ = state_.time = alive_at;
     return state_;
 }
 

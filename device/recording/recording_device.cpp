@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/recording/recording_device.hpp"
 
+#include <cmath>
 #include <system_error>
 #include <utility>
 
@@ -37,8 +38,9 @@ std::optional<DeviceState> RecordingDevice::read(double now) noexcept {
     ticking_ = true;
     tick_ = {};
     tick_.now = now;
-    tick_.fresh = reading.has_value();
-    tick_.reading = reading.value_or(DeviceState{});
+    tick_.fresh = reading && std::isfinite(reading->time); // without a stamp it is none to the servo either
+    if (tick_.fresh)
+        tick_.reading = *reading;
     return reading;
 }
 

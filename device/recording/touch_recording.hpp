@@ -16,7 +16,7 @@ namespace tp {
 /// What passed between the servo and a device in one tick.
 struct RecordedTick {
     double now = 0.0;    ///< s, servo's clock
-    bool fresh = false;  ///< `reading` came in this tick
+    bool fresh = false;  ///< the device gave `reading` in this tick; whether it is newer, its stamp says
     DeviceState reading; ///< of this tick; as made where there was none
     bool lost = false;
     bool motors_off = false;

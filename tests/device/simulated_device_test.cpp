@@ -117,6 +117,19 @@ private slots:
                 }
     }
 
+    /// Its clock is the servo's: a mouse that does not move leaves a finger that is looked at all the time.
+    void a_mouse_at_rest_is_no_stale_reading() {
+        Bench bench;
+        bench.render(horizontal);
+        bench.device.place_finger({0.0, 2.0});
+        for (int i = 0; i < 600; ++i) {
+            bench.run(0.1);
+            QCOMPARE(bench.loop.snapshot().fault, Fault::none);
+        }
+        QCOMPARE(bench.device.read(70.0)->time, 70.0);
+        QCOMPARE(bench.device.read(70.0)->time, 70.0); // the same reading
+    }
+
     void the_finger_follows_the_pointer() {
         Bench bench;
         bench.device.place_finger({10.0, 20.0});

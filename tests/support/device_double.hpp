@@ -14,6 +14,7 @@ namespace tp::testing {
 class DeviceDouble final : public ForceDevice {
 public:
     std::function<Vec2(double)> place = [](double) { return Vec2(0.0); };
+    std::function<double(double)> stamp = [](double now) { return now; };
     bool silent = false;    ///< no readings
     bool unplugged = false; ///< lost
     bool refuses_writes = false;
@@ -35,7 +36,7 @@ public:
         now_ = now;
         if (silent || unplugged)
             return std::nullopt;
-        return DeviceState{now, place(now), 0};
+        return DeviceState{stamp(now), place(now), 0};
     }
     bool write(const SafeForce& force) noexcept override {
         written.emplace_back(now_, force.newtons());

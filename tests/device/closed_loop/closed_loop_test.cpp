@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+Q_DECLARE_METATYPE(const tp::testing::StampTrouble*)
+
 namespace tp::testing {
 
 namespace {
@@ -32,6 +34,14 @@ void ClosedLoopTest::each_variant() const {
     QTest::addColumn<std::size_t>("variant");
     for (std::size_t i = 0; i < device_.variants.size(); ++i)
         QTest::newRow(device_.variants[i]) << i;
+}
+
+void ClosedLoopTest::each_variant_and(const std::vector<StampTrouble>& troubles) const {
+    QTest::addColumn<std::size_t>("variant");
+    QTest::addColumn<const StampTrouble*>("trouble");
+    for (std::size_t i = 0; i < device_.variants.size(); ++i)
+        for (const StampTrouble& trouble : troubles)
+            QTest::addRow("%s, %s", device_.variants[i], trouble.name) << i << &trouble;
 }
 
 bool ClosedLoopTest::let_go(const LoopBench& bench) const {
@@ -150,6 +160,65 @@ void ClosedLoopTest::when_the_servo_stands_still_a_device_with_a_watchdog_lets_g
     for (double t = 0.0; t < device_.watchdogs[variant]; t += 0.001)
         bench->pass(); // the writer lives, and has nothing new
     QVERIFY(bench->lets_go());
+}
+
+/// After a hand that went up at 200 mm/s. The force is gone 20 ms after the fault, and what is under way with it.
+void ClosedLoopTest::readings_that_are_no_newer_take_the_force_away() {
+    QFETCH(std::size_t, variant);
+    QFETCH(const StampTrouble*, trouble);
+    const auto bench = held_above_a_line(variant);
+    QVERIFY2(bench->loop, bench->error.c_str());
+    QVERIFY(length(bench->felt()) > 0.3);
+    for (double y = 4.0; y > 0.5; y -= 0.2) {
+        bench->move_hand(bench->middle() + Vec2(0.0, y));
+        bench->tick();
+    }
+    bench->stamps().begin(trouble);
+    BenchJudge judge(device_, *bench, device_.slack(*bench, false));
+    bench->after_tick = [&] { judge.judge(); };
+    bench->run(trouble->stale_within + bench->can.delay);
+    QCOMPARE(bench->loop->snapshot().fault, Fault::stale_input);
+    bench->run(0.021);
+    for (int ms = 0; ms < 300; ++ms) {
+        bench->run(0.001);
+        QCOMPARE(bench->loop->snapshot().fault, Fault::stale_input);
+        QVERIFY(bench->loop->snapshot().force() == Vec2(0.0));
+        QVERIFY(ms < 4 || let_go(*bench) || device_.slack(*bench, false) > length(bench->felt()));
+    }
+    bench->stamps().begin(nullptr);
+    bench->move_hand(bench->middle() + Vec2(0.0, 4.0));
+    bench->run(1.0);
+    QCOMPARE(bench->loop->snapshot().fault, Fault::none);
+    QVERIFY(length(bench->felt()) > 0.3);
+    QVERIFY2(judge.complaint.isEmpty(), qPrintable(judge.complaint));
+}
+
+/// The hand goes on at 50 mm/s meanwhile, and is seen where it is.
+void ClosedLoopTest::a_clock_that_jumps_is_not_felt() {
+    QFETCH(std::size_t, variant);
+    QFETCH(const StampTrouble*, trouble);
+    const auto bench = held_above_a_line(variant);
+    QVERIFY2(bench->loop, bench->error.c_str());
+    QVERIFY(length(bench->felt()) > 0.3);
+    bench->stamps().begin(trouble);
+    BenchJudge judge(device_, *bench, device_.slack(*bench, false));
+    bench->after_tick = [&] { judge.judge(); };
+    const auto seen_where_it_is = [&](int ms) {
+        const double late = 1e-3 * (3 + trouble->blind) + 2.0 * bench->can.delay;
+        const double off = length(bench->loop->snapshot().finger() - bench->handle());
+        const Fault fault = bench->loop->snapshot().fault;
+        QVERIFY2(fault == Fault::none, qPrintable(QString("fault %1 after %2 ms").arg(int(fault)).arg(ms)));
+        QVERIFY2(off < 0.1 + 60.0 * late, qPrintable(QString("%1 mm after %2 ms").arg(off).arg(ms)));
+    };
+    for (int ms = 0; ms < 600; ++ms) {
+        const double swing = 2.0 * std::sin(25.0 * 0.001 * ms); // 50 mm/s at most
+        bench->move_hand(bench->middle() + Vec2(swing, 4.0 - std::abs(swing)));
+        bench->tick();
+        seen_where_it_is(ms);
+        if (QTest::currentTestFailed())
+            return;
+    }
+    QVERIFY2(judge.complaint.isEmpty(), qPrintable(judge.complaint));
 }
 
 void ClosedLoopTest::every_way_out_leaves_no_force() {

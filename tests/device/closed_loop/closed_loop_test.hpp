@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace tp::testing {
 
@@ -42,11 +43,16 @@ private slots:
     void every_way_out_leaves_no_force();
     void what_takes_the_force_away_is_told_and_it_comes_back_by_the_ramp_or_not_at_all_data();
     void what_takes_the_force_away_is_told_and_it_comes_back_by_the_ramp_or_not_at_all();
+    void readings_that_are_no_newer_take_the_force_away_data() { each_variant_and(stale_stamps()); }
+    void readings_that_are_no_newer_take_the_force_away();
+    void a_clock_that_jumps_is_not_felt_data() { each_variant_and(survived_stamps()); }
+    void a_clock_that_jumps_is_not_felt();
     void random_troubles_never_hurt_data();
     void random_troubles_never_hurt();
 
 private:
     void each_variant() const;
+    void each_variant_and(const std::vector<StampTrouble>& troubles) const;
     /// The person has, and what pulls is what motors that are on leave at the most.
     bool let_go(const LoopBench& bench) const;
     QString settles(std::size_t variant, const Handle& handle, unsigned delay_ms, double start) const;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/servo/servo_loop.hpp"
+#include "stamp_troubles.hpp"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +43,8 @@ public:
     virtual void move_hand(Vec2 there) = 0;
     virtual bool& unplugged() = 0;
     ForceDevice& back_end() { return *back_end_; }
+    /// Between the back end and the loop.
+    StampTroubles& stamps() { return *stamps_; }
 
     void render(std::vector<Contour> lines) {
         auto made = make_haptic_scene(Scene{300.0, 300.0, std::move(lines)});
@@ -75,7 +79,8 @@ protected:
             return;
         }
         can = *opened;
-        loop = std::make_unique<ServoLoop>(back_end, can, clock, settings);
+        stamps_.emplace(back_end);
+        loop = std::make_unique<ServoLoop>(*stamps_, can, clock, settings);
     }
     /// The back end's writer sends the newest that it was given.
     virtual void deliver() = 0;
@@ -84,6 +89,7 @@ protected:
 
 private:
     ForceDevice* back_end_ = nullptr;
+    std::optional<StampTroubles> stamps_;
 };
 
 } // namespace tp::testing

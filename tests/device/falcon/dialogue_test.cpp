@@ -247,6 +247,25 @@ private slots:
         QVERIFY(length(state->position - Vec2(30.0, 0.0)) < 0.1);
     }
 
+    /// The pane's speed too: 100 mm/s out of it take away what its spring gives.
+    void without_replies_a_grip_that_went_out_of_the_pane_is_held_to_stand() {
+        Bench bench;
+        QVERIFY(bench.open().ok());
+        const auto pushes = [&] {
+            return bench.script.commands.back().motors != std::array<std::int16_t, 3>{};
+        };
+        for (int ms = 0; ms <= 40; ++ms) {
+            QVERIFY(bench.hear(reply_at(falcon_place({0.0, 0.0}, -5.0 + 0.1 * ms))));
+            bench.write(ms == 0 ? SafeForce{} : safe({0.0, 0.0}));
+        }
+        QVERIFY(!pushes());
+        for (int ms = 0; ms < 30; ++ms) {
+            QVERIFY(!bench.device.read(bench.now += 0.001));
+            bench.write(safe({0.0, 0.0}));
+        }
+        QVERIFY(pushes());
+    }
+
     /// Where it was, what it heard and what it pulled belong to what was before.
     void opened_again_it_lets_go_and_begins_as_new() {
         Bench bench;

@@ -52,6 +52,24 @@ private slots:
         twice.feed(2.0, std::nan(""));
         QVERIFY(std::abs(twice.force(1.0) - 0.3) < 1e-12);
     }
+
+    /// 100 mm/s out of the pane take 0.6 N off, which come back when no place says that it goes on.
+    void a_speed_does_not_outlive_its_places() {
+        Pane pane;
+        double now = 0.0;
+        for (int ms = 0; ms <= 30; ++ms) {
+            now = 0.001 * ms;
+            pane.feed(now, plane_z - 5e-3 + 1e-4 * ms);
+            pane.elapse(now);
+        }
+        for (int i = 0; i < 60; ++i)
+            pane.force(1.0);
+        QVERIFY(std::abs(pane.force(1.0) - (0.6 - 0.6)) < 0.001);
+        pane.elapse(now + 0.021);
+        for (int i = 0; i < 60; ++i)
+            pane.force(1.0);
+        QVERIFY(std::abs(pane.force(1.0) - 0.6) < 1e-12);
+    }
 };
 
 QTEST_APPLESS_MAIN(FalconPaneTest)

@@ -31,16 +31,25 @@ DeviceUnderTest force_pad() {
                        .damping = 0.1,
                        .farthest = 0.1,
                        .to_and_fro = 0.2};
-    device.interruptions = {{.name = "a writer hangs, which the pad notices",
-                             .begin = [](LoopBench& bench) { bench.writer_stalled = true; },
-                             .within = 0.040,
-                             .words = "heard nothing",
-                             .end = [](LoopBench& bench) { bench.writer_stalled = false; }}};
+    device.interruptions = {
+        {.name = "a writer hangs, which the pad notices",
+         .begin = [](LoopBench& bench) { bench.writer_stalled = true; },
+         .within = 0.040,
+         .words = "heard nothing",
+         .end = [](LoopBench& bench) { bench.writer_stalled = false; }},
+        {.name = "its last state comes over and over",
+         .begin = of<PadBench>([](PadBench& bench) { bench.link.troubles.repeats = true; }),
+         .within = 0.045,
+         .fault = Fault::stale_input,
+         .end = of<PadBench>([](PadBench& bench) { bench.link.troubles.repeats = false; }),
+         .keeps_its_force = true}, // its motors stay on, and are given none
+    };
     device.troubles = {
         trouble(&PadBench::link, &LinkTroubles::drop),
         trouble(&PadBench::link, &LinkTroubles::garble),
         trouble(&PadBench::link, &LinkTroubles::odd),
         trouble(&PadBench::link, &LinkTroubles::mute),
+        trouble(&PadBench::link, &LinkTroubles::repeats),
         trouble(&PadBench::link, &LinkTroubles::deaf),
         pulled_cable(),
         stalled_writer(),

@@ -63,6 +63,7 @@ struct Script final : ReportTransport {
              std::uint16_t status = pad::status::armed) {
         pad::StateFrame state;
         state.sequence = sequence;
+        state.time_us = 1000u * sequence;
         state.x_um = x_um;
         state.y_um = y_um;
         state.buttons = buttons;
@@ -213,7 +214,7 @@ private slots:
         QVERIFY(state);
         QVERIFY(length(state->position - Vec2(-12.345, 67.890)) < 1e-12);
         QCOMPARE(state->buttons, 5u);
-        QCOMPARE(state->time, 3.5);
+        QCOMPARE(state->time, 0.002); // of the pad's own clock
         QVERIFY(!bench.device.read(3.6));
         bench.script.say(3, 0, 0, 0, pad::status::hot);
         QVERIFY(bench.device.read(3.7));
@@ -292,10 +293,10 @@ private slots:
         bench.script.say(1, 1000);
         QVERIFY(bench.device.read(0.2));
         for (std::uint16_t i = 0; i < 7; ++i) // as states that come late over a bad line
-            bench.script.say(1, 2000);
+            bench.script.say(static_cast<std::uint16_t>(0xFFF0 + i), 2000);
         QVERIFY(!bench.device.read(0.3));
         QCOMPARE(bench.device.bad_frames(), std::uint64_t(7));
-        bench.script.say(1, 2000); // the eighth: it began anew
+        bench.script.say(0xFFF7, 2000); // the eighth: it began anew
         QVERIFY(bench.device.read(0.4));
         bench.device.stop();
         QVERIFY(bench.open());

@@ -14,8 +14,10 @@ using namespace tp::testing;
 
 namespace {
 
+constexpr std::size_t speaks_at_rest = 3;
+
 JoystickWire wire_of(std::size_t variant) {
-    return variant == 0 ? open_controller() : variant == 1 ? plain_controller() : sidewinder();
+    return variant == 1 ? plain_controller() : variant == 2 ? sidewinder() : open_controller();
 }
 
 /// What the smallest step of a stick's force is, of each axis at once, and what a direction of 8 bits is off
@@ -59,6 +61,7 @@ std::vector<Interruption> joystick_interruptions() {
          .begin = [](LoopBench& bench) { bench.writer_stalled = true; },
          .within = 0.060,
          .words = "does not take",
+         .fault = Fault::stale_input, // a stick at rest says that it is alive by taking what is sent
          .end = [](LoopBench& bench) { bench.writer_stalled = false; },
          .back_after = 1.0,
          .keeps_its_force = true},
@@ -89,10 +92,13 @@ std::vector<Interruption> joystick_interruptions() {
 
 DeviceUnderTest force_joystick() {
     DeviceUnderTest device;
-    device.variants = {"open controller", "plain controller", "sidewinder"};
-    device.watchdogs = {0.0, 0.0, 0.0};
+    device.variants = {"open controller", "plain controller", "sidewinder", "one that speaks at rest"};
+    device.watchdogs = {0.0, 0.0, 0.0, 0.0};
     device.make = [](std::size_t variant, const Handle& handle, unsigned delay_ms, std::uint32_t seed) {
-        return std::make_unique<JoystickBench>(wire_of(variant), handle.plant<HandlePlant>(), delay_ms, seed);
+        auto bench =
+            std::make_unique<JoystickBench>(wire_of(variant), handle.plant<HandlePlant>(), delay_ms, seed);
+        bench->model.speaks_at_rest = variant == speaks_at_rest;
+        return bench;
     };
     device.slack = [](LoopBench& bench, bool) { return slack_of(dynamic_cast<JoystickBench&>(bench)); };
     device.may_follow = [](LoopBench& bench, Vec2 before, Vec2 now, double dt) {
@@ -167,6 +173,42 @@ private slots:
         bench->run(5.0);
         QCOMPARE(bench->loop->snapshot().fault, Fault::none);
         QVERIFY(length(bench->model.force()) > 0.3);
+    }
+
+    void a_joystick_that_spoke_at_rest_and_falls_silent_lets_go() {
+        const auto bench = held<JoystickBench>(speaks_at_rest);
+        QVERIFY2(bench->loop, bench->error.c_str());
+        bench->run(3.0);
+        QCOMPARE(bench->loop->snapshot().fault, Fault::none);
+        QVERIFY(length(bench->model.force()) > 0.3);
+        bench->link.troubles.mute = true;
+        bench->run(0.023);
+        QCOMPARE(bench->loop->snapshot().fault, Fault::stale_input);
+        bench->run(0.023);
+        QVERIFY(bench->loop->snapshot().force() == Vec2(0.0) && bench->lets_go());
+        bench->run(1.0);
+        QCOMPARE(bench->loop->snapshot().fault, Fault::stale_input);
+        bench->link.troubles.mute = false;
+        bench->run(1.0);
+        QCOMPARE(bench->loop->snapshot().fault, Fault::none);
+        QVERIFY(length(bench->model.force()) > 0.3);
+    }
+
+    /// A stick that only reports changes cannot be told from one at rest; its old velocity is not held.
+    void a_joystick_that_falls_silent_at_200_mm_per_s_pulls_as_the_law_has_it() {
+        const auto bench = held<JoystickBench>();
+        for (double y = 4.0; y > 0.5; y -= 0.2) {
+            bench->move_hand(bench->middle() + Vec2(0.0, y));
+            bench->tick();
+        }
+        bench->link.troubles.mute = true;
+        bench->run(0.1);
+        const ServoSnapshot view = bench->loop->snapshot();
+        QCOMPARE(view.fault, Fault::none);
+        constexpr double stiffness = 0.2; // N/mm, up to 4 mm
+        QVERIFY(view.distance > 0.1 && view.distance < 4.0);
+        QVERIFY2(std::abs(length(view.force()) - stiffness * view.distance) < 1e-3,
+                 qPrintable(QString("%1 N at %2 mm").arg(length(view.force())).arg(view.distance)));
     }
 
     void a_guard_that_has_ended_is_not_sent_away() {

@@ -103,6 +103,84 @@ private slots:
         QVERIFY(stick.device.read(0.002).has_value());
     }
 
+    /// HID has neither a clock nor a number: what shows that a stick is alive is a report, or that it takes what
+    /// is sent while it only reports changes and has none.
+    void at_rest_a_stick_is_as_fresh_as_the_last_message_that_it_took() {
+        JoystickToOpen stick;
+        QVERIFY(stick.device.open().ok());
+        QVERIFY(stick.device.read(0.001));
+        for (int ms = 2; ms < 100; ++ms) {
+            QVERIFY(stick.device.write(SafeForce{}));
+            const bool takes = ms % 3 != 0;
+            if (takes)
+                stick.device.deliver();
+            stick.link.advance();
+            const std::optional<DeviceState> state = stick.device.read(0.001 * ms);
+            QCOMPARE(state.has_value(), takes);
+            QVERIFY(!state || state->time == 0.001 * ms);
+        }
+        stick.model.place_grip({5.0, 0.0}); // and a report tells, whether it takes anything or not
+        stick.link.advance();
+        const std::optional<DeviceState> moved = stick.device.read(0.1);
+        QVERIFY(moved && moved->time == 0.1 && std::abs(moved->position.x - 5.0) < 0.2);
+    }
+
+    void the_silence_of_a_stick_that_speaks_at_rest_is_no_reading_data() {
+        QTest::addColumn<int>("same_ms");
+        QTest::addColumn<bool>("known");
+        QTest::newRow("a report said the same for 0.9 s") << 900 << false;
+        QTest::newRow("and for 1.1 s") << 1100 << true;
+    }
+    void the_silence_of_a_stick_that_speaks_at_rest_is_no_reading() {
+        QFETCH(int, same_ms);
+        QFETCH(bool, known);
+        JoystickToOpen stick;
+        stick.model.speaks_at_rest = true;
+        QVERIFY(stick.device.open().ok());
+        int ms = 0;
+        const auto tick = [&] {
+            stick.device.write(SafeForce{});
+            stick.device.deliver();
+            stick.link.advance();
+            return stick.device.read(0.001 * ++ms);
+        };
+        while (ms < same_ms)
+            QVERIFY(tick());
+        stick.link.troubles.mute = true;
+        for (int i = 0; i < 50; ++i)
+            QCOMPARE(tick().has_value(), !known);
+        stick.link.troubles.mute = false;
+        QVERIFY(tick());
+    }
+
+    /// The idle rate of a stick: now and then it says again where it is (HID 1.11, 7.2.4).
+    void a_report_that_comes_again_now_and_then_is_no_speaking_at_rest() {
+        JoystickToOpen stick;
+        stick.model.speaks_at_rest = true;
+        QVERIFY(stick.device.open().ok());
+        for (int ms = 1; ms < 5000; ++ms) {
+            stick.link.troubles.mute = ms % 50 != 0;
+            stick.device.write(SafeForce{});
+            stick.device.deliver();
+            stick.link.advance();
+            QVERIFY(stick.device.read(0.001 * ms));
+        }
+    }
+
+    /// The system keeps the oldest reports where nothing reads them.
+    void what_a_full_queue_of_the_system_held_last_is_no_reading() {
+        JoystickToOpen stick;
+        stick.model.speaks_at_rest = true;
+        QVERIFY(stick.device.open().ok());
+        for (int i = 0; i < 63; ++i)
+            stick.link.advance();
+        QVERIFY(!stick.device.read(0.1));
+        stick.model.place_grip({5.0, 0.0});
+        stick.link.advance();
+        const std::optional<DeviceState> state = stick.device.read(0.101);
+        QVERIFY(state && std::abs(state->position.x - 5.0) < 0.2);
+    }
+
     void a_full_memory_is_emptied_once() {
         JoystickToOpen stick;
         stick.model.troubles.room = 4;

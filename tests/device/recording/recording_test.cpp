@@ -3,8 +3,10 @@
 #include "device/recording/recording_device.hpp"
 #include "device/recording/replay_device.hpp"
 #include "device/simulated/simulated_device.hpp"
+#include "device_double.hpp"
 #include "places.hpp"
 #include "recording_check.hpp"
+#include "troubled_stamps.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -15,6 +17,9 @@
 #include <string>
 
 using namespace tp;
+using namespace tp::testing;
+
+Q_DECLARE_METATYPE(const StampTrouble*)
 
 namespace {
 
@@ -95,6 +100,49 @@ private slots:
             loop.tick();
             QCOMPARE(loop.snapshot().fault, Fault::device_lost); // the end
         }
+    }
+
+    /// Whatever its clock does: what was no newer to the servo is no newer in the replay.
+    void a_device_with_a_troubled_clock_is_replayed_to_the_last_bit_data() {
+        QTest::addColumn<const StampTrouble*>("trouble");
+        for (const auto* troubles : {&survived_stamps(), &stale_stamps()})
+            for (const StampTrouble& one : *troubles)
+                QTest::newRow(one.name) << &one;
+    }
+    void a_device_with_a_troubled_clock_is_replayed_to_the_last_bit() {
+        QFETCH(const StampTrouble*, trouble);
+        const QString file = path(trouble->name);
+        DeviceDouble device;
+        device.place = [](double now) { return Vec2(0.0, 8.0 - 7.0 * now); };
+        int count = 0;
+        device.stamp = [&](double now) {
+            return now < 1.0 ? now - 7.0 : trouble->stamped(now - 7.0, 1.0 - 7.0, count++);
+        };
+        RecordingDevice recorder(device, file.toStdString());
+        const Result<Capabilities> can = recorder.open();
+        QVERIFY(can.ok());
+        {
+            VirtualClock clock;
+            ServoLoop loop(recorder, can.value(), clock, {});
+            loop.render(scene());
+            loop.engage();
+            for (int i = 0; i < 2000; ++i) {
+                clock.sleep_until(clock.now() + 0.001);
+                loop.tick();
+            }
+            QVERIFY(recorder.flush());
+            QCOMPARE(loop.snapshot().fault, trouble->stale_within > 0.0 ? Fault::stale_input : Fault::none);
+        }
+        const Result<TouchRecording> read = parse_recording(bytes_of(file));
+        QVERIFY(read.ok());
+        QCOMPARE(read->ticks.size(), std::size_t(2000));
+        ReplayDevice again(read.value());
+        VirtualClock clock;
+        ServoLoop loop(again, again.open().value(), clock, {});
+        loop.render(scene());
+        loop.engage();
+        replay(read.value(), loop, clock);
+        QCOMPARE(again.greatest_difference(), 0.0);
     }
 
     void a_file_that_ends_anywhere_keeps_every_whole_tick() {

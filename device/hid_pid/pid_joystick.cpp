@@ -19,7 +19,6 @@ constexpr int full_queue = 63;            ///< reports, of hidraw, which then dr
 constexpr double start_anew_after = 30.0; ///< s; less than half of 65.5 s
 constexpr double enable_every = 0.25;     ///< s, while the motors are off
 constexpr double stuck_after = 0.020;     ///< s without a message that the device took
-constexpr double rest_gap = 0.020;        ///< s between two reports of a stick that speaks at rest, at most
 
 /// Messages after which a force that did not change is told again: one that got lost does not stay for long.
 constexpr unsigned tell_again_after = 16;
@@ -192,9 +191,8 @@ Result<Capabilities> PidJoystick::open() {
     line_ = std::make_shared<Line>();
     line_->transport = std::move(opened).value();
     assume(scale_.newtons_at_full, scale_.sign);
-    ticked_ = heard_ = speaks_at_rest_ = safety_switch_off_ = stuck_ = off_ = false;
-    said_at_.reset();
-    stamped_.reset();
+    ticked_ = heard_ = safety_switch_off_ = stuck_ = off_ = false;
+    stamps_ = {};
     motors_on_ = true;
     taken_ = 0;
     starts_ = {};
@@ -258,17 +256,6 @@ bool PidJoystick::take(const hid::Report& report) noexcept {
     return news.axes.has_value();
 }
 
-/// A stick that only reports changes never says the same twice, or seldom (its idle rate).
-void PidJoystick::note_rest(const hid::Report& report) noexcept {
-    const bool same = said_at_ && now_ - *said_at_ <= rest_gap && report.size == said_.size &&
-                      std::equal(report.all().begin(), report.all().end(), said_.all().begin());
-    if (!same)
-        same_since_ = now_;
-    speaks_at_rest_ = speaks_at_rest_ || now_ - same_since_ >= rest_known_after;
-    said_ = report;
-    said_at_ = now_;
-}
-
 bool PidJoystick::take_reports() noexcept {
     for (int i = 0; i < most_input_reports && !lost(); ++i) {
         hid::Report report;
@@ -278,7 +265,7 @@ bool PidJoystick::take_reports() noexcept {
         if (got == PidTransport::Got::lost)
             writer_->lose();
         else if (take(report))
-            note_rest(report);
+            stamps_.reported(report, now_);
     }
     return false;
 }
@@ -310,10 +297,10 @@ std::optional<DeviceState> PidJoystick::read(double now) noexcept {
     off_ = off_ || stuck_ || !motors_on_ || unguarded || line_->pull->let_go();
     if (lost() || !heard_ || !newest)
         return std::nullopt;
-    const double alive_at = speaks_at_rest_ ? *said_at_ : std::max(said_at_.value_or(taken_at_), taken_at_);
-    if (stamped_ && !(alive_at > *stamped_))
+    const std::optional<double> stamp = stamps_.next(taken_at_);
+    if (!stamp)
         return std::nullopt;
-    stamped_ = state_.time = alive_at;
+    state_.time = *stamp;
     return state_;
 }
 

@@ -5,6 +5,7 @@
 #include "device/guard/guarded_pull.hpp"
 #include "device/hid_pid/joystick_scale.hpp"
 #include "device/hid_pid/pid_transport.hpp"
+#include "device/hid_pid/report_stamps.hpp"
 #include "device/latest_writer.hpp"
 
 #include <array>
@@ -24,10 +25,8 @@ namespace tp {
 /// sent. They are started anew every 30 s of the servo's time, because many devices end an "infinite" effect
 /// after 65.5 s (16 bits of milliseconds).
 ///
-/// A stick has neither a clock nor a number for its reports, so that a reading is stamped when its report came.
-/// A stick may say nothing while nothing changes (HID 1.11, 7.2.4): its silence counts as standing still, and
-/// each message that it takes meanwhile stamps the same place again. A stick that has gone on reporting while
-/// nothing changed for `rest_known_after` is one that speaks at rest, whose silence is no reading.
+/// Silence of a stick that reports only changes counts as standing still for as long as the stick takes what is
+/// sent to it (ReportStamps).
 ///
 /// It has no watchdog: what was sent last pulls until something else is sent. So a guard stands beside it,
 /// without which it is not opened; where that has stepped in the stick pulls again only after it was given no
@@ -46,7 +45,6 @@ public:
     static constexpr double lever_mm = 60.0;
     static constexpr double most_newtons = 20.0; ///< of a measured stick
     static constexpr double most_newtons_unmeasured = 2.0;
-    static constexpr double rest_known_after = 1.0; ///< s of reports that all say the same
 
     PidJoystick(Opener opener, Identity identity, const JoystickScale& scale = {},
                 LatestWriter::Thread thread = LatestWriter::Thread::own);
@@ -114,7 +112,6 @@ private:
     bool control(const hid::Choice& what);
     /// True where it says where the grip is.
     bool take(const hid::Report& report) noexcept;
-    void note_rest(const hid::Report& report) noexcept;
     /// False where older reports may still wait in the system.
     bool take_reports() noexcept;
     void post(Vec2 share) noexcept;
@@ -137,11 +134,7 @@ private:
     double now_ = 0.0;
     bool ticked_ = false;
     bool heard_ = false; ///< where it is, since open
-    bool speaks_at_rest_ = false;
-    hid::Report said_;              ///< the last report that said where it is
-    std::optional<double> said_at_; ///< s
-    double same_since_ = 0.0;       ///< s; since then each report said the same, without a gap
-    std::optional<double> stamped_; ///< s, of the last reading
+    ReportStamps stamps_;
     bool motors_on_ = true;
     bool safety_switch_off_ = false;
     bool stuck_ = false; ///< the writer

@@ -34,7 +34,7 @@ private slots:
         QVERIFY(FreshReadings().taken(5.0, 1.0)); // nothing is known yet
     }
 
-    /// Readings that come up to 4 ms late, of a clock that begins anywhere: each was taken when it was.
+    /// One in ten comes up to 4 ms late, and holds the next ones up; of a clock that begins anywhere.
     void what_comes_late_was_taken_when_it_was() {
         FreshReadings readings;
         std::mt19937 random(2);
@@ -42,12 +42,12 @@ private slots:
         double before = 0.0;
         for (int i = 0; i < 5000; ++i) {
             const double at = 0.001 * i;
-            came = std::max(came + 1e-5, at + 1e-6 * static_cast<double>(i < 10 ? 0 : random() % 4000));
+            came = std::max(came + 1e-5,
+                            at + 1e-6 * static_cast<double>(random() % (random() % 10 == 0 ? 4000 : 100)));
             const std::optional<double> taken = readings.taken(at - 1e6, came);
             QVERIFY2(taken, qPrintable(QString::number(i)));
-            // 1 % of the time since one came quickly.
-            QVERIFY2(std::abs(*taken - at) < 1e-3, qPrintable(QString::number(*taken - at)));
-            QVERIFY(i == 0 || std::abs(*taken - before - 0.001) < 1e-3);
+            QVERIFY2(std::abs(*taken - at) < 3e-4, qPrintable(QString::number(*taken - at)));
+            QVERIFY(i == 0 || std::abs(*taken - before - 0.001) < 3e-4);
             before = *taken;
         }
     }

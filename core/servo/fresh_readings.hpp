@@ -9,7 +9,7 @@ namespace tp {
 /// (DeviceState::time), and says when it was taken on the servo's clock.
 ///
 /// A stamp is compared with stamps and an arrival with arrivals, so that the device's clock may begin anywhere
-/// and run up to 1 % fast or slow. A reading is newer where its stamp went on by as much as the servo's clock
+/// and run up to 3 % fast or slow. A reading is newer where its stamp went on by as much as the servo's clock
 /// since the last one, give or take `jitter`. A stamp that did anything else may be one broken reading, or the
 /// first of a clock that was set, has wrapped or began again: it counts once a second reading goes on from it.
 /// Where stamps keep jumping, as those of a few old readings that come over and over do, more must go on from it
@@ -18,7 +18,8 @@ namespace tp {
 class FreshReadings {
 public:
     static constexpr double jitter = 0.005; ///< s by which one reading may come later than the last one did
-    static constexpr double drift = 0.01;   ///< by which the device's clock may run fast or slow
+    static constexpr double drift =
+        0.03; ///< by which the device's clock may run fast or slow; 1/1024 s is no ms
     static constexpr double jumps = 5.0; ///< a second, that do not make it harder for the next to be believed
 
     /// `longest_lag`, s: how old a reading may be, by the device's own clock, when it comes.

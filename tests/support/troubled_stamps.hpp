@@ -54,9 +54,15 @@ inline const std::vector<StampTrouble>& survived_stamps() {
          [](double s, double last, int) { return last + 1.005 * (s - last); }},
         {"clock_runs_half_a_percent_slow",
          [](double s, double last, int) { return last + 0.995 * (s - last); }},
+        {"clock_counts_1024_to_a_second",
+         [](double s, double last, int) { return last + 1.024 * (s - last); }},
+        {"clock_counts_1000_to_1024_ms",
+         [](double s, double last, int) { return last + (s - last) / 1.024; }},
         {"clock_runs_twice_as_fast", [](double s, double last, int) { return last + 2.0 * (s - last); }},
         {"clock_counts_in_steps_of_4_ms",
          [](double s, double, int) { return 0.004 * std::floor(s / 0.004 + 1e-6); }, 4},
+        {"clock_in_steps_of_4_ms_jumps_back",
+         [](double s, double, int) { return 0.004 * std::floor(s / 0.004 + 1e-6) - 10.0; }, 8},
         {"clock_stands_still_for_15_ms", [](double s, double last, int i) { return i < 15 ? last : s; }, 17},
     };
     return all;

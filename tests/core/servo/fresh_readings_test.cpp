@@ -46,8 +46,8 @@ private slots:
                             at + 1e-6 * static_cast<double>(random() % (random() % 10 == 0 ? 4000 : 100)));
             const std::optional<double> taken = readings.taken(at - 1e6, came);
             QVERIFY2(taken, qPrintable(QString::number(i)));
-            QVERIFY2(std::abs(*taken - at) < 3e-4, qPrintable(QString::number(*taken - at)));
-            QVERIFY(i == 0 || std::abs(*taken - before - 0.001) < 3e-4);
+            QVERIFY2(std::abs(*taken - at) < 6e-4, qPrintable(QString::number(*taken - at)));
+            QVERIFY(i == 0 || std::abs(*taken - before - 0.001) < 6e-4);
             before = *taken;
         }
     }
@@ -57,8 +57,10 @@ private slots:
         FreshReadings readings;
         int counted = 0;
         for (int i = 0; i < 1000; ++i)
-            counted += readings.taken(0.0009 * i, 0.001 * i) ? 1 : 0; // a tenth later with each
-        QVERIFY2(counted > 200 && counted < 230, qPrintable(QString::number(counted)));
+            counted += readings.taken(0.0009 * i, 0.001 * i)
+                           ? 1
+                           : 0; // 0.1 ms later with each, of which the clock may be 0.03
+        QVERIFY2(counted > 280 && counted < 292, qPrintable(QString::number(counted)));
     }
 
     void after_a_pause_of_any_length_the_next_reading_counts() {
@@ -128,7 +130,7 @@ private slots:
             double stamp = 0.0;
             double before = -infinity;
             for (int i = 0; i < 500; ++i) {
-                now += 1e-6 * static_cast<double>(random() % 3000);
+                now += random() % 4 == 0 ? 0.0 : 1e-6 * static_cast<double>(random() % 3000);
                 stamp = random() % 20 == 0 ? odd[random() % odd.size()]
                                            : stamp + 1e-6 * static_cast<double>(random() % 3000) - 2e-4;
                 if (const std::optional<double> taken = readings.taken(stamp, now)) {

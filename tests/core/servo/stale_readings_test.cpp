@@ -95,15 +95,27 @@ private slots:
         QVERIFY(length(bench.loop.snapshot().force() - at_rest) < 1e-6);
     }
 
-    /// No fault yet, and no old velocity any more: 15 ms without a newer reading.
-    void after_200_mm_per_s_a_pause_of_15_ms_leaves_the_law_alone() {
+    /// No fault yet, and no old velocity any more: a device that is silent, or whose stamp stands still, for 18 ms. An
+    /// old velocity adds up to 0.78 N in that time.
+    void after_200_mm_per_s_a_pause_of_18_ms_leaves_the_law_alone_data() {
+        QTest::addColumn<bool>("silent");
+        QTest::newRow("silent") << true;
+        QTest::newRow("stamp_stands_still") << false;
+    }
+    void after_200_mm_per_s_a_pause_of_18_ms_leaves_the_law_alone() {
+        QFETCH(bool, silent);
         Troubled bench(arrives);
         bench.run(arrival);
-        bench.device.silent = true;
-        bench.run(0.015);
+        bench.device.silent = silent;
+        bench.trouble = silent ? nullptr : &stale_stamps().front();
+        bench.run(0.018);
         QCOMPARE(bench.loop.snapshot().fault, Fault::none);
+        const double left = length(bench.loop.snapshot().force() - at_rest);
+        QVERIFY2(left < 0.05, qPrintable(QString::number(left)));
         bench.device.silent = false;
+        bench.trouble = nullptr;
         bench.run(0.040);
+        QCOMPARE(bench.loop.snapshot().fault, Fault::none);
         QVERIFY(length(bench.loop.snapshot().force() - at_rest) < 0.002);
     }
 
@@ -134,7 +146,6 @@ private slots:
         twin.run(1.0);
         bench.trouble = trouble;
         const bool lasts = trouble->blind > 2;
-        double farthest = 0.0;
         double strongest = 0.0;
         for (int ms = 0; ms < 1000; ++ms) {
             const ServoSnapshot view = bench.tick();
@@ -142,13 +153,9 @@ private slots:
             QCOMPARE(view.fault, Fault::none);
             const double off = length(view.finger() - right.finger());
             QVERIFY(off <= 1.05e-3 * speed * (trouble->blind - 1));
-            farthest = std::max(farthest, off);
             strongest = std::max(strongest, length(view.force() - right.force()));
         }
-        QVERIFY(farthest > 0.0 || std::string_view(trouble->name).find("runs") != std::string_view::npos ||
-                std::string_view(trouble->name).find("ahead_by") != std::string_view::npos);
-        qInfo("%s: place off by %.3f mm, force by %.3f N", trouble->name, farthest, strongest);
-        QVERIFY(lasts || strongest < 0.15);
+        QVERIFY2(lasts || strongest < 0.05, qPrintable(QString::number(strongest)));
     }
 
     /// Beside the same finger with a clock that does not jump: 3 m/s, twice of what the chain allows.
@@ -178,7 +185,9 @@ private slots:
         bench.run(1.0);
         bench.loop.stop();
         bench.device.stamp = [](double now) { return now - 1e6; };
-        QCOMPARE(bench.tick().fault, Fault::none);
+        bench.device.place = [](double) { return Vec2(12.0, 0.5); };
+        QVERIFY(bench.tick().finger() == Vec2(12.0, 0.5));
+        QCOMPARE(bench.loop.snapshot().fault, Fault::none);
         bench.run(0.6);
         QVERIFY(length(bench.loop.snapshot().force() - at_rest) < 1e-9);
     }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -30,6 +32,28 @@ private:
     std::unique_ptr<ReportTransport> real_;
 };
 
+/// The mocks' pad makes a step for each frame that it is sent, whatever the clock says: its states get the clock of the
+/// bench, as those of a pad that lives by itself have.
+class ClockedTransport final : public ReportTransport {
+public:
+    ClockedTransport(std::unique_ptr<ReportTransport> real, Clock& clock)
+        : real_(std::move(real)), clock_(clock) {}
+    Got read(pad::Frame& frame, int wait_ms) noexcept override {
+        const Got got = real_->read(frame, wait_ms);
+        pad::StateFrame state;
+        if (got == Got::report && pad::decode(frame, state)) {
+            state.time_us = static_cast<std::uint32_t>(std::llround(1e6 * clock_.now()));
+            frame = pad::encode(state);
+        }
+        return got;
+    }
+    bool write(const pad::Frame& frame) noexcept override { return real_->write(frame); }
+
+private:
+    std::unique_ptr<ReportTransport> real_;
+    Clock& clock_;
+};
+
 /// The only pad that is found, behind its real transport.
 struct FoundPadBench : testing::WireBench<ForcePad> {
     using Opened = Result<std::unique_ptr<ReportTransport>>;
@@ -38,12 +62,15 @@ struct FoundPadBench : testing::WireBench<ForcePad> {
                   std::function<long()> answered_now, bool patient = true)
         : WireBench(std::move(answered_now)) {
         if (found.size() == 1)
-            begin(std::make_unique<ForcePad>([open, patient, pad = found.front()]() -> Opened {
+            begin(std::make_unique<ForcePad>([this, open, patient, pad = found.front()]() -> Opened {
                 Opened opened = open(pad);
-                if (patient || !opened.ok())
+                if (!opened.ok())
                     return opened;
+                std::unique_ptr<ReportTransport> transport = std::move(opened).value();
+                if (!patient)
+                    transport = std::make_unique<ImpatientTransport>(std::move(transport));
                 return std::unique_ptr<ReportTransport>(
-                    std::make_unique<ImpatientTransport>(std::move(opened).value()));
+                    std::make_unique<ClockedTransport>(std::move(transport), clock));
             }));
         else
             error = "found " + std::to_string(found.size());

@@ -254,6 +254,18 @@ private slots:
         }
     }
 
+    void a_pad_that_was_restarted_is_heard_though_each_state_comes_twice() {
+        StateScript script;
+        ForcePad device(lend(script), LatestWriter::Thread::caller);
+        QVERIFY(device.open().ok());
+        script.say(500, 1000);
+        QVERIFY(device.read(0.0));
+        for (std::uint16_t i = 0; i < 16; ++i) {
+            script.say(static_cast<std::uint16_t>(10 + i / 2), 2000);
+            QCOMPARE(device.read(0.0).has_value(), i == 14); // the eighth
+        }
+    }
+
     /// It wraps after 71.6 minutes.
     void a_reading_has_the_pads_own_clock_for_a_stamp() {
         StateScript script;

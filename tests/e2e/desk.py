@@ -17,24 +17,28 @@ SAID = "Last sentence: "
 PATIENCE = 60.0  # s; how long a thing may take on a busy machine, asserted nowhere
 
 
-def what_is_missing(*more_tools):
-    for tool in ("xvfb-run", "Xvfb", "dbus-run-session", "openbox") + more_tools:
-        if shutil.which(tool) is None:
-            return tool
+def what_is_missing(*more_needed):
+    """A sentence's beginning; nothing where all is there. `more_needed`: names of programs, paths of this system."""
+    for needed in ("xvfb-run", "Xvfb", "dbus-run-session", "openbox") + more_needed:
+        if needed.startswith("/"):
+            if not os.path.exists(needed):
+                return f"this system has no {needed}"
+        elif shutil.which(needed) is None:
+            return f"{needed} is not installed"
     if not os.path.exists(LAUNCHER):
-        return "at-spi2-core"
+        return "at-spi2-core is not installed"
     for module in ("gi", "pyatspi"):
         if importlib.util.find_spec(module) is None:
-            return f"python3-{module}"
+            return f"python3-{module} is not installed"
     return None
 
 
-def at_a_desk(script, *more_tools, size="1400x900", seconds=280, opengl=False):
-    """Runs `script` with its arguments once more, at a desk; its exit status, 77 where something is not installed. Such a
+def at_a_desk(script, *more_needed, size="1400x900", seconds=280, opengl=False):
+    """Runs `script` with its arguments once more, at a desk; its exit status, 77 where something is missing. Such a
     display has no GPU: OpenGL's pictures cost most of the time there, so some journeys alone are drawn by it."""
-    missing = what_is_missing(*more_tools)
+    missing = what_is_missing(*more_needed)
     if missing:
-        print(f"SKIP: {missing} is not installed")
+        print(f"SKIP: {missing}")
         return 77
     environment = dict(os.environ, QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", LC_ALL="C.UTF-8",
                        **{INNER: "1"})

@@ -154,7 +154,7 @@ def outer():
         print(f"SKIP: {reason}")
         return 77
     os.environ.pop("SESSION_MANAGER", None)
-    return desk.at_a_desk(__file__, "ffmpeg", "pulseaudio", "pactl", "speech-dispatcher", seconds=580, opengl=True)
+    return desk.at_a_desk(__file__, "ffmpeg", "pulseaudio", "pactl", "speech-dispatcher", "/proc/self", seconds=580, opengl=True)
 
 
 if __name__ == "__main__":

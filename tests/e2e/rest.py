@@ -114,4 +114,4 @@ if __name__ == "__main__":
     if len(sys.argv) < 4:
         sys.exit(__doc__)
     sys.exit(desk.verdict(inner, sys.argv[1], sys.argv[2], sys.argv[3:]) if desk.is_at_a_desk()
-             else desk.at_a_desk(__file__, "xdotool", seconds=580))
+             else desk.at_a_desk(__file__, "xdotool", "/proc/self", seconds=580))

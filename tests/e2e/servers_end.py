@@ -107,4 +107,4 @@ if __name__ == "__main__":
     if len(sys.argv) < 4:
         sys.exit(__doc__)
     sys.exit(desk.verdict(inner, *sys.argv[1:4]) if desk.is_at_a_desk()
-             else desk.at_a_desk(__file__, "xdotool", "pulseaudio", "pactl", "parec", "paplay", "speech-dispatcher", "ps", "pkill"))
+             else desk.at_a_desk(__file__, "xdotool", "pulseaudio", "pactl", "parec", "paplay", "speech-dispatcher", "ps", "pkill", "/proc/self"))

@@ -14,6 +14,7 @@ namespace {
 constexpr double widest_mm = 5e4;
 /// Scenes of fewer segments can afford cells for their surroundings too.
 constexpr std::size_t small_scene = 16384;
+constexpr std::size_t large_scene = 200'000;
 /// … as wide as this share of the scene, on every side.
 constexpr double surroundings = 0.3;
 
@@ -31,7 +32,8 @@ class CellGridBuilder {
 public:
     CellGridBuilder(CellGrid& grid, const SegmentSet& set, const SegmentTree& tree, double band,
                     double margin, std::size_t most_listed)
-        : grid_(grid), set_(set), tree_(tree), band_(band), margin_(margin), most_listed_(most_listed) {}
+        : grid_(grid), set_(set), tree_(tree), band_(band), margin_(margin), most_listed_(most_listed),
+          most_pairs_(set.size() < large_scene ? 15 : CellGrid::most_pairs) {}
 
     void build();
 
@@ -75,9 +77,8 @@ private:
     static constexpr std::size_t first_crowd = 200;
     /// A list this short is not worth dividing the block for.
     static constexpr std::size_t short_list = 2;
-    /// Beyond the band there is no force: lists are kept coarser.
-    static constexpr std::size_t short_list_beyond = 6;
-    static constexpr std::uint32_t last_side_beyond = 4;
+    static constexpr std::size_t short_list_coarse = 6;
+    static constexpr std::uint32_t last_side_coarse = 4;
     /// A child looks for its candidates in the tree rather than in a list longer than this.
     static constexpr std::size_t long_list = 800;
     /// First blocks with more candidates than this wait until the others are done.
@@ -103,6 +104,7 @@ private:
     double band_;
     double margin_;           ///< mm, far above what rounding can do here
     std::size_t most_listed_; ///< entries of lists_
+    std::size_t most_pairs_;  ///< of one list: in a large scene, whose tree answers slowly, twice as many
     std::array<View, 8> views_;
     View found_;
     std::size_t looks_ = 0;  ///< two segments or places each
@@ -258,14 +260,20 @@ void CellGridBuilder::keep_possible(const Block& block, const View& from,
 void CellGridBuilder::refine(const Block& block, std::size_t depth) {
     View& view = views_[depth];
     double nearest = std::numeric_limits<double>::infinity();
-    for (const std::size_t k : corner_places)
+    double farthest = 0.0;
+    for (const std::size_t k : corner_places) {
         nearest = std::min(nearest, view.next[k].squared);
+        farthest = std::max(farthest, view.next[k].squared);
+    }
     const bool beyond = std::sqrt(nearest) - block.radius() - 2.0 * margin_ > band_;
-    const bool divisible = block.side > (beyond ? last_side_beyond : 1);
-    if (!divisible || view.count <= (beyond ? short_list_beyond : short_list))
+    // Beyond the band there is no force: where memory runs short, lists are kept coarser there.
+    const bool coarse = beyond && grid_.lists_.size() > most_listed_ / 2;
+    const bool straddles = !beyond && block.side > last_side_coarse && farthest > band_ * band_;
+    if (block.side <= (coarse ? last_side_coarse : 1) ||
+        (view.count <= (coarse ? short_list_coarse : short_list) && !straddles))
         return store(block, view, beyond);
     const std::size_t cells = std::size_t(block.side) * block.side;
-    if (view.count > 2 * CellGrid::most_pairs * cells || !affordable())
+    if (view.count > 2 * most_pairs_ * cells || !affordable())
         return fill(block, 0); // dividing a crowd evenly would still leave crowds
     const bool crowded = view.count > long_list;
     if (!crowded) {
@@ -305,7 +313,7 @@ void CellGridBuilder::store(const Block& block, const View& view, bool beyond) {
     std::vector<std::uint32_t>& lists = grid_.lists_;
     const std::uint32_t mark = beyond ? CellGrid::beyond_band : 0;
     const std::size_t pairs = view.even() / 2;
-    if (pairs > CellGrid::most_pairs || lists.size() + 2 * pairs > most_listed_)
+    if (pairs > most_pairs_ || lists.size() + 2 * pairs > most_listed_)
         return fill(block, mark);
     listed_ += std::size_t(block.side) * block.side;
     const auto first_pair = static_cast<std::uint32_t>(lists.size() / 2);
@@ -372,7 +380,7 @@ CellGrid::CellGrid(const SegmentSet& set, const SegmentTree& tree, double band, 
     const double largest =
         std::max({std::abs(min.x), std::abs(min.y), std::abs(max.x), std::abs(max.y)}) + band;
     const double count = static_cast<double>(set.size());
-    const double wanted = std::clamp(20.0 * count, 4096.0, std::max(655360.0, std::min(1.2 * count, 1.2e6)));
+    const double wanted = std::clamp(48.0 * count, 4096.0, std::max(655360.0, std::min(1.2 * count, 8e5)));
     const double wanted_in_memory = std::min(wanted, static_cast<double>(most_bytes) / 16.0);
     const double cell = std::sqrt(around.x / wanted_in_memory * around.y);
     const double margin = 1e-6 * cell;

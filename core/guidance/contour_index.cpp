@@ -15,7 +15,7 @@ constexpr double short_mm = 1e3;
 
 /// What the cells may take, bytes: a face stays below a mebibyte in all, a million segments below a hundred.
 constexpr std::size_t small_scene_bytes = std::size_t(512) << 10;
-constexpr std::size_t large_scene_bytes = std::size_t(46) << 20;
+constexpr std::size_t large_scene_bytes = std::size_t(44) << 20;
 
 /// What a search within `reach` begins with; a little above, so that what lies on the edge is found.
 template <typename Real>
@@ -132,8 +132,10 @@ Nearest ContourIndex::nearest_within(Vec2 p, double reach) const noexcept {
         return {};
     if (cell.candidates.empty())
         return from_tree(p, reach);
-    const Nearest found = answer(closest_of(set_, cell.candidates, p), p);
-    return found.distance <= reach ? found : Nearest{};
+    Nearest found = answer(closest_of(set_, cell.candidates, p), p);
+    if (!(found.distance <= reach))
+        found = Nearest{};
+    return found;
 }
 
 std::size_t ContourIndex::bytes() const {

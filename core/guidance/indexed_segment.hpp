@@ -215,10 +215,27 @@ closest_of_equals(const SegmentSet& set, std::span<const std::uint32_t> list, Ve
     return closest;
 }
 
+/// The nearer of a pair, as closest_of finds it.
+inline Closest<double> closer_of(const SegmentSet& set, std::span<const std::uint32_t> pair,
+                                 Vec2 p) noexcept {
+    const TwoSquares here(set.segments[pair[0]], set.segments[pair[1]], p);
+    const std::size_t nearer = here.squared[1] < here.squared[0] ? 1 : 0;
+    Closest<double> closest;
+    closest.squared = here.squared[nearer];
+    if (here.squared[1 - nearer] <= closest.squared * SegmentSet::indistinct + set.indistinct_square)
+        [[unlikely]]
+        return closest_of_equals(set, pair, p);
+    closest.parameter = here.parameter[nearer];
+    closest.segment = pair[nearer];
+    return closest;
+}
+
 /// The nearest of a list, found by TwoSquares; where two of them are too close for that, offers all of them.
 /// `list` comes in pairs, see SegmentSet::filler, and has at least one.
 inline Closest<double> closest_of(const SegmentSet& set, std::span<const std::uint32_t> list,
                                   Vec2 p) noexcept {
+    if (list.size() == 2)
+        return closer_of(set, list, p);
     TwoReals best{1e300, 1e300};
     TwoReals second = best;
     TwoReals best_parameter{};

@@ -86,7 +86,7 @@ private slots:
             most = std::max(most, tree.search(set, p, closest));
         }
         qInfo("%u of %zu segments at most", most, set.size());
-        QVERIFY(most < 12'000);
+        QVERIFY(most < 8'000);
     }
 };
 

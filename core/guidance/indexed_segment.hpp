@@ -202,7 +202,10 @@ private:
 
 [[gnu::noinline]] inline Closest<double>
 closest_of_equals(const SegmentSet& set, std::span<const std::uint32_t> list, Vec2 p) noexcept {
-    if (set.longest > SegmentSet::double_tells_mm) {
+    const auto is_long = [&](std::uint32_t i) {
+        return set.segments[i].is_longer_than(SegmentSet::double_tells_mm);
+    };
+    if (set.longest > SegmentSet::double_tells_mm && std::any_of(list.begin(), list.end(), is_long)) {
         Closest<long double> closest;
         for (const std::uint32_t candidate : list)
             closest.offer(set, candidate, p);

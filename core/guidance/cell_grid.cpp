@@ -14,9 +14,8 @@ namespace {
 constexpr double widest_mm = 5e4;
 /// Scenes of fewer segments can afford cells for their surroundings too.
 constexpr std::size_t small_scene = 16384;
+constexpr double surroundings = 0.3; ///< on every side, as a share of the scene
 constexpr std::size_t large_scene = 200'000;
-/// … as wide as this share of the scene, on every side.
-constexpr double surroundings = 0.3;
 
 /// The nine places of a block that its four quarters have as corners, row by row from the lower left; the
 /// block's own corners are the four of them that stand at `corner_places`.
@@ -84,8 +83,7 @@ private:
     /// First blocks with more candidates than this wait until the others are done.
     static constexpr std::size_t most_found = 4096;
     static constexpr std::uint32_t few_blocks = 15;
-    /// Segments measured for each cell that holds a list; usually it takes about a tenth.
-    static constexpr std::size_t most_looks = 400;
+    static constexpr std::size_t most_looks = 400; ///< for each cell that holds a list; usually a tenth
 
     Block block_at(std::uint32_t column, std::uint32_t row, std::uint32_t side) const;
     bool refine_from_tree(const Block& block, std::size_t depth, std::size_t most);
@@ -117,8 +115,7 @@ void CellGridBuilder::build() {
         side /= 2;
     const std::uint32_t across = (grid_.row_length_ + side - 1) / side;
     const std::uint32_t count = across * ((static_cast<std::uint32_t>(grid_.rows_) + side - 1) / side);
-    // In strides, so that the first blocks say what to expect of all.
-    std::uint32_t stride = std::max(1u, count * 5 / 13);
+    std::uint32_t stride = std::max(1u, count * 5 / 13); // so that the first blocks speak for all
     while (std::gcd(stride, count) != 1)
         ++stride;
     std::vector<Block> crowded;
@@ -324,8 +321,7 @@ void CellGridBuilder::store(const Block& block, const View& view, bool beyond) {
 
 namespace {
 
-/// From the mass of the ends, an end may stray this far, mm, and half of the mass's width, before the cells
-/// leave it out.
+/// Cells leave out an end that is farther than this, mm, and half of their width, from the mass of all.
 constexpr double stray_mm = 150.0;
 
 /// The rectangle of all ends but those that lie far from nearly all others.
@@ -370,7 +366,7 @@ CellGrid::CellGrid(const SegmentSet& set, const SegmentTree& tree, double band, 
     const auto [min, max] = extent_of(set);
     bool strays = false; // beyond the cells lies more
     for (std::size_t i = 0; i < set.size(); ++i) {
-        const IndexedSegment& s = set.segments[i];
+        const auto& s = set.segments[i];
         const Vec2 low = glm::min(s.a, s.b), high = glm::max(s.a, s.b);
         strays = strays || low.x < min.x || low.y < min.y || high.x > max.x || high.y > max.y;
     }
@@ -379,7 +375,7 @@ CellGrid::CellGrid(const SegmentSet& set, const SegmentTree& tree, double band, 
     const Vec2 around = max - min + 2.0 * pad;
     const double largest =
         std::max({std::abs(min.x), std::abs(min.y), std::abs(max.x), std::abs(max.y)}) + band;
-    const double count = static_cast<double>(set.size());
+    const auto count = static_cast<double>(set.size());
     const double wanted = std::clamp(48.0 * count, 4096.0, std::max(655360.0, std::min(1.2 * count, 8e5)));
     const double wanted_in_memory = std::min(wanted, static_cast<double>(most_bytes) / 16.0);
     const double cell = std::sqrt(around.x / wanted_in_memory * around.y);

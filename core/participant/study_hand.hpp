@@ -42,7 +42,7 @@ public:
 private:
     enum class Mode { search, go_back, follow, sway, circle };
     void search(Vec2 felt);
-    void follow(Vec2 finger, Vec2 felt);
+    void follow(Vec2 felt);
     void find(Vec2 felt);
     bool slipped_off() const;
     void lose();
@@ -63,12 +63,17 @@ private:
     ForceSense sense_;
     SlowNoise along_noise_, across_noise_;
     Mode mode_;
-    std::vector<Vec2> places_; ///< ring, of the finger, as old as what is felt
+    bool on_line_;                  ///< it came to the line, and has not left it since
+    std::vector<FeltPlace> places_; ///< ring, of the finger, as old as what is felt
     std::size_t next_place_ = 0;
+    Vec2 felt_heading_{1.0, 0.0}; ///< of the hand, when what is felt now acted
     Vec2 felt_at_{0.0};      ///< mm, where the finger was when what is felt now acted
     Vec2 found_at_{0.0};     ///< mm, where a line was felt again
     Vec2 last_felt_{0.0};    ///< N, the last pull that was felt clearly
     Vec2 last_felt_at_{0.0}; ///< mm, where
+    Vec2 line_at_{0.0};      ///< mm, the last place where the line was felt for sure
+    double recent_n_ = 0.0;  ///< N, the strongest pull of a moment ago, fading
+    double strongest_n_ = 0.0; ///< N, the strongest pull that it has learned to expect
     Vec2 slipped_at_{1e9};   ///< mm, where it slipped off last
     Vec2 hand_;
     Vec2 heading_;
@@ -82,6 +87,7 @@ private:
     double turn_rate_ = 0.0; ///< rad/s, smoothed
     double way_back_mm_ = 0.0;
     std::vector<FeltPlace> trail_;
+    std::size_t trail_sure_ = 0; ///< so many places of the trail lie on the line for sure
     std::size_t times_lost_ = 0;
 };
 

@@ -84,13 +84,17 @@ private slots:
         trail.insert(trail.end(), back.rbegin(), back.rend());
         QVERIFY(!round_end(trail, 0, 6.0));
     }
-    void nothing_is_named_before_a_round_and_something_after() {
-        ShapeNamer namer(exact_memory(), 1);
-        const auto trail = trail_round(4, 50.0, 0.0, 1.2);
-        QVERIFY(!namer.hear(std::span(trail).first(60)) && !namer.guess());
-        QCOMPARE(namer.hear(trail), std::optional(4));
-        QCOMPARE(namer.guess(), std::optional(4));
-        QCOMPARE(namer.rounds(), 1);
+    void a_shape_is_named_before_it_is_closed_but_not_by_its_first_side() {
+        for (const int corners : shape_corners) {
+            ShapeNamer namer(exact_memory(), 1);
+            const auto trail = trail_round(corners, 50.0, 0.0, 0.9);
+            std::optional<int> named;
+            std::size_t places = 1;
+            for (; places <= trail.size() && !named; ++places)
+                named = namer.hear(std::span(trail).first(places));
+            QCOMPARE(named, std::optional(corners));
+            QVERIFY(places > 30 && namer.rounds() == 0 && !namer.guess());
+        }
     }
     void one_who_is_not_sure_goes_round_again_and_answers_at_last() {
         Person person;

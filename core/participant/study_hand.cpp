@@ -21,10 +21,10 @@ constexpr double widest_circle_mm = 40.0;
 constexpr double again_mm = 12.0;      // slipping off so near the last time is at a corner
 constexpr double on_way_back_mm = 6.0; // along places that were passed the other way
 constexpr double smallest_trust = 0.1;
-constexpr double most_lean = 1.0; // rad
-constexpr double slip_s = 0.15;
-constexpr double recent_s = 0.3;
-constexpr double left_share = 0.35;
+constexpr double most_lean = 1.0;     // rad
+constexpr double slip_s = 0.15;       // so long nothing is felt until it may have left the line
+constexpr double recent_s = 0.3;      // in which the strongest pull of a moment ago is forgotten
+constexpr double left_share = 0.35;   // of the strongest pull ever: what was felt before leaving is stronger
 constexpr double on_line_share = 0.5; // of the strongest pull: below that the finger is on the line
 
 Vec2 across(Vec2 v) { return {-v.y, v.x}; }

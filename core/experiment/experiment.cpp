@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<std::string_view, 2> laws{"exact", "published"};
 constexpr std::array<std::string_view, 4> paths{"circle", "triangle", "curve", "line"};
 constexpr std::array<std::string_view, 8> shapes{"circle",  "triangle", "square",      "pentagon",
-                                                 "hexagon", "line",     "broken line", "curve"};
+                                                 "hexagon", "line",     "broken-line", "curve"};
 constexpr std::array<std::string_view, 4> expressions{"smiling", "surprised", "sad", "angry"};
 
 /// In the order of StudyParameter.

@@ -12,7 +12,7 @@ namespace tp {
 namespace {
 
 constexpr std::array<std::string_view, 8> names{"circle",  "triangle", "square", "pentagon",
-                                                "hexagon", "curve",    "line",   "broken line"};
+                                                "hexagon", "curve",    "line",   "broken-line"};
 
 Vec2 at_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 

@@ -11,7 +11,7 @@ namespace tp {
 /// The lines that the published experiments put before a finger (Lim, Yoo, Choi 2019), in mm.
 enum class StudyShape { circle, triangle, square, pentagon, hexagon, curve, line, broken_line };
 
-/// "circle" … "broken line", as experiments spell them.
+/// "circle" … "broken-line", as experiments spell them.
 std::optional<StudyShape> study_shape_named(std::string_view name);
 
 /// How large a shape is where an experiment does not say: the radius of the circle round it, mm. A circle of 4 cm radius, a triangle

@@ -4831,6 +4831,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Was den Finger bewegt</translation>
     </message>
     <message>
+        <source>I consent to the force that this study asks for</source>
+        <translation>Ich willige in die Kraft ein, die diese Studie verlangt</translation>
+    </message>
+    <message>
         <source>Show the scene, to try it out; nothing is kept</source>
         <translation>Szene zeigen, zum Ausprobieren; nichts wird gespeichert</translation>
     </message>
@@ -8359,10 +8363,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>This study asks for up to %1 newtons. The force is cut at %2 newtons, in %3 of %4 conditions, unless you consent to more. Key: L.</source>
         <translation>Diese Studie verlangt bis zu %1 Newton. Die Kraft ist auf %2 Newton begrenzt, in %3 von %4 Bedingungen, wenn Sie nicht in mehr einwilligen. Taste: L.</translation>
-    </message>
-    <message>
-        <source>I consent to a force of up to %1 newtons</source>
-        <translation>Ich willige in eine Kraft von bis zu %1 Newton ein</translation>
     </message>
     <message>
         <source>This study asks for no more force than the settings allow.</source>

@@ -4808,6 +4808,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>손가락을 움직이는 것</translation>
     </message>
     <message>
+        <source>I consent to the force that this study asks for</source>
+        <translation>이 연구에 필요한 힘에 동의합니다</translation>
+    </message>
+    <message>
         <source>Show the scene, to try it out; nothing is kept</source>
         <translation>시험 삼아 장면 보기, 저장하지 않음</translation>
     </message>
@@ -8304,10 +8308,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>This study asks for up to %1 newtons. The force is cut at %2 newtons, in %3 of %4 conditions, unless you consent to more. Key: L.</source>
         <translation>이 연구에는 최대 %1뉴턴이 필요합니다. 더 센 힘에 동의하지 않으시면 힘은 %2뉴턴으로 제한되며, 조건 %4개 중 %3개가 그렇습니다. L 키.</translation>
-    </message>
-    <message>
-        <source>I consent to a force of up to %1 newtons</source>
-        <translation>최대 %1뉴턴의 힘에 동의합니다</translation>
     </message>
     <message>
         <source>This study asks for no more force than the settings allow.</source>

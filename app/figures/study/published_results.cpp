@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/figures/study/published_results.hpp"
 
-#include "core/experiment/number_text.hpp"
+#include "core/files/durable_file.hpp"
+#include "core/files/file_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -260,6 +261,22 @@ CsvTable published_table(std::span<const ComparedResult> compared) {
                    std::to_string(result.ours.size()), result.alike ? "yes" : "no"});
     }
     return table;
+}
+
+std::string write_comparison(const std::filesystem::path& folder, std::span<const StudyReport> studies) {
+    const auto compared = compared_results(studies);
+    if (compared.empty())
+        return "Nothing was published of the experiment " +
+               (studies.empty() ? std::string() : studies.front().experiment.name) + ".";
+    if (const std::string reason = make_folder(folder); !reason.empty())
+        return "The folder " + quoted(folder) + " cannot be made: " + reason;
+    if (const auto written = published_table(compared).write(folder / "published.csv"); !written)
+        return written.error();
+    if (const auto drawn = plot_published(folder, compared); !drawn)
+        return drawn.error();
+    const std::filesystem::path page = folder / "published.html";
+    const std::string reason = replace_file(page, comparison_page(studies, compared));
+    return reason.empty() ? std::string() : "The page " + quoted(page) + " cannot be written: " + reason;
 }
 
 } // namespace tp

@@ -36,20 +36,4 @@ std::string write_report(const std::filesystem::path& folder, const StudyReport&
     return reason.empty() ? std::string() : "The page " + quoted(page) + " cannot be written: " + reason;
 }
 
-std::string write_comparison(const std::filesystem::path& folder, std::span<const StudyReport> studies) {
-    const auto compared = compared_results(studies);
-    if (compared.empty())
-        return "Nothing was published of the experiment " +
-               (studies.empty() ? std::string() : studies.front().experiment.name) + ".";
-    if (const std::string reason = make_folder(folder); !reason.empty())
-        return "The folder " + quoted(folder) + " cannot be made: " + reason;
-    if (const auto written = published_table(compared).write(folder / "published.csv"); !written)
-        return written.error();
-    if (const auto drawn = plot_published(folder, compared); !drawn)
-        return drawn.error();
-    const std::filesystem::path page = folder / "published.html";
-    const std::string reason = replace_file(page, comparison_page(studies, compared));
-    return reason.empty() ? std::string() : "The page " + quoted(page) + " cannot be written: " + reason;
-}
-
 } // namespace tp

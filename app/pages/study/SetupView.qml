@@ -125,8 +125,8 @@ TpScroll {
     TpToggle {
         objectName: "consentToForce"
         width: parent.width
-        visible: view.setup.forceQuestion !== ""
-        text: view.setup.forceQuestion
+        visible: view.setup.force !== ""
+        text: qsTr("I consent to the force that this study asks for")
         on: view.setup.forceAllowed
         onSwitched: (on) => view.setup.setForceAllowed(on)
     }

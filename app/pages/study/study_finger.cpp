@@ -68,11 +68,11 @@ void StudyFinger::choose_limit(double device_n) {
 /// For the record, in English: "force pad, TPC-0042, at most 1.00 N, cut: the study asks for 5.00 N"
 std::string StudyFinger::recorded(QStringList about) const {
     const auto newtons = [](double value) { return QString::number(value, 'f', 2) + " N"; };
-    about << "at most " + newtons(limit_n_);
+    about << QStringList{"at most", newtons(limit_n_)}.join(' ');
     if (wish_.force_allowed && limit_n_ > persons_limit_n())
         about << "raised with the researcher's consent";
     if (is_cut())
-        about << "cut: the study asks for " + newtons(wish_.pull_n);
+        about << QStringList{"cut: the study asks for", newtons(wish_.pull_n)}.join(' ');
     return about.join(", ").toStdString();
 }
 

@@ -242,11 +242,6 @@ QString StudySetup::force() const {
         .arg(now().conditions());
 }
 
-QString StudySetup::force_question() const {
-    const auto pull = stronger_pull_n();
-    return pull ? tr("I consent to a force of up to %1 newtons").arg(StudyWords::newtons(*pull)) : QString();
-}
-
 void StudySetup::setForceAllowed(bool allowed) {
     if (!stronger_pull_n())
         return teller_.tell(tr("This study asks for no more force than the settings allow."));

@@ -44,8 +44,6 @@ class StudySetup final : public QObject {
     Q_PROPERTY(int hand READ hand NOTIFY changed)
     /// How strong the pull is, where the experiment asks for more than the person's own limit; empty: it does not.
     Q_PROPERTY(QString force READ force NOTIFY changed)
-    /// What the researcher consents to; empty: nothing is asked for.
-    Q_PROPERTY(QString forceQuestion READ force_question NOTIFY changed)
     Q_PROPERTY(bool forceAllowed READ force_allowed NOTIFY changed)
     Q_PROPERTY(bool showScene READ show_scene NOTIFY changed)
     /// The experiment shows faces, and where they come from.
@@ -69,7 +67,6 @@ public:
     QStringList hands() const;
     int hand() const { return uses_device() ? 0 : static_cast<int>(hands().size()) - 1; }
     QString force() const;
-    QString force_question() const;
     bool force_allowed() const { return force_allowed_; }
     bool show_scene() const { return show_scene_; }
     bool needs_faces() const;

@@ -90,7 +90,7 @@ private slots:
         };
         using Values = std::multiset<std::string>;
         QCOMPARE(trained("tracking", StudyParameter::path), (Values{"line", "line", "line"}));
-        QCOMPARE(trained("primitives", StudyParameter::shape), (Values{"line", "broken line", "curve"}));
+        QCOMPARE(trained("primitives", StudyParameter::shape), (Values{"line", "broken-line", "curve"}));
         const Experiment primitives = shipped("primitives");
         QCOMPARE(primitives.training * primitives.longest_training_s.value(), 60.0);
         QVERIFY(!primitives.asks(true) && primitives.asks(false));

@@ -228,7 +228,7 @@ private slots:
                 QVERIFY(length(place) <= 80.0 + 1e-9);
             if (contour.name == "line")
                 QCOMPARE(length_of(line), 160.0);
-            if (contour.name == "broken line") {
+            if (contour.name == "broken-line") {
                 QCOMPARE(line.points.size(), std::size_t{3});
                 QVERIFY(std::abs(glm::dot(line.points[1] - line.points[0], line.points[2] - line.points[1])) <
                         1e-9);

@@ -58,6 +58,9 @@ Result<Contour> shape_of(const Experiment& experiment, std::size_t condition, St
         return Error{"A shape " + millimetres(box.width()) + " mm wide and " + millimetres(box.height()) +
                      " mm high does not fit on a surface of " + millimetres(experiment.surface_width_mm) +
                      " x " + millimetres(experiment.surface_height_mm) + " mm."};
+    // Two numbers that place nothing are drawn first, so that a trial that was given stays as it was.
+    chance.share();
+    chance.share();
     Vec2 centre(0.0);
     if (experiment.task == StudyTask::follow)
         centre = {free_place(experiment.surface_width_mm, box.width(), box.min.x, chance),

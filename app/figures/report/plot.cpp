@@ -116,8 +116,8 @@ private:
             if (across) {
                 const double x = box_.left() + at * box_.width();
                 painter_.drawLine(QPointF(x, box_.top()), QPointF(x, box_.bottom()));
-                text(QRectF(x - 0.5 * wide, box_.bottom() + 4, wide, 18), Qt::AlignCenter, number,
-                     wide < 60.0 ? 10 : 13);
+                text(QRectF(x - 0.5 * wide, box_.bottom() + 4, wide, number.contains('\n') ? 32 : 18),
+                     Qt::AlignCenter, number, wide < 60.0 ? 10 : 13);
             } else {
                 const double y = box_.bottom() - at * box_.height();
                 painter_.drawLine(QPointF(box_.left(), y), QPointF(box_.right(), y));

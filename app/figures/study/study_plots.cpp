@@ -213,7 +213,8 @@ PlotPanel means_beside_published(const std::vector<ComparedResult>& results, std
             continue;
         at += 1.0;
         panel.x.names.emplace_back(
-            at, text_of(std::string(result.published.what.empty() ? "all" : result.published.what)));
+            at, text_of(std::string(result.published.what.empty() ? "all" : result.published.what))
+                    .replace(QStringLiteral(", "), QStringLiteral("\n")));
         panel.lines.push_back({{}, grey, {{at, scale * result.least}, {at, scale * result.most}}, false});
         panel.lines.push_back(
             {{},

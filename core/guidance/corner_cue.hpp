@@ -6,6 +6,7 @@
 #include "core/guidance/tent_profile.hpp"
 
 #include <memory>
+#include <numbers>
 #include <vector>
 
 namespace tp {
@@ -22,6 +23,8 @@ class CornerCueLaw final : public GuidanceLaw {
 public:
     /// The strongest pull of a well, as a share of the profile's peak.
     static constexpr double share_of_peak = 0.2;
+    /// The stiffness at the middle of a well, 4E/R², as a share of the profile's: 3√3 · share_of_peak.
+    static constexpr double share_of_stiffness = 3.0 * std::numbers::sqrt3 * share_of_peak;
 
     CornerCueLaw(std::unique_ptr<const GuidanceLaw> law, const FlatScene& scene, TentProfile profile);
 

@@ -32,6 +32,10 @@ std::unique_ptr<const GuidanceLaw> make_law(const FlatScene& flat, TentProfile p
     return law;
 }
 
+double steepest(TentProfile profile, const Continuity& continuity) {
+    return profile.stiffness * (1.0 + (continuity.corner_cue ? CornerCueLaw::share_of_stiffness : 0.0));
+}
+
 Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentProfile profile, LawKind law,
                                                        const Continuity& continuity) {
     if (!profile.valid())
@@ -55,6 +59,7 @@ Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentP
                     "The line " + result->flat.names[i] +
                     " reaches more than 1 km from the middle of the surface, too far to be felt exactly."};
     result->law = make_law(result->flat, profile, law, continuity);
+    result->stiffness = steepest(profile, continuity);
     result->hold_mm = continuity.hold_mm;
     return result;
 }

@@ -28,6 +28,8 @@ struct HapticScene {
     FlatScene flat;
     TentProfile profile;
     std::unique_ptr<const GuidanceLaw> law;
+    double stiffness =
+        0.0; ///< N/mm, see steepest; 0: unknown, and every change of the force is slowed as a jump
     double hold_mm = 0.0;         ///< hysteresis at switches, which the servo's BranchHold keeps
     std::optional<Polyline> tour; ///< where the finger is to be led; none: it is free
     TourManner tour_manner;
@@ -36,6 +38,9 @@ struct HapticScene {
 /// The law that these choices name; profile and continuity must be valid.
 std::unique_ptr<const GuidanceLaw> make_law(const FlatScene& flat, TentProfile profile, LawKind kind,
                                             const Continuity& continuity = {});
+
+/// The most that the force of such a law changes with the place, N/mm, apart from where it jumps.
+double steepest(TentProfile profile, const Continuity& continuity = {});
 
 /// No point of a scene lies farther from the middle of the surface on one axis, mm; up to here the index
 /// is true to 1e-9 mm.

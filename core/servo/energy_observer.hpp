@@ -12,6 +12,7 @@ namespace tp {
 struct ObserverLimits {
     double max_damping = 8.0; ///< N·s/m; more would shake at a delay of a few ticks
     double min_speed = 0.5;   ///< mm/s; below it there is nothing to damp
+    double device_damping = 0.0; ///< N·s/m, of the device itself, which takes its part of the leak
 };
 
 /// Time-domain passivity observer with the exact potential as its reference (Hannaford & Ryu 2002; Ryu,
@@ -32,9 +33,9 @@ public:
     /// Forgets everything, as when the scene or the gain changes.
     void reset() noexcept;
 
-    /// One tick: where the finger is (mm), its velocity (mm/s, filtered), the potential there (mJ). Returns
-    /// the force that pays the leak back, N.
-    Vec2 observe(Vec2 finger, Vec2 velocity, double potential, double dt) noexcept;
+    /// One tick: where the finger is (mm), its velocity when a force of this tick acts (mm/s), the potential there
+    /// (mJ). Returns the force that pays the leak back, N: `share` of it where damping takes only so much.
+    Vec2 observe(Vec2 finger, Vec2 velocity, double potential, double dt, double share = 1.0) noexcept;
     /// The force that was written in this tick, N; after `observe`.
     void wrote(Vec2 force) noexcept;
 
@@ -44,7 +45,9 @@ public:
 private:
     ObserverLimits limits_;
     std::size_t delay_;
-    std::array<Vec2, longest_delay + 1> written_{}; ///< ring of the last forces
+    std::array<Vec2, longest_delay + 1> written_{};  ///< ring of the last forces
+    std::array<double, longest_delay + 1> paying_{}; ///< mJ, what each of them is to pay back
+    double to_pay_ = 0.0;                            ///< mJ, of the force of this tick
     std::size_t newest_ = 0;
     bool started_ = false;
     Vec2 finger_{0.0};

@@ -47,6 +47,8 @@ struct Capabilities {
     double rate = 1000.0;          ///< Hz, nominal
     double delay = 0.0;            ///< s, estimate from write to motion and back to read
     bool calibrated = false;       ///< its newtons are newtons
+    double damping =
+        0.0; ///< N·s/m, of its own mechanics, which holds what sampling and delay leak; 0: unknown
 };
 
 /// One reading.

@@ -16,6 +16,11 @@ Vec2 moved(Vec2 from, Vec2 to, double newtons) {
     return whole > newtons ? from + (newtons / whole) * (to - from) : to;
 }
 
+Vec2 clamped(Vec2 value, double largest) {
+    const double size = length(value);
+    return size > largest ? (largest / size) * value : value;
+}
+
 } // namespace
 
 SafetyChain::SafetyChain(const SafetyLimits& limits, const Capabilities& device, double period)
@@ -42,11 +47,13 @@ void SafetyChain::rest() noexcept {
     if (!disables(fault_))
         fault_ = Fault::none;
     gain_ = 0.0; // and so is the first force
+    reading_seen_ = false;
 }
 
 void SafetyChain::lowered_to(double share) noexcept {
     gain_ *= share;
     last_force_ *= share;
+    last_target_ *= share;
 }
 
 bool SafetyChain::inside_workspace(Vec2 p) const noexcept {
@@ -86,7 +93,7 @@ Fault SafetyChain::notice(const SafetyInput& input, double elapsed) noexcept {
 }
 
 void SafetyChain::move_gain(const SafetyInput& input, double elapsed) noexcept {
-    const bool let_in = engaged_ && fault_ == Fault::none;
+    const bool let_in = engaged_ && reading_seen_ && fault_ == Fault::none;
     if (let_in)
         gain_ = std::min(1.0, gain_ + elapsed / limits_.engage_ramp);
     else
@@ -96,6 +103,28 @@ void SafetyChain::move_gain(const SafetyInput& input, double elapsed) noexcept {
     // A law that gives no number, a loop that stood still and a device that is gone leave nothing to ramp.
     if (disables(fault_) || !is_finite(input.force) || !is_finite(input.position))
         gain_ = 0.0;
+}
+
+/// How far the motion since the last reading accounts for a change of the force, N.
+double SafetyChain::explained(const SafetyInput& input) noexcept {
+    if (!input.fresh || !is_finite(input.position))
+        return 0.0;
+    const double elapsed = input.now - position_time_;
+    if (reading_seen_ && elapsed == 0.0)
+        return 0.0;
+    const bool known = reading_seen_ && elapsed > 0.0 && elapsed <= limits_.stale_after;
+    const Vec2 step = known ? input.position - last_position_ : Vec2(0.0);
+    last_position_ = input.position;
+    position_time_ = input.now;
+    reading_seen_ = true;
+    if (!known) {
+        motion_ = Vec2(0.0);
+        return 0.0;
+    }
+    motion_ =
+        clamped(moved(motion_, step / elapsed, 1e3 * limits_.max_acceleration * elapsed), limits_.max_speed);
+    const double stiffness = input.stiffness > 0.0 ? std::min(input.stiffness, limits_.max_stiffness) : 0.0;
+    return stiffness * std::min(length(step), elapsed * length(motion_));
 }
 
 SafeForce SafetyChain::pass(const SafetyInput& input) noexcept {
@@ -117,22 +146,25 @@ SafeForce SafetyChain::pass(const SafetyInput& input) noexcept {
     }
     if (disables(fault_))
         engaged_ = false;
+    const double by_motion = explained(input);
     move_gain(input, elapsed);
 
-    Vec2 force = gain_ > 0.0 ? gain_ * input.force : Vec2(0.0);
-    const double magnitude = length(force);
-    if (magnitude > max_force_)
-        force *= max_force_ / magnitude;
-
-    // The rate limit keeps the pull smooth. On a fault the force must be gone in time, so that the last one
-    // may lose any share of itself there, and only the way up and changes of direction are limited.
+    const Vec2 target = gain_ > 0.0 ? clamped(gain_ * input.force, max_force_) : Vec2(0.0);
     const double allowed = limits_.max_force_rate * std::min(elapsed, period_ * limits_.late_periods);
+    // On a fault the force must be gone in time, so that the last one may lose any share of itself there, and
+    // only the way up and changes of direction are limited.
     const bool may_drop = fault_ != Fault::none || !engaged_;
-    const Vec2 dropped = moved(nearest_on_segment(Vec2(0.0), last_force_, force), force, allowed);
-    force = may_drop && length(dropped) <= length(last_force_) ? dropped : moved(last_force_, force, allowed);
+    const Vec2 dropped = moved(nearest_on_segment(Vec2(0.0), last_force_, target), target, allowed);
+    Vec2 force;
+    if (may_drop)
+        force = length(dropped) <= length(last_force_) ? dropped : moved(last_force_, target, allowed);
+    else
+        force = moved(last_force_ + clamped(target - last_target_, gain_ * by_motion), target, allowed);
+    force = clamped(force, max_force_);
     if (gain_ == 0.0)
         force = Vec2(0.0);
     last_force_ = force;
+    last_target_ = target;
     return SafeForce(force, gain_);
 }
 

@@ -7,14 +7,35 @@
 
 namespace tp {
 
+namespace {
+
+/// s by which a device that does not tell of its damping may be later than it tells.
+constexpr double untold_lateness = 0.004;
+
+/// The largest factor by which a map lengthens a step.
+double stretch(const glm::dmat2& m) {
+    const double squares = glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]);
+    const double area = glm::determinant(m);
+    return std::sqrt(0.5 * (squares + std::sqrt(std::max(0.0, squares * squares - 4.0 * area * area))));
+}
+
+} // namespace
+
 ServoLoop::ServoLoop(ForceDevice& device, const Capabilities& capabilities, Clock& clock,
                      ServoSettings settings)
     : device_(device), guard_(device), clock_(clock), settings_(settings), period_(1.0 / settings.rate),
+      stretch_(stretch(settings.device_to_surface.linear)),
+      lag_(0.5 * period_ + std::max(0.0, capabilities.delay)),
+      device_damping_(std::max(0.0, capabilities.damping) / (stretch_ * stretch_)),
+      most_damping_(0.5 * settings.handle_mass / (stretch_ * stretch_) / (lag_ + period_)),
       max_force_(settings.limits.max_force),
       watchdog_(device, {(1.0 + settings.limits.late_periods) / settings.rate, settings.limits.stall,
                          settings.limits.ramp_down}),
       chain_(settings.limits, capabilities, 1.0 / settings.rate), readings_(settings.limits.stale_after),
-      observer_(static_cast<std::size_t>(std::lround(std::max(0.0, capabilities.delay) * settings.rate))) {
+      forecast_(period_, capabilities.delay, capabilities.resolution * stretch_),
+      observer_(static_cast<std::size_t>(std::lround(std::max(0.0, capabilities.delay) * settings.rate)),
+                {std::min(ObserverLimits{}.max_damping, most_damping_), ObserverLimits{}.min_speed,
+                 device_damping_}) {
     last_tick_ = clock_.now();
 }
 
@@ -49,6 +70,7 @@ void ServoLoop::forget_force() noexcept {
     chain_.rest();
     readings_ = FreshReadings(settings_.limits.stale_after);
     velocity_ = VelocityFilter{};
+    forecast_.reset();
     fade_left_ = 0.0;
     rendered_ = Vec2(0.0);
     engaged_before_ = engaged_before_ && disables(chain_.fault());
@@ -118,28 +140,61 @@ Guidance ServoLoop::wanted(Vec2 finger, double dt) noexcept {
     return guidance;
 }
 
-Vec2 ServoLoop::damping(const Guidance& guidance, Vec2 finger, Vec2 velocity) const noexcept {
+double ServoLoop::stiffness() const noexcept {
+    if (current_ == nullptr || current_->value == nullptr)
+        return 0.0;
+    return tour_ ? current_->value->tour_manner.stiffness : current_->value->stiffness;
+}
+
+Vec2 ServoLoop::damping(const Guidance& guidance, Vec2 finger) const noexcept {
     if (guidance.contour < 0 || !(guidance.distance > 0.0) || !(settings_.line_damping_ratio > 0.0))
         return Vec2(0.0);
     const TentProfile& profile = current_->value->profile;
-    const double share = 1.0 - guidance.distance / profile.range;
-    if (!(share > 0.0))
+    const double near = 1.0 - guidance.distance / profile.range;
+    if (!(near > 0.0))
         return Vec2(0.0);
-    // √(kg · N/m) is N·s/m; the velocity is in mm/s.
-    const double largest =
-        2.0 * settings_.line_damping_ratio * std::sqrt(settings_.handle_mass * 1e3 * profile.stiffness);
+    const double steepest = std::max(profile.stiffness, current_->value->stiffness);
+    const double stiffness = 1e3 * steepest; // N/m; √(kg · N/m) is N·s/m
+    // A quarter more, and a quarter of a period for what jitters: what just balances the leak lets a handle swing.
+    const double unsure = device_damping_ > 0.0 ? 0.25 * period_ : 0.25 * period_ + untold_lateness;
+    // Where a corner pulls too, it is along a line that a handle swings, and the pull changes faster.
+    const bool along_too = steepest > profile.stiffness;
+    const double missing = (along_too ? 2.0 : 1.25) * stiffness * (lag_ + unsure) - device_damping_;
+    const double settling =
+        2.0 * settings_.line_damping_ratio * std::sqrt(settings_.handle_mass * stiffness) / stretch_;
+    const double at_any_speed = std::clamp(missing, 0.0, most_damping_);
+    const double when_slow = std::clamp(missing + settling, 0.0, most_damping_);
     const Vec2 normal = (guidance.nearest - finger) / guidance.distance;
-    return -1e-3 * largest * share * glm::dot(velocity, normal) * normal;
+    const Vec2 velocity = along_too ? forecast_.velocity() : glm::dot(forecast_.velocity(), normal) * normal;
+    const double speed = length(velocity);
+    const double slow = speed > settings_.settling_speed ? settings_.settling_speed / speed : 1.0;
+    const double drag = at_any_speed * std::min(1.0, 2.0 * near) + (when_slow - at_any_speed) * near * slow;
+    return -1e-3 * forecast_.worth() * drag * velocity;
 }
 
-Vec2 ServoLoop::paid_back(const Guidance& guidance, Vec2 finger, Vec2 velocity, double dt) noexcept {
+Vec2 ServoLoop::paid_back(const Guidance& guidance, Vec2 finger, double dt) noexcept {
     // The potential is the field's own only while the whole field, and nothing else, is on the device.
     const bool whole = settings_.energy_observer && !tour_ && fade_left_ <= 0.0 && chain_.gain() == 1.0;
     if (!whole) {
         observer_.reset();
+        reference_ = std::nan("");
         return Vec2(0.0);
     }
-    return observer_.observe(finger, velocity, guidance.energy, dt);
+    // Where the force is cut at a limit, what it does to a finger without delay takes the potential's place.
+    const double size = length(settings_.device_to_surface.pull_back_force(guidance.force));
+    const bool cut = size > chain_.max_force();
+    const Vec2 felt = cut ? (chain_.max_force() / size) * guidance.force : guidance.force;
+    if (!std::isfinite(reference_))
+        reference_ = 0.0;
+    else if (cut || was_cut_)
+        reference_ -= 0.5 * glm::dot(felt + last_felt_, finger - last_finger_);
+    else
+        reference_ += guidance.energy - last_energy_;
+    was_cut_ = cut;
+    last_felt_ = felt;
+    last_finger_ = finger;
+    last_energy_ = guidance.energy;
+    return observer_.observe(finger, forecast_.velocity(), reference_, dt, forecast_.worth());
 }
 
 void ServoLoop::tick() noexcept {
@@ -158,14 +213,15 @@ void ServoLoop::tick() noexcept {
     velocity_.elapse(now);
     const Vec2 position = state_ ? state_->position : Vec2(0.0);
     const Vec2 finger = settings_.device_to_surface(position);
-    const Vec2 velocity = settings_.device_to_surface.direction(velocity_.velocity());
+    if (taken)
+        forecast_.feed(*taken, finger);
 
     take_new_scene(finger);
     const Guidance guidance = wanted(finger, dt);
     Vec2 force = guidance.force;
     if (!tour_)
-        force += damping(guidance, finger, velocity);
-    force += paid_back(guidance, finger, velocity, dt);
+        force += damping(guidance, finger);
+    force += paid_back(guidance, finger, dt);
     if (fade_left_ > 0.0) {
         const double old_share = fade_left_ / settings_.scene_fade;
         force = old_share * fade_from_ + (1.0 - old_share) * force;
@@ -195,6 +251,7 @@ void ServoLoop::tick() noexcept {
     input.position = position;
     input.velocity = velocity_.velocity();
     input.force = settings_.device_to_surface.pull_back_force(force);
+    input.stiffness = stretch_ * stretch_ * stiffness();
     SafeForce safe = chain_.pass(input);
     if (!watchdog_.write(safe, now)) {
         input.device_lost = true;

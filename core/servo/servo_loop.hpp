@@ -16,6 +16,7 @@
 #include "core/servo/snapshot.hpp"
 #include "core/servo/timing_statistics.hpp"
 #include "core/servo/velocity_filter.hpp"
+#include "core/servo/velocity_forecast.hpp"
 #include "core/servo/watchdog.hpp"
 
 #include <atomic>
@@ -29,10 +30,14 @@ struct ServoSettings {
     double rate = 1000.0; ///< Hz
     SafetyLimits limits;
     Affine device_to_surface; ///< the calibration
-    /// Damping across a contour, B(r) = 2ζ√(mK)·max(0, 1 − r/d), with ζ this ratio; 0: off. At 0.5 and the
-    /// mass below a released handle settles for K ≤ 0.5 N/mm and two ticks of delay.
-    double line_damping_ratio = 0.5;
-    double handle_mass = 0.1;    ///< m, kg, what the damping reckons with
+    /// Damping across a contour, within its range d. What sampling and delay leak beyond the device's own damping, about
+    /// 1.25 K (T/2 + nT) − b, so that none is added to a device that needs none; of a device that tells of no damping
+    /// 4 ms more delay are reckoned. And for swings slower than `settling_speed` 2ζ√(mK)·(1 − r/d) more, with ζ this
+    /// ratio, so that a released handle comes to rest; above that speed this part stays as large as at it, so that a
+    /// finger that follows a line feels the line. 0: off.
+    double line_damping_ratio = 0.1;
+    double settling_speed = 20.0; ///< mm/s
+    double handle_mass = 0.1;     ///< m, kg, what the damping reckons with
     bool energy_observer = true; ///< pays back what sampling and delay give the hand beyond the potential
     double scene_fade = 0.080;   ///< s over which a new scene's force replaces the old one's
 };
@@ -89,14 +94,19 @@ private:
     void forget_force() noexcept;
     void take_new_scene(Vec2 finger) noexcept;
     Guidance wanted(Vec2 finger, double dt) noexcept;
-    Vec2 damping(const Guidance& guidance, Vec2 finger, Vec2 velocity) const noexcept;
-    Vec2 paid_back(const Guidance& guidance, Vec2 finger, Vec2 velocity, double dt) noexcept;
+    double stiffness() const noexcept;
+    Vec2 damping(const Guidance& guidance, Vec2 finger) const noexcept;
+    Vec2 paid_back(const Guidance& guidance, Vec2 finger, double dt) noexcept;
 
     ForceDevice& device_;
     ExitGuard guard_;
     Clock& clock_;
     ServoSettings settings_;
     double period_;
+    double stretch_;        ///< largest factor from the device's to the surface's millimetres
+    double lag_;            ///< s by which a force is late on average: half a period and the device's delay
+    double device_damping_; ///< N·s/m, surface frame
+    double most_damping_;   ///< N·s/m; more would come too late to damp
 
     // Shared between the threads.
     Handover<HapticScene> scenes_;
@@ -119,8 +129,14 @@ private:
     SafetyChain chain_;
     FreshReadings readings_;
     VelocityFilter velocity_;
+    VelocityForecast forecast_;
     EnergyObserver observer_;
     std::optional<DeviceState> state_;
+    double reference_ = 0.0; ///< mJ, what the observer holds the force against; only its differences count
+    double last_energy_ = 0.0;
+    Vec2 last_felt_{0.0};
+    Vec2 last_finger_{0.0};
+    bool was_cut_ = false;
     const Handover<HapticScene>::Held* current_ = nullptr;
     FarLook far_look_;
     std::optional<GuidedTour> tour_;

@@ -90,6 +90,9 @@ std::optional<Capabilities> capabilities_in(Header& header) {
         !header.number("resolution", device.resolution) || !header.number("rate", device.rate) ||
         !header.number("delay", device.delay) || !header.number("calibrated", calibrated))
         return std::nullopt;
+    if (header.left().starts_with("damping") &&
+        (!header.number("damping", device.damping) || device.damping < 0.0))
+        return std::nullopt;
     const auto corners = header.numbers("workspace");
     if (!corners || corners->size() % 2 != 0 || corners->size() > 2 * most_corners || device.rate <= 0.0 ||
         device.max_force < 0.0 || device.delay < 0.0 || (calibrated != 0.0 && calibrated != 1.0))
@@ -156,7 +159,10 @@ std::string recording_header(const Capabilities& device) {
     text += "name " + clean(device.name) + "\nserial " + clean(device.serial_number) + "\nmax_force " +
             shortest(device.max_force) + "\ncontinuous_force " + shortest(device.continuous_force) +
             "\nresolution " + shortest(device.resolution) + "\nrate " + shortest(device.rate) + "\ndelay " +
-            shortest(device.delay) + "\ncalibrated " + (device.calibrated ? "1" : "0") + "\nworkspace ";
+            shortest(device.delay) + "\ncalibrated " + (device.calibrated ? "1" : "0");
+    if (device.damping > 0.0)
+        text += "\ndamping " + shortest(device.damping);
+    text += "\nworkspace ";
     for (std::size_t i = 0; i < std::min(device.workspace.size(), most_corners); ++i) {
         if (i > 0)
             text += ' ';

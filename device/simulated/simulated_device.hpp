@@ -3,9 +3,12 @@
 
 #include "core/servo/force_device.hpp"
 #include "core/servo/snapshot.hpp"
+#include "device/simulated/plant_motion.hpp"
 
 #include <array>
 #include <atomic>
+#include <optional>
+#include <random>
 
 namespace tp {
 
@@ -20,6 +23,9 @@ struct SimulatedPlant {
     double quantum = 0.0;         ///< mm, encoder step; 0: none
     std::size_t delay_ticks = 0;  ///< whole ticks between a write and its acting, at most 16
     double tick = 0.001;          ///< s, for telling the delay in seconds
+    std::size_t jitter_ticks = 0; ///< each write acts up to so many ticks later yet, at random
+    std::optional<std::size_t> told_delay_ticks; ///< what it tells of its delay; nothing: the truth
+    std::optional<double> told_damping;          ///< N·s/m, what it tells of its damping; nothing: the truth
 };
 
 /// A force device made of the mouse or the finger on a touchscreen: the drawn finger is a body with mass and
@@ -39,6 +45,8 @@ public:
     void move_pointer(Vec2 position) noexcept;
     /// Puts the finger itself there at once, at rest, as when it is lifted and set down again.
     void place_finger(Vec2 position) noexcept;
+    /// A hand holds the finger where it is, whatever pulls; let go, it begins at rest.
+    void hold(bool held) noexcept { held_.store(held); }
     /// A relaxed hand lets itself be led: its anchor follows the finger. Moving the pointer does not tighten
     /// it.
     void relax(bool relaxed) noexcept { relaxed_.store(relaxed); }
@@ -63,14 +71,15 @@ private:
     SimulatedPlant plant_;
     Published<Pointer> pointer_;
     std::atomic<bool> relaxed_{false};
+    std::atomic<bool> held_{false};
     std::atomic<bool> halted_{false};
     Pointer sent_; ///< only the pointer's thread
 
     // Only the servo's thread.
     Pointer seen_;
-    Vec2 anchor_{0.0};
-    Vec2 position_{0.0};
-    Vec2 velocity_{0.0};                  ///< mm/s
+    PlantState body_;
+    PlantMotion motion_;
+    std::minstd_rand lateness_{1};
     Vec2 force_{0.0};                     ///< N
     std::array<Vec2, 17> on_their_way_{}; ///< N, ring of written forces
     std::size_t newest_ = 0;

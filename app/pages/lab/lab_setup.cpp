@@ -141,6 +141,7 @@ Result<std::unique_ptr<HapticScene>> felt_scene(const FlatScene& flat, const Lab
     haptic->flat = exact ? flat : with_vertex_spacing(flat, parameters.vertex_spacing);
     haptic->profile = profile;
     haptic->law = make_law(haptic->flat, profile, parameters.law, continuity);
+    haptic->stiffness = steepest(profile, continuity);
     haptic->hold_mm = continuity.hold_mm;
     return haptic;
 }

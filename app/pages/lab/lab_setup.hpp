@@ -26,7 +26,7 @@ struct LabParameters {
 
     // The servo.
     double max_force = 1.5;      ///< N
-    double line_damping = 0.5;   ///< ratio, see ServoSettings
+    double line_damping = 0.1;   ///< ratio, see ServoSettings
     bool energy_observer = true;
     bool strict_limits = false;  ///< the simulated device is switched off as a real one would be
 

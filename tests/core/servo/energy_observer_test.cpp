@@ -100,6 +100,49 @@ private slots:
         }
     }
 
+    /// ½ K Δx² a tick leaks and b Δx²/T is what the device takes: with b = K T/2 nothing is left.
+    void what_the_device_damps_by_itself_is_not_damped_again() {
+        for (const double share : {0.5, 1.0, 2.0}) {
+            EnergyObserver observer(0, {8.0, 0.5, share * 0.5 * 1e3 * stiffness * 0.001});
+            double x = 1.0;
+            observer.observe({x, 0.0}, {0.0, 0.0}, potential(x), 0.001);
+            for (int i = 0; i < 100; ++i) {
+                observer.wrote({-stiffness * x, 0.0});
+                x += 0.02;
+                observer.observe({x, 0.0}, {0.0, 0.0}, potential(x), 0.001);
+            }
+            const double leaks = 100 * 0.5 * stiffness * 0.02 * 0.02;
+            QVERIFY(std::abs(observer.leak() - std::max(0.0, 1.0 - share) * leaks) < 1e-12);
+        }
+    }
+
+    /// Two ticks pass before a payment is felt; the same leak is not paid in each of them again.
+    void what_is_on_its_way_is_not_paid_again() {
+        EnergyObserver observer(2);
+        double x = 0.0;
+        const auto tick = [&](double force) {
+            x += 0.1;
+            const Vec2 paid = observer.observe({x, 0.0}, {100.0, 0.0}, 0.0, 0.001);
+            observer.wrote(Vec2(force, 0.0) + paid);
+            return -0.1 * paid.x; // mJ, at 0.1 mm a tick
+        };
+        double paid = tick(0.5); // 0.05 mJ, two ticks later
+        for (int i = 0; i < 10; ++i)
+            paid += tick(0.0);
+        QVERIFY(std::abs(paid - 0.05) < 1e-9);
+        QVERIFY(observer.leak() < 1e-9);
+    }
+
+    void pays_less_where_less_of_a_damping_force_takes_energy() {
+        for (const double share : {0.0, 0.25, 1.0}) {
+            EnergyObserver observer;
+            observer.observe({0.0, 0.0}, {100.0, 0.0}, 0.0, 0.001);
+            observer.wrote({0.5, 0.0});
+            const Vec2 force = observer.observe({0.1, 0.0}, {100.0, 0.0}, 0.0, 0.001, share);
+            QVERIFY(std::abs(-force.x * 0.1 - share * 0.05) < 1e-12);
+        }
+    }
+
     void keeps_no_credit_where_the_renderer_takes_energy() {
         EnergyObserver observer;
         observer.observe({0.0, 0.0}, {0.0, 0.0}, 0.0, 0.001);

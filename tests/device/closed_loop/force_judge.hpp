@@ -21,7 +21,8 @@ public:
     /// `felt` is the force on the model's handle, N, in truth; `slack` N that it may be off what was sent.
     ForceJudge(const ServoLoop& loop, const Capabilities& can, std::function<Vec2()> felt, double slack)
         : loop_(loop), most_(can.max_force), felt_now_(std::move(felt)), slack_(slack),
-          sent_(loop.snapshot().force()), felt_(felt_now_()), gain_(loop.snapshot().gain) {}
+          sent_(loop.snapshot().force()), finger_(loop.snapshot().finger()), felt_(felt_now_()),
+          gain_(loop.snapshot().gain) {}
 
     QString complaint;
     bool wanted = true; ///< the person has the force switched on
@@ -38,8 +39,11 @@ public:
         // It may lose any share of itself at once, as when a person lets the force in anew before it was gone.
         const bool may_drop = view.fault != Fault::none || !view.engaged || view.gain == 0.0;
         const Vec2 from = may_drop ? nearest_on_segment(Vec2(0.0), sent_, sent) : sent_;
-        say(length(sent - from) > 40.0 * std::min(dt, 0.003) + 1e-9, "the servo's force changes too fast",
-            length(sent - sent_) / dt);
+        // What a spring of K = 0.2 N/mm changes over the finger's own way is no jump.
+        const double spring = stiffness * length(view.finger() - finger_);
+        say(length(sent - from) > 40.0 * std::min(dt, 0.003) + (may_drop ? 0.0 : spring) + 1e-9,
+            "the servo's force changes too fast", length(sent - sent_) / dt);
+        finger_ = view.finger();
         say(length(felt) > most_ + slack_, "the handle feels more than the device's limit", length(felt));
         // One frame may carry the whole of a late tick; the device's own limit holds for each of its
         // milliseconds.
@@ -70,7 +74,9 @@ private:
     double most_;
     std::function<Vec2()> felt_now_;
     double slack_;
+    static constexpr double stiffness = 0.2; ///< N/mm, of the default profile, without a calibration
     Vec2 sent_;
+    Vec2 finger_; ///< mm
     Vec2 felt_;
     double gain_;
     bool was_wanted_ = true;

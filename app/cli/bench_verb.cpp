@@ -3,6 +3,8 @@
 #include "app/cli/verbs.hpp"
 #include "app/figures/bench/accuracy_bench.hpp"
 #include "app/figures/bench/nearest_bench.hpp"
+#include "app/figures/report/delivered_force.hpp"
+#include "app/figures/report/stability_plots.hpp"
 #include "core/files/durable_file.hpp"
 
 #include <QDir>
@@ -81,6 +83,51 @@ void print(const std::vector<AccuracyRow>& rows) {
     std::printf("\nOne core, one run; %s.\n", qPrintable(machine()));
 }
 
+QJsonObject json_of(const std::vector<AccuracyRow>& rows, const std::vector<DeliveredRow>& delivered,
+                    const std::vector<DeliveredRow>& undamped) {
+    QJsonArray accuracy;
+    for (const AccuracyRow& row : rows)
+        accuracy.append(QJsonObject{{"scene", QString::fromStdString(row.scene)},
+                                    {"law", QString::fromStdString(row.law)},
+                                    {"index", QString::fromStdString(row.index)},
+                                    {"tolerance_mm", row.tolerance_mm},
+                                    {"facet_degrees", row.facet_degrees},
+                                    {"segments", static_cast<qint64>(row.segments)},
+                                    {"ns_median", row.ns_median},
+                                    {"mean_error_n", row.mean_error_n},
+                                    {"p99_error_n", row.p99_error_n},
+                                    {"max_error_n", row.max_error_n},
+                                    {"build_ms", row.build_ms}});
+    const auto list = [](const std::vector<DeliveredRow>& all) {
+        QJsonArray array;
+        for (const DeliveredRow& row : all)
+            array.append(QJsonObject{{"speed_mm_s", row.speed_mm_s},
+                                     {"mean_n", row.mean_n},
+                                     {"p99_n", row.p99_n},
+                                     {"law_mean_n", row.law_mean_n},
+                                     {"law_p99_n", row.law_p99_n},
+                                     {"with_jumps_mean_n", row.with_jumps_mean_n},
+                                     {"with_jumps_p99_n", row.with_jumps_p99_n},
+                                     {"jump_share", row.jump_share},
+                                     {"damping_ns_per_m", row.damping_ns_per_m}});
+        return array;
+    };
+    return {{"machine", machine()},
+            {"rows", accuracy},
+            {"delivered", list(delivered)},
+            {"delivered_without_damping", list(undamped)}};
+}
+
+void print(const std::vector<DeliveredRow>& rows) {
+    std::printf("\nDelivered to a moving finger on the face, mN from the exact force:\n%-14s %10s %8s %8s "
+                "%8s %8s %12s %8s\n",
+                "device", "speed", "mean", "p99", "law", "law p99", "with jumps", "p99");
+    for (const DeliveredRow& row : rows)
+        std::printf("%5.2f N·s/m     %5.0f mm/s %8.1f %8.1f %8.1f %8.1f %12.1f %8.0f\n", row.damping_ns_per_m,
+                    row.speed_mm_s, 1e3 * row.mean_n, 1e3 * row.p99_n, 1e3 * row.law_mean_n,
+                    1e3 * row.law_p99_n, 1e3 * row.with_jumps_mean_n, 1e3 * row.with_jumps_p99_n);
+}
+
 int bench_guidance(const QStringList& words) {
     VerbLine line("bench guidance",
                   "Measures how fast the nearest contour is found on closed curves in 200 x 200 mm, along a\n"
@@ -105,8 +152,10 @@ int bench_accuracy(const QStringList& words) {
         "bench accuracy",
         "Weighs speed against accuracy: time per force and force error against the curves flattened\n"
         "to 1e-6 mm, over flattening tolerance, law and index, on a face, a tactile map and a scene\n"
-        "made to be hard. Writes accuracy.csv, accuracy.png and accuracy.svg.");
+        "made to be hard. Then what a finger that moves at 5 to 300 mm/s is given, against the exact\n"
+        "force. Writes accuracy.csv, accuracy.png, delivered.png and the same as SVG.");
     line.option("out", "Folder for the results; created if it is missing.", "DIR")
+        .option("json", "Where the figures go.", "FILE")
         .option("quick", "Fewer tolerances and places, without the map.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
@@ -122,6 +171,12 @@ int bench_accuracy(const QStringList& words) {
         plan.tolerances_mm = {0.3, 0.03, 0.003};
         plan.places = 3000;
     }
+    const double length_mm = line.has("quick") ? 600.0 : 3000.0;
+    say_step("what a moving finger is given");
+    const TentProfile profile;
+    const double held = 1e3 * profile.stiffness * 0.0005; // N·s/m, K T/2 at 1 kHz
+    const std::vector<DeliveredRow> delivered = measure_delivered(delivered_speeds(), held, length_mm);
+    const std::vector<DeliveredRow> undamped = measure_delivered(delivered_speeds(), 0.0, length_mm);
     std::vector<AccuracyRow> rows;
     for (const AccuracyScene& scene : accuracy_scenes()) {
         if (line.has("quick") && scene.name == "map")
@@ -130,12 +185,21 @@ int bench_accuracy(const QStringList& words) {
         rows.insert(rows.end(), its.begin(), its.end());
     }
     const std::filesystem::path out = folder.path().toStdString();
-    for (const auto& written : {write_accuracy_table(out, rows), plot_accuracy(out, rows)})
+    std::vector<DeliveredRow> both = delivered;
+    both.insert(both.end(), undamped.begin(), undamped.end());
+    for (const auto& written :
+         {write_accuracy_table(out, rows), plot_accuracy(out, rows), plot_delivered(out, both)})
         if (!written) {
             say_problem(written.error());
             return exit_bad_input;
         }
     print(rows);
+    print(both);
+    if (!line.has("json"))
+        return exit_done;
+    const std::string figures = QJsonDocument(json_of(rows, delivered, undamped)).toJson().toStdString();
+    if (const std::string reason = replace_file(line.text("json").toStdString(), figures); !reason.empty())
+        return refused("The figures cannot be written: " + reason);
     return exit_done;
 }
 
@@ -153,7 +217,7 @@ int bench_verb(const QStringList& words) {
         return bench_touch_verb(words.mid(1));
     if (what == QLatin1String("--help") || what == QLatin1String("-h")) {
         std::puts("touchphoto-lab bench guidance [--json FILE] [--quick]\n"
-                  "touchphoto-lab bench accuracy --out DIR [--quick]\n"
+                  "touchphoto-lab bench accuracy --out DIR [--json FILE] [--quick]\n"
                   "touchphoto-lab bench faces --photos DIR --truth FILE --out DIR [--people FILE]\n"
                   "touchphoto-lab bench faces --wild DIR --out DIR [--only FILE] [--labels FILE]\n"
                   "touchphoto-lab bench faces --identity DIR --out DIR\n"

@@ -5,6 +5,7 @@
 #include "device/simulated/simulated_device.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tp {
 
@@ -20,7 +21,9 @@ Scene straight_line() {
     return {200.0, 150.0, {contour_through("line", points, false)}};
 }
 
-HandleResult release_at(const HandleCase& handle, double start_mm, double seconds) {
+} // namespace
+
+HandleResult release_handle(const HandleCase& handle, double seconds) {
     SimulatedPlant plant;
     plant.mass = handle.mass;
     plant.damping = handle.damping;
@@ -29,7 +32,10 @@ HandleResult release_at(const HandleCase& handle, double start_mm, double second
     plant.delay_ticks = handle.delay;
     plant.tick = handle.period;
     plant.hand_stiffness = 0.0;
-    plant.hand_damping = 0.0;
+    plant.hand_damping = handle.hand_damping;
+    plant.told_delay_ticks = handle.told_delay;
+    plant.told_damping = handle.told_damping;
+    plant.jitter_ticks = handle.jitter;
     SimulatedDevice device(200.0, 150.0, plant);
     VirtualClock clock;
     const Capabilities can = *device.open();
@@ -37,6 +43,7 @@ HandleResult release_at(const HandleCase& handle, double start_mm, double second
     settings.rate = 1.0 / handle.period;
     settings.energy_observer = handle.observer;
     settings.line_damping_ratio = handle.line_damping ? settings.line_damping_ratio : 0.0;
+    settings.device_to_surface.linear = glm::dmat2(handle.stretch);
     ServoLoop loop(device, can, clock, settings);
     auto made = make_haptic_scene(straight_line(), {handle.stiffness, handle.range}, handle.law);
     loop.render(std::move(made).value());
@@ -50,33 +57,90 @@ HandleResult release_at(const HandleCase& handle, double start_mm, double second
             see(loop.snapshot().y);
         }
     };
-    device.place_finger({0.3, 40.0}); // out of reach until the whole force is let in
-    run(0.7, [](double) {});
-    device.place_finger({0.3, start_mm});
-    run(seconds - 1.0, [](double) {});
+    device.place_finger(Vec2(0.3, handle.start_share * handle.range) / handle.stretch);
+    device.hold(true);
+    run(0.7, [](double) {}); // the ramp takes 0.5 s
+    device.hold(false);
     HandleResult result;
+    result.start_mm = std::abs(loop.snapshot().y);
+    double before = 0.0; // amplitude, the last second but two
+    run(seconds - 3.0, [&](double y) { result.farthest_mm = std::max(result.farthest_mm, std::abs(y)); });
+    run(1.0, [&](double y) { before = std::max(before, std::abs(y)); });
+    run(1.0, [&](double y) { result.farthest_mm = std::max(result.farthest_mm, std::abs(y)); });
     int crossings = 0;
     double last = 0.0;
+    double lowest = loop.snapshot().y;
+    double highest = lowest;
     run(1.0, [&](double y) {
         result.amplitude_mm = std::max(result.amplitude_mm, std::abs(y));
         crossings += (y > 0.0) != (last > 0.0) ? 1 : 0;
         last = y;
+        lowest = std::min(lowest, y);
+        highest = std::max(highest, y);
     });
-    result.settled = result.amplitude_mm < settled_below_mm;
+    result.farthest_mm = std::max({result.farthest_mm, before, result.amplitude_mm});
+    result.settled = std::min(result.amplitude_mm, highest - lowest) < settled_below_mm;
+    result.swings = !result.settled && result.amplitude_mm > 0.98 * before;
     result.frequency_hz = result.settled ? 0.0 : 0.5 * crossings;
     return result;
 }
 
-} // namespace
+std::vector<HandleCase> bounded_handles() {
+    std::vector<HandleCase> all;
+    const std::vector<std::pair<double, std::size_t>> rates{
+        {0.001, 0}, {0.001, 1}, {0.001, 2}, {0.001, 4}, {0.00025, 0}, {0.00025, 16}, {0.004, 0}, {0.004, 1}};
+    for (const double stiffness : {0.1, 0.2, 0.5})
+        for (const double range : {2.0, 4.0, 8.0})
+            for (const double mass : {0.05, 0.1, 0.2})
+                for (const auto& [period, delay] : rates) {
+                    HandleCase handle;
+                    handle.stiffness = stiffness;
+                    handle.range = range;
+                    handle.mass = mass;
+                    handle.period = period;
+                    handle.delay = delay;
+                    handle.damping = 1.2 * handle.bound();
+                    all.push_back(handle);
+                }
+    return all;
+}
 
-HandleResult release_handle(const HandleCase& handle, double seconds) {
-    HandleResult worst{0.0, 0.0, true};
-    for (const double share : {0.5, 1.0, 1.5, 1.95}) {
-        const HandleResult result = release_at(handle, share * handle.range, seconds);
-        if (result.amplitude_mm >= worst.amplitude_mm)
-            worst = result;
-    }
-    return worst;
+std::vector<HandleCase> troubled_handles() {
+    using Trouble = void (*)(HandleCase&);
+    const std::vector<Trouble> troubles{
+        [](HandleCase& handle) { handle.hand_damping = 1.0; },
+        [](HandleCase& handle) { handle.hand_damping = 5.0; },
+        [](HandleCase& handle) { handle.coulomb = 0.02; },
+        [](HandleCase& handle) { handle.coulomb = 0.1; },
+        [](HandleCase& handle) { handle.quantum = 0.09; },
+        [](HandleCase& handle) { handle.stretch = 1.25; },
+        [](HandleCase& handle) { handle.stretch = 1.5; },
+        [](HandleCase& handle) { handle.told_delay = 0; },
+        [](HandleCase& handle) { handle.told_delay = handle.delay + 1; },
+        [](HandleCase& handle) { handle.told_delay = handle.delay > 0 ? handle.delay - 1 : 0; },
+        [](HandleCase& handle) { handle.told_damping = 0.0; },
+        [](HandleCase& handle) { handle.jitter = 1; },
+        [](HandleCase& handle) { handle.jitter = 2; },
+        [](HandleCase& handle) { handle.start_share = 0.5; },
+        [](HandleCase& handle) { handle.start_share = 1.5; },
+        [](HandleCase& handle) { handle.start_share = 1.95; },
+    };
+    std::vector<HandleCase> all;
+    for (const Trouble trouble : troubles)
+        for (const double stiffness : {0.1, 0.2, 0.5})
+            for (const double range : {2.0, 4.0, 10.0})
+                for (const double mass : {0.05, 0.2})
+                    for (const std::size_t delay : {0u, 1u, 2u, 4u}) {
+                        HandleCase handle;
+                        handle.stiffness = stiffness;
+                        handle.range = range;
+                        handle.mass = mass;
+                        handle.delay = delay;
+                        trouble(handle);
+                        handle.damping = 1.2 * handle.bound();
+                        all.push_back(handle);
+                    }
+    return all;
 }
 
 std::vector<HandleCase> handle_grid(bool quick) {
@@ -108,6 +172,12 @@ std::vector<HandleCase> handle_grid(bool quick) {
                                 handle.line_damping = (remedies & 2) != 0;
                                 grid.push_back(handle);
                             }
+    const auto add = [&](const std::vector<HandleCase>& more) {
+        grid.insert(grid.end(), more.begin(), more.end());
+    };
+    add(bounded_handles());
+    if (!quick)
+        add(troubled_handles());
     return grid;
 }
 

@@ -159,7 +159,7 @@ Vec2 ServoLoop::damping(const Guidance& guidance, Vec2 finger) const noexcept {
     const double unsure = device_damping_ > 0.0 ? 0.25 * period_ : 0.25 * period_ + untold_lateness;
     // Where a corner pulls too, it is along a line that a handle swings, and the pull changes faster.
     const bool along_too = steepest > profile.stiffness;
-    const double missing = (along_too ? 2.0 : 1.25) * stiffness * (lag_ + unsure) - device_damping_;
+    const double missing = (along_too ? 2.25 : 1.25) * stiffness * (lag_ + unsure) - device_damping_;
     const double settling =
         2.0 * settings_.line_damping_ratio * std::sqrt(settings_.handle_mass * stiffness) / stretch_;
     const double at_any_speed = std::clamp(missing, 0.0, most_damping_);

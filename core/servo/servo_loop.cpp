@@ -146,6 +146,9 @@ double ServoLoop::stiffness() const noexcept {
     return tour_ ? current_->value->tour_manner.stiffness : current_->value->stiffness;
 }
 
+/// mm/s, surface frame, when a force written now acts; as little of it as the filter leaves where readings are overdue.
+Vec2 ServoLoop::velocity_ahead() const noexcept { return velocity_.share_left() * forecast_.velocity(); }
+
 Vec2 ServoLoop::damping(const Guidance& guidance, Vec2 finger) const noexcept {
     if (guidance.contour < 0 || !(guidance.distance > 0.0) || !(settings_.line_damping_ratio > 0.0))
         return Vec2(0.0);
@@ -165,7 +168,8 @@ Vec2 ServoLoop::damping(const Guidance& guidance, Vec2 finger) const noexcept {
     const double at_any_speed = std::clamp(missing, 0.0, most_damping_);
     const double when_slow = std::clamp(missing + settling, 0.0, most_damping_);
     const Vec2 normal = (guidance.nearest - finger) / guidance.distance;
-    const Vec2 velocity = along_too ? forecast_.velocity() : glm::dot(forecast_.velocity(), normal) * normal;
+    const Vec2 ahead = velocity_ahead();
+    const Vec2 velocity = along_too ? ahead : glm::dot(ahead, normal) * normal;
     const double speed = length(velocity);
     const double slow = speed > settings_.settling_speed ? settings_.settling_speed / speed : 1.0;
     const double drag = at_any_speed * std::min(1.0, 2.0 * near) + (when_slow - at_any_speed) * near * slow;
@@ -194,7 +198,7 @@ Vec2 ServoLoop::paid_back(const Guidance& guidance, Vec2 finger, double dt) noex
     last_felt_ = felt;
     last_finger_ = finger;
     last_energy_ = guidance.energy;
-    return observer_.observe(finger, forecast_.velocity(), reference_, dt, forecast_.worth());
+    return observer_.observe(finger, velocity_ahead(), reference_, dt, forecast_.worth());
 }
 
 void ServoLoop::tick() noexcept {

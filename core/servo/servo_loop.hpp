@@ -95,6 +95,7 @@ private:
     void take_new_scene(Vec2 finger) noexcept;
     Guidance wanted(Vec2 finger, double dt) noexcept;
     double stiffness() const noexcept;
+    Vec2 velocity_ahead() const noexcept;
     Vec2 damping(const Guidance& guidance, Vec2 finger) const noexcept;
     Vec2 paid_back(const Guidance& guidance, Vec2 finger, double dt) noexcept;
 

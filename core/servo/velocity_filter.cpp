@@ -33,10 +33,12 @@ void VelocityFilter::elapse(double now) noexcept {
         return;
     }
     const double silent = now - fed_at_;
-    if (silent > longest_silence)
-        velocity_ = Vec2(0.0);
     const double overdue = silent - std::min(2.0 * interval_, longest_wait);
     left_ = overdue > 0.0 ? std::exp(-2.0 * std::numbers::pi * cutoff_ * overdue) : 1.0;
+    if (silent > longest_silence) {
+        velocity_ = Vec2(0.0);
+        left_ = 0.0;
+    }
 }
 
 } // namespace tp

@@ -25,6 +25,8 @@ public:
     void elapse(double now) noexcept;
     /// mm/s
     Vec2 velocity() const noexcept { return left_ * velocity_; }
+    /// 0 … 1: share of a velocity that the readings' age leaves.
+    double share_left() const noexcept { return left_; }
 
 private:
     double cutoff_;

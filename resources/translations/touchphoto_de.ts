@@ -4333,6 +4333,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die letzte Zeile des Fingerwegs ist nicht vollständig.</translation>
     </message>
     <message>
+        <source>The line %1 reaches more than 1 km from the middle of the surface, too far to be felt exactly.</source>
+        <translation>Die Linie %1 reicht mehr als 1 km von der Mitte der Fläche weg, zu weit, um genau gefühlt zu werden.</translation>
+    </message>
+    <message>
         <source>The page &quot;%1&quot; cannot be written: %2</source>
         <translation>Die Seite „%1“ kann nicht geschrieben werden: %2</translation>
     </message>

@@ -4311,7 +4311,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The line %1 reaches more than 1 km from the middle of the surface, too far to be felt exactly.</source>
-        <translation>선 %1이(가) 표면 가운데에서 1 km 넘게 뻗어 있어 정확히 느낄 수 없습니다.</translation>
+        <translation>표면 가운데에서 1 km 넘게 뻗어 있어 정확히 느낄 수 없는 선: %1.</translation>
     </message>
     <message>
         <source>The page &quot;%1&quot; cannot be written: %2</source>

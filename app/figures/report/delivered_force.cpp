@@ -16,7 +16,6 @@ namespace tp {
 
 namespace {
 
-constexpr double step_mm = 0.1;  // of the hand's path
 constexpr double engaging = 1.0; // s, until all of the force is let in
 
 struct Errors {
@@ -42,14 +41,14 @@ struct Errors {
 
 std::vector<DeliveredRow> measure_delivered(const std::vector<double>& speeds_mm_s, double damping_ns_per_m,
                                             double length_mm) {
-    const std::vector<Vec2> path = hand_path(static_cast<std::size_t>(length_mm / step_mm) + 2);
+    const std::vector<Vec2> path = hand_path(static_cast<std::size_t>(length_mm / hand_path_step_mm) + 2);
     const TentProfile profile;
     const ExactLaw truth(flatten(reference_face(), {1e-6, 90.0, 24}), profile);
     const ExactLaw law(flatten(reference_face()), profile);
     std::vector<DeliveredRow> rows;
     for (const double speed : speeds_mm_s) {
         const auto place = [&](double time) {
-            const double way = std::max(0.0, time - engaging) * speed / step_mm;
+            const double way = std::max(0.0, time - engaging) * speed / hand_path_step_mm;
             const std::size_t before = std::min(static_cast<std::size_t>(way), path.size() - 2);
             return path[before] + (way - static_cast<double>(before)) * (path[before + 1] - path[before]);
         };

@@ -62,7 +62,8 @@ void walk(const FlatScene& flat, const Continuity& continuity, const TentProfile
         sum += error;
         wrong += error > 0.1 * profile.peak() ? 1 : 0;
     }
-    cost.clicks_per_m = static_cast<double>(clicks) / (1e-3 * hand_path_step_mm * static_cast<double>(samples));
+    cost.clicks_per_m =
+        static_cast<double>(clicks) / (1e-3 * hand_path_step_mm * static_cast<double>(samples));
     const auto count = static_cast<double>(errors.size());
     cost.mean_error_n = sum / count;
     cost.wrong_fraction = static_cast<double>(wrong) / count;

@@ -8,7 +8,6 @@
 namespace tp {
 
 std::vector<Vec2> hand_path(std::size_t count) {
-    constexpr double step = 0.1; // mm
     std::mt19937 random(3);
     std::normal_distribution<double> noise;
     std::vector<Vec2> path;
@@ -19,7 +18,7 @@ std::vector<Vec2> hand_path(std::size_t count) {
     while (path.size() < count) {
         turn = 0.98 * turn + 0.004 * noise(random);
         heading += turn;
-        const auto ahead = [&] { return place + step * Vec2(std::cos(heading), std::sin(heading)); };
+        const auto ahead = [&] { return place + hand_path_step_mm * Vec2(std::cos(heading), std::sin(heading)); };
         if (std::max(std::abs(ahead().x), std::abs(ahead().y)) > hand_half_side_mm) {
             heading = std::atan2(-place.y, -place.x);
             turn = 0.0;

@@ -8,7 +8,7 @@ Nearest BranchHold::nearest_of_segment(Vec2 finger, std::uint32_t segment) const
     Nearest nearest;
     const IndexedSegment piece(line.segment_start(segment), line.segment_end(segment));
     const Foot<double> foot(piece, finger);
-    const Way<double> way(piece, foot.parameter, finger);
+    const WayToSegment<double> way(piece, foot.parameter, finger);
     nearest.distance = way.length();
     nearest.point = point_on(piece, foot.parameter);
     nearest.towards = way.vector();

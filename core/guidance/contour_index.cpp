@@ -82,7 +82,7 @@ Nearest ContourIndex::answer(const Closest<Real>& closest, Vec2 p) const noexcep
     if constexpr (std::is_same_v<Real, double>)
         if (segment.is_longer_than(short_mm)) [[unlikely]]
             return answer_on_long(closest.segment, p);
-    const Way<Real> way(segment, closest.parameter, p);
+    const WayToSegment<Real> way(segment, closest.parameter, p);
     Nearest nearest;
     nearest.distance = way.length();
     nearest.point = point_on(segment, closest.parameter);

@@ -134,10 +134,10 @@ inline Foot<double>::Foot(const IndexedSegment& segment, Vec2 p) {
 /// The way from a point to the place of a segment at a foot's parameter. Its vector and length are those of
 /// Foot, so that what is divided by the length is of length one.
 template <typename Real>
-struct Way {
+struct WayToSegment {
     Real x, y; ///< mm
 
-    Way(const IndexedSegment& segment, Real parameter, Vec2 p) {
+    WayToSegment(const IndexedSegment& segment, Real parameter, Vec2 p) {
         const bool at_b = !(parameter < Real(1));
         const Vec2 from = at_b ? segment.b : segment.a;
         x = Real(from.x) - Real(p.x);

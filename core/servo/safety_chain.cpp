@@ -112,7 +112,8 @@ double SafetyChain::explained(const SafetyInput& input) noexcept {
     const double elapsed = input.now - position_time_;
     if (reading_seen_ && elapsed == 0.0)
         return 0.0;
-    const bool known = reading_seen_ && elapsed > 0.0 && elapsed <= limits_.stale_after;
+    // After a silence the place jumps, whatever the finger did meanwhile.
+    const bool known = reading_seen_ && elapsed > 0.0 && elapsed <= (1.0 + limits_.late_periods) * period_ + 1e-9;
     const Vec2 step = known ? input.position - last_position_ : Vec2(0.0);
     last_position_ = input.position;
     position_time_ = input.now;
@@ -121,10 +122,11 @@ double SafetyChain::explained(const SafetyInput& input) noexcept {
         motion_ = Vec2(0.0);
         return 0.0;
     }
-    motion_ =
-        clamped(moved(motion_, step / elapsed, 1e3 * limits_.max_acceleration * elapsed), limits_.max_speed);
+    // A gap between readings is no time for a garbled one to become likely: it counts for two periods at the most.
+    const double sudden = 1e3 * limits_.max_acceleration * std::min(elapsed, period_);
+    motion_ = clamped(moved(motion_, step / elapsed, sudden), limits_.max_speed);
     const double stiffness = input.stiffness > 0.0 ? std::min(input.stiffness, limits_.max_stiffness) : 0.0;
-    return stiffness * std::min(length(step), elapsed * length(motion_));
+    return stiffness * std::min(length(step), std::min(elapsed, 2.0 * period_) * length(motion_));
 }
 
 SafeForce SafetyChain::pass(const SafetyInput& input) noexcept {

@@ -53,7 +53,10 @@ public:
         const bool rising = view.gain > gain_ || view.gain >= 1.0;
         // The tick that lets it in again begins the ramp at nothing.
         const bool to_be_there = wanted && was_wanted_;
-        say(view.ticks > 1 && !rising && to_be_there && std::strlen(sentence(view.fault)) == 0,
+        // Before its first reading nothing is let in; without one for 20 ms there is a fault.
+        none_yet_s_ = gain_ == 0.0 && view.gain == 0.0 ? none_yet_s_ + dt : 0.0;
+        const bool waits = none_yet_s_ > 0.0 && none_yet_s_ < 0.022;
+        say(view.ticks > 1 && !rising && !waits && to_be_there && std::strlen(sentence(view.fault)) == 0,
             "the force goes and nobody says why", view.gain);
         sent_ = sent;
         felt_ = felt;
@@ -79,6 +82,7 @@ private:
     Vec2 finger_; ///< mm
     Vec2 felt_;
     double gain_;
+    double none_yet_s_ = 0.0;
     bool was_wanted_ = true;
 };
 

@@ -6,6 +6,8 @@
 #include "device/hid_pid/simulated_joystick_link.hpp"
 #include "recorded_descriptors.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -85,12 +87,12 @@ struct JoystickBench : LoopBench {
     void move_hand(Vec2 there) override { model.move_hand(there); }
     bool& unplugged() override { return link.troubles.unplugged; }
 
-    /// The stick limits nothing itself: it may feel what the chain may send, and what it did not hear of for
-    /// a while comes at once. Motors that come on again before anybody could know that they were off pull as
+    /// The stick limits nothing itself: it may feel what the chain may send (40 N/s and a spring's change over the
+    /// finger's own way), and what it did not hear of for a while comes at once. Motors that come on again before anybody could know that they were off pull as
     /// before.
     bool may_be_felt(Vec2 before, Vec2 now, double dt, double slack) const {
         return length(now) <= length(before) + slack || came_on_unheard_ ||
-               length(now - before) <= 40.0 * (dt + 1e-3 * silent_ms_) + slack;
+               length(now - before) <= 40.0 * (dt + 1e-3 * silent_ms_) + stiffness * way_unheard() + slack;
     }
 
     void tick(double dt = 0.001) override {
@@ -98,6 +100,9 @@ struct JoystickBench : LoopBench {
         const unsigned off_ms = off_ms_;
         clock.sleep_until(clock.now() + dt);
         loop->tick();
+        const Vec2 finger = loop->snapshot().finger();
+        ways_[ticks_++ % ways_.size()] = length(finger - finger_);
+        finger_ = finger;
         pass(dt);
         came_on_unheard_ = off_ms > 0 && model.motors_on() && (off_ms < 6 || unheard_);
         note_motors();
@@ -109,6 +114,17 @@ protected:
     void advance() override { link.advance(); }
 
 private:
+    /// mm that the finger has gone in the ticks that the stick hears of now: one of the last few, or all of a silence.
+    double way_unheard() const {
+        double longest = 0.0;
+        double all = 0.0;
+        for (std::size_t back = 1; back <= std::min<std::size_t>({ticks_, ways_.size(), silent_ms_ + few_ticks}); ++back) {
+            const double way = ways_[(ticks_ - back) % ways_.size()];
+            longest = std::max(longest, way);
+            all += way;
+        }
+        return silent_ms_ > 0 ? all : longest;
+    }
     void note_motors() {
         const JoystickLinkTroubles& t = link.troubles;
         off_ms_ = model.motors_on() ? 0 : off_ms_ + 1;
@@ -116,6 +132,11 @@ private:
                    !model.wire().has_state;
     }
 
+    static constexpr double stiffness = 0.2;    ///< N/mm, of the default profile
+    static constexpr std::size_t few_ticks = 4; ///< from the servo to the stick
+    std::array<double, 256> ways_{};            ///< mm, of each tick
+    std::size_t ticks_ = 0;
+    Vec2 finger_{0.0};
     unsigned silent_ms_ = 0;
     unsigned off_ms_ = 0;
     bool unheard_ = false; ///< what the stick said since its motors went off may be lost

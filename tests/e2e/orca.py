@@ -113,4 +113,4 @@ def journey(script, inner):
     """The exit status of a journey with Orca: PROGRAM LAB PHOTOS... on the command line."""
     if desk.is_at_a_desk():
         return desk.verdict(inner, sys.argv[1], sys.argv[2], sys.argv[3:])
-    return desk.at_a_desk(script, "xdotool", "pulseaudio", "pactl", "speech-dispatcher", "orca")
+    return desk.at_a_desk(script, "xdotool", "pulseaudio", "pactl", "speech-dispatcher", "orca", "/dev/pts/ptmx")

@@ -4,11 +4,13 @@
 #include "places.hpp"
 #include "scenes.hpp"
 
-#include <QFile>
 #include <QTest>
 
 #include <algorithm>
+#include <fstream>
 #include <set>
+#include <sstream>
+#include <string>
 
 using namespace tp;
 using namespace tp::testing;
@@ -55,32 +57,37 @@ Vec2 listing(std::vector<Vec2> vertices, double K, double d, Vec2 hip) {
 
 /// An answer of the listing that was worked out outside this program.
 struct Answer {
-    QByteArray name;
+    std::string name;
     TentProfile profile;
     std::vector<Vec2> vertices;
     Vec2 finger{0.0};
     Vec2 force{0.0}; ///< N; not a number where the listing divides 0 by 0
 };
 
+std::vector<std::string> split(const std::string& text, char at) {
+    std::vector<std::string> parts;
+    std::istringstream rest(text);
+    for (std::string part; std::getline(rest, part, at);)
+        parts.push_back(part);
+    return parts;
+}
+
 /// The rows of algorithm1.csv.
 std::vector<Answer> answers() {
-    QFile file(test::in_source("tests/core/guidance/algorithm1.csv"));
+    std::ifstream file(test::in_source("tests/core/guidance/algorithm1.csv"));
     std::vector<Answer> rows;
-    if (!file.open(QIODevice::ReadOnly) ||
-        file.readLine() != "case,k_n_per_mm,d_mm,vertices_mm,x_mm,y_mm,fx_n,fy_n\n")
+    std::string line;
+    if (!std::getline(file, line) || line != "case,k_n_per_mm,d_mm,vertices_mm,x_mm,y_mm,fx_n,fy_n")
         return rows;
-    while (!file.atEnd()) {
-        const QList<QByteArray> cells = file.readLine().trimmed().split(',');
+    while (std::getline(file, line)) {
+        const std::vector<std::string> cells = split(line, ',');
         if (cells.size() != 8)
             return {};
-        Answer row{cells[0],
-                   {cells[1].toDouble(), cells[2].toDouble()},
-                   {},
-                   {cells[4].toDouble(), cells[5].toDouble()},
-                   {cells[6].toDouble(), cells[7].toDouble()}};
-        for (const QByteArray& vertex : cells[3].split(' ')) {
-            const QList<QByteArray> place = vertex.split(':');
-            row.vertices.emplace_back(place.at(0).toDouble(), place.at(1).toDouble());
+        const auto number = [&](std::size_t i) { return std::stod(cells[i]); };
+        Answer row{cells[0], {number(1), number(2)}, {}, {number(4), number(5)}, {number(6), number(7)}};
+        for (const std::string& vertex : split(cells[3], ' ')) {
+            const std::vector<std::string> place = split(vertex, ':');
+            row.vertices.emplace_back(std::stod(place.at(0)), std::stod(place.at(1)));
         }
         rows.push_back(std::move(row));
     }
@@ -127,16 +134,16 @@ private slots:
     void answers_from_outside_are_met_row_by_row() {
         const std::vector<Answer> rows = answers();
         QCOMPARE(rows.size(), std::size_t(309));
-        std::set<QByteArray> names;
+        std::set<std::string> names;
         int without_a_number = 0;
         for (const Answer& row : rows) {
             names.insert(row.name);
             without_a_number += is_finite(row.force) ? 0 : 1;
             const Vec2 raw = published_algorithm_1(row.vertices, row.profile, row.finger);
-            const auto what = row.name + ": " + QByteArray::number(raw.x) + ' ' + QByteArray::number(raw.y);
-            QVERIFY2(same_force(raw, row.force), what.constData());
+            const std::string what = row.name + ": " + std::to_string(raw.x) + ' ' + std::to_string(raw.y);
+            QVERIFY2(same_force(raw, row.force), what.c_str());
             const PublishedLaw law(one_line(row.vertices), row.profile);
-            QVERIFY2(same_force(law.at(row.finger).force, withheld(row.force)), what.constData());
+            QVERIFY2(same_force(law.at(row.finger).force, withheld(row.force)), what.c_str());
         }
         QCOMPARE(without_a_number, 2);
         for (const char* name :

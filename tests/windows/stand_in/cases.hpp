@@ -251,7 +251,7 @@ inline void qSleep(int ms) { qWait(ms); }
         tp_stand_in::state().case_skipped = true;                                                            \
         return;                                                                                              \
     } while (false)
-#define QFETCH(type, name) const type name = tp_stand_in::fetched<type>(#name)
+#define QFETCH(type, name) const auto name = tp_stand_in::fetched<type>(#name)
 #define QTRY_VERIFY_WITH_TIMEOUT(condition, ms)                                                              \
     do {                                                                                                     \
         tp_stand_in::wait_until([&] { return static_cast<bool>(condition); }, ms);                           \

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/participant/felt_shape.hpp"
 
-#include "core/participant/way_belief.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -222,8 +220,6 @@ std::optional<int> ShapeNamer::hear(std::span<const FeltPlace> trail) {
     if (trail.size() == looked_at_)
         return std::nullopt;
     looked_at_ = trail.size();
-    if (const auto named = by_the_way(trail))
-        return named;
     const auto end = round_end(trail, from_, person_.place_mm);
     if (!end)
         return std::nullopt;
@@ -237,41 +233,6 @@ std::optional<int> ShapeNamer::hear(std::span<const FeltPlace> trail) {
     ShapeMisfits sorted = misfits_;
     std::ranges::sort(sorted);
     return rounds_ >= person_.most_rounds || sorted[1] > sure * sorted[0] ? guess() : std::nullopt;
-}
-
-/// Where the way is long enough since it was asked last. What is remembered of a place stays as it is.
-std::optional<int> ShapeNamer::by_the_way(std::span<const FeltPlace> trail) {
-    constexpr std::size_t between = 10; // places
-    // How near the line a finger is that follows it, and for how long it keeps to that side (assumed).
-    constexpr WayError tracked_mm{2.0, 20.0};
-    constexpr double steered_way_mm = 30.0;
-    errors_.resize(std::min(errors_.size(), trail.size()));
-    believed_at_ = std::min(believed_at_, trail.size());
-    for (std::size_t i = errors_.size(); i < trail.size(); ++i) {
-        const double kept =
-            i == 0 ? 0.0 : std::exp(-length(trail[i].place - trail[i - 1].place) / error_changes_mm);
-        drift_ = kept * drift_ + std::sqrt(1.0 - kept * kept) * Vec2{chance_.normal(), chance_.normal()};
-        error_ = kept * error_ + (1.0 - kept) * drift_;
-        errors_.push_back(std::sqrt(2.0) * error_);
-    }
-    if (trail.size() < believed_at_ + between)
-        return std::nullopt;
-    believed_at_ = trail.size();
-    double size = 0.0;
-    const Vec2 middle = middle_of(trail);
-    for (const FeltPlace& felt : trail)
-        size = std::max(size, length(felt.place - middle));
-    const double error_mm = std::min(person_.place_mm, person_.length_share * size);
-    std::vector<FeltPlace> way;
-    for (std::size_t i = 0; i < trail.size(); i += 2)
-        way.push_back({trail[i].place + error_mm * errors_[i], trail[i].heading});
-    const ShapeBeliefs beliefs = beliefs_of(way, {WayError{error_mm, 4.0 * error_changes_mm}, tracked_mm},
-                                            {WayError{person_.heading_deg, 2.0 * error_changes_mm},
-                                             WayError{person_.direction_deg, steered_way_mm}});
-    const auto best = std::ranges::max_element(beliefs);
-    return *best >= sure_belief
-               ? std::optional(shape_corners[static_cast<std::size_t>(best - beliefs.begin())])
-               : std::nullopt;
 }
 
 std::optional<int> ShapeNamer::guess() const {

@@ -50,7 +50,7 @@ struct Person {
     double caution =
         0.6; ///< its speed after the line was lost, as a share of that before; also at first (assumed)
     double trust_per_s =
-        0.15; ///< by which share the speed grows in a second without a pull, and falls at twice `brake_n` (assumed)
+        0.15; ///< by which share the speed grows in a second along a line that is kept (assumed)
 
     // What is remembered.
     /// Standard deviation of a felt place from where it was, mm: position sense of an unseen hand (order of van Beers, Sittig, Denier

@@ -3,17 +3,13 @@
 
 namespace tp {
 
-Guidance pull_towards(const Nearest& nearest, const TentProfile& profile) noexcept {
-    Guidance guidance;
-    guidance.distance = nearest.distance;
-    guidance.nearest = nearest.point;
-    guidance.contour = nearest.contour;
-    guidance.energy = profile.energy(nearest.distance);
-    guidance.segment = nearest.segment;
-    guidance.towards = nearest.towards;
+Guidance pull_towards(const Nearest& nearest, Vec2 finger, const TentProfile& profile) noexcept {
+    Guidance guidance{
+        Vec2(0.0),      nearest.distance, nearest.point, nearest.contour, profile.energy(nearest.distance),
+        nearest.segment};
     const double magnitude = profile.force(nearest.distance);
     if (magnitude > 0.0)
-        guidance.force = (magnitude / nearest.distance) * nearest.towards;
+        guidance.force = (magnitude / nearest.distance) * (nearest.point - finger);
     return guidance;
 }
 
@@ -21,13 +17,11 @@ Guidance ExactLaw::at(Vec2 finger) const noexcept {
     Nearest nearest = index_.nearest_within(finger, profile_.band());
     if (!nearest.found()) // no force here; only the distance is wanted
         nearest = index_.nearest(finger);
-    return pull_towards(nearest, profile_);
+    return pull_towards(nearest, finger, profile_);
 }
 
-Guidance ExactLaw::felt_at(Vec2 finger) const noexcept {
-    return pull_towards(index_.nearest_within(finger, profile_.band()), profile_);
+Vec2 ExactLaw::force_at(Vec2 finger) const noexcept {
+    return pull_towards(index_.nearest_within(finger, profile_.band()), finger, profile_).force;
 }
-
-Vec2 ExactLaw::force_at(Vec2 finger) const noexcept { return felt_at(finger).force; }
 
 } // namespace tp

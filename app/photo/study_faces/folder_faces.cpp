@@ -58,14 +58,11 @@ Result<Labelled> labelled_files(const fs::path& folder) {
 }
 
 std::vector<std::string> levels_of(const Experiment& experiment, StudyParameter parameter) {
-    std::vector<std::string> levels;
-    for (const auto* list : {&experiment.factors, &experiment.settings, &experiment.training_factors})
+    for (const auto* list : {&experiment.factors, &experiment.settings})
         for (const StudyFactor& factor : *list)
             if (factor.parameter == parameter)
-                for (const std::string& level : factor.levels)
-                    if (std::ranges::find(levels, level) == levels.end())
-                        levels.push_back(level);
-    return levels;
+                return factor.levels;
+    return {};
 }
 
 /// The contours of the largest face, and those alone.

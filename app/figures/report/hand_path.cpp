@@ -18,7 +18,9 @@ std::vector<Vec2> hand_path(std::size_t count) {
     while (path.size() < count) {
         turn = 0.98 * turn + 0.004 * noise(random);
         heading += turn;
-        const auto ahead = [&] { return place + hand_path_step_mm * Vec2(std::cos(heading), std::sin(heading)); };
+        const auto ahead = [&] {
+            return place + hand_path_step_mm * Vec2(std::cos(heading), std::sin(heading));
+        };
         if (std::max(std::abs(ahead().x), std::abs(ahead().y)) > hand_half_side_mm) {
             heading = std::atan2(-place.y, -place.x);
             turn = 0.0;

@@ -113,7 +113,8 @@ double SafetyChain::explained(const SafetyInput& input) noexcept {
     if (reading_seen_ && elapsed == 0.0)
         return 0.0;
     // After a silence the place jumps, whatever the finger did meanwhile.
-    const bool known = reading_seen_ && elapsed > 0.0 && elapsed <= (1.0 + limits_.late_periods) * period_ + 1e-9;
+    const bool known =
+        reading_seen_ && elapsed > 0.0 && elapsed <= (1.0 + limits_.late_periods) * period_ + 1e-9;
     const Vec2 step = known ? input.position - last_position_ : Vec2(0.0);
     last_position_ = input.position;
     position_time_ = input.now;

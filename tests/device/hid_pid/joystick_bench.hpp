@@ -118,7 +118,8 @@ private:
     double way_unheard() const {
         double longest = 0.0;
         double all = 0.0;
-        for (std::size_t back = 1; back <= std::min<std::size_t>({ticks_, ways_.size(), silent_ms_ + few_ticks}); ++back) {
+        for (std::size_t back = 1;
+             back <= std::min<std::size_t>({ticks_, ways_.size(), silent_ms_ + few_ticks}); ++back) {
             const double way = ways_[(ticks_ - back) % ways_.size()];
             longest = std::max(longest, way);
             all += way;

@@ -101,7 +101,8 @@ private:
 
 void CellGridBuilder::build() {
     std::uint32_t first_side = largest_first_side;
-    while (first_side > 1 && first_side * first_side * set_.size() > first_crowd * grid_.cell_count())
+    while (first_side > 1 &&
+           std::size_t{first_side} * first_side * set_.size() > first_crowd * grid_.cell_count())
         first_side /= 2;
     for (std::uint32_t row = 0; row < grid_.rows_; row += first_side)
         for (std::uint32_t column = 0; column < grid_.columns_; column += first_side)
@@ -234,7 +235,7 @@ void CellGridBuilder::refine(const Block& block, std::size_t depth) {
     if (!divisible || view.count <= (beyond ? short_list_beyond : short_list))
         return store(block, view, beyond);
     const std::size_t cells = std::size_t(block.side) * block.side;
-    if (view.count > 2 * CellGrid::most_pairs * cells)
+    if (view.count > cells * CellGrid::most_pairs * 2)
         return fill(block, 0); // dividing a crowd evenly would still leave crowds
     const bool crowded = view.count > long_list;
     if (!crowded) {

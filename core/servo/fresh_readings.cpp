@@ -34,17 +34,14 @@ std::optional<double> FreshReadings::taken(double stamp, double now) noexcept {
     const Reading reading{stamp, now};
     calm_down(now);
     const bool first = !last_;
-    if (first) {
-        offset_ = now - stamp;
-    } else if (stamp == last_->stamp || (unlikely_ && stamp == unlikely_->stamp)) {
+    if (!first && (stamp == last_->stamp || (unlikely_ && stamp == unlikely_->stamp)))
         return std::nullopt;
-    } else if (follows(*last_, reading)) {
+    if (!first && follows(*last_, reading))
         offset_ = std::min(offset_ + drift * std::max(0.0, now - last_->arrival), now - stamp);
-    } else if (confirms(reading)) {
+    else if (first || confirms(reading))
         offset_ = now - stamp;
-    } else {
+    else
         return std::nullopt;
-    }
     last_ = reading;
     unlikely_.reset();
     const double taken = std::min(stamp + offset_, now);

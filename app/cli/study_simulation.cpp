@@ -6,11 +6,13 @@
 #include "app/figures/simulated/simulated_kinds.hpp"
 #include "app/figures/simulated/simulated_study.hpp"
 #include "app/figures/study/own_experiments.hpp"
+#include "app/figures/study/published_results.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/experiment/number_text.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/whole_file.hpp"
 #include "core/study/expression.hpp"
+#include "core/study_folder/study_folder.hpp"
 #include "core/svg/contour_sheet.hpp"
 #include "core/version/version.hpp"
 
@@ -72,6 +74,12 @@ Result<SimulatedBench> bench_of(const VerbLine& line) {
             return Error{delay.error()};
         bench.delay_ticks = static_cast<std::size_t>(*delay);
     }
+    if (line.has("max-force")) {
+        const auto limit = line.positive("max-force");
+        if (!limit)
+            return Error{limit.error()};
+        bench.limit_n = *limit;
+    }
     bench.led = line.has("led");
     bench.continuity.corner_cue = line.has("corner-cue");
     if (line.has("blend")) {
@@ -96,6 +104,8 @@ StudyMachine machine_of(const SimulatedBench& bench, const std::string& kind) {
         device += ", corner cue";
     if (bench.led)
         device += ", led to the start";
+    if (bench.limit_n)
+        device += ", at most " + shortest(*bench.limit_n) + " N";
     return {"", std::string("touchphoto ") + version_number(), device, "millimetres and newtons as they are"};
 }
 
@@ -172,7 +182,8 @@ Result<Experiment> experiment_of(const std::filesystem::path& file) {
 }
 
 void add_simulation_options(VerbLine& line) {
-    line.option("participants", "With simulate: how many simulated people.", "N", "10")
+    line.option("seeds", "With replicate: so many studies, each of other people, from --seed on.", "N", "10")
+        .option("participants", "With simulate: how many simulated people.", "N", "10")
         .option("jobs", "With simulate: people at a time; 0: one for each core.", "N", "1")
         .option("law", "With simulate: exact or published, whatever the experiment sets.", "NAME")
         .option("faces", "With simulate: a folder of faces' contours, named PERSON_EXPRESSION.svg.", "DIR")
@@ -181,12 +192,27 @@ void add_simulation_options(VerbLine& line) {
         .option("rate", "With simulate: the device's rate; 1000 where no device says another.", "HZ")
         .option("delay", "With simulate: ticks between a force and its acting; 0 where no device says more.",
                 "N")
+        .option("max-force",
+                "With simulate: the person's limit; without it no pull is cut that the device can give.", "N")
         .option("led", "With simulate: the guided tour brings the finger to each start.")
         .option("blend", "With simulate and the exact law: turns the force over a disc of this radius.", "MM")
         .option("corner-cue", "With simulate and the exact law: a short tick at corners.");
 }
 
-int simulate_study_verb(const VerbLine& line, const std::filesystem::path& file) {
+namespace {
+
+/// What a line asks of simulated people.
+struct SimulationOrder {
+    Experiment experiment;
+    SimulatedBench bench;
+    std::optional<FacesInFolder> faces;
+    int participants = 1, jobs = 1;
+    std::uint64_t seed = 1;
+};
+
+/// The order, or the verb's exit code.
+std::optional<int> take_order(const VerbLine& line, const std::filesystem::path& file,
+                              SimulationOrder& order) {
     if (!line.has("out"))
         return wrong_usage("study", "--out DIR is missing.");
     const auto participants = line.whole("participants", 1, 10'000);
@@ -209,35 +235,119 @@ int simulate_study_verb(const VerbLine& line, const std::filesystem::path& file)
         if (const std::string problem = set_law(*experiment, law); !problem.empty())
             return wrong_usage("study", problem);
     }
-    std::optional<FacesInFolder> faces;
     if (line.has("faces")) {
         auto read = FacesInFolder::read(line.text("faces").toStdString());
         if (!read)
             return refused(read.error());
-        faces = std::move(*read);
+        order.faces = std::move(*read);
     }
+    order.experiment = std::move(*experiment);
+    order.bench = *bench;
+    order.participants = *participants;
+    order.jobs = *jobs > 0 ? *jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    order.seed = static_cast<std::uint64_t>(*seed);
+    return std::nullopt;
+}
+
+/// `before` studies of `all` are done.
+Result<SimulatedStudy> carry_out(const VerbLine& line, const SimulationOrder& order,
+                                 const std::filesystem::path& folder, std::size_t before, std::size_t all) {
     LongWork::step("opening the study");
-    auto writer = StudyWriter::open(line.text("out").toStdString(), *experiment,
-                                    {static_cast<std::uint64_t>(*seed), true},
-                                    machine_of(*bench, line.text("device").toStdString()));
+    auto writer = StudyWriter::open(folder, order.experiment, {order.seed, true},
+                                    machine_of(order.bench, line.text("device").toStdString()));
     if (!writer)
-        return refused(writer.error());
+        return Error{writer.error()};
     for (const std::string& remark : (*writer)->remarks())
         say(remark);
     LongWork::step("simulating people");
-    const int at_a_time =
-        *jobs > 0 ? *jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    const auto study = simulate_study(
-        **writer, 1, *participants, *bench, faces ? &*faces : nullptr, at_a_time,
-        [](std::size_t done, std::size_t planned) {
-            LongWork::share(static_cast<double>(done) / static_cast<double>(planned));
+    return simulate_study(
+        **writer, 1, order.participants, order.bench, order.faces ? &*order.faces : nullptr, order.jobs,
+        [&](std::size_t done, std::size_t planned) {
+            LongWork::share(
+                (static_cast<double>(before) + static_cast<double>(done) / static_cast<double>(planned)) /
+                static_cast<double>(all));
         },
         [] { return LongWork::stop_asked().load(); });
+}
+
+QJsonArray json_of(const std::vector<ComparedResult>& results) {
+    QJsonArray rows;
+    for (const ComparedResult& result : results)
+        rows.append(QJsonObject{{"what", QString::fromStdString(subject_words(result.published))},
+                                {"published", QString::fromStdString(published_words(result.published))},
+                                {"mean", result.mean},
+                                {"least", result.least},
+                                {"most", result.most},
+                                {"studies", static_cast<int>(result.ours.size())},
+                                {"alike", result.alike}});
+    return rows;
+}
+
+} // namespace
+
+int simulate_study_verb(const VerbLine& line, const std::filesystem::path& file) {
+    SimulationOrder order;
+    if (const auto ended = take_order(line, file, order))
+        return *ended;
+    const auto study = carry_out(line, order, line.text("out").toStdString(), 0, 1);
     if (LongWork::stop_asked())
         return LongWork::stop_code();
     if (!study)
         return refused(study.error());
-    tell(line, *experiment, *participants, *study);
+    tell(line, order.experiment, order.participants, *study);
+    return exit_done;
+}
+
+int replicate_study_verb(const VerbLine& line, const std::filesystem::path& file) {
+    SimulationOrder order;
+    if (const auto ended = take_order(line, file, order))
+        return *ended;
+    const auto seeds = line.whole("seeds", 1, 1000);
+    if (!seeds)
+        return wrong_usage("study", seeds.error());
+    if (std::ranges::none_of(published_results(), [&](const PublishedResult& result) {
+            return result.experiment == order.experiment.name;
+        }))
+        return refused("Nothing was published of the experiment " + order.experiment.name + ".");
+    const std::filesystem::path out = line.text("out").toStdString();
+    std::vector<StudyReport> reports;
+    const std::uint64_t first = order.seed;
+    for (int i = 0; i < *seeds; ++i) {
+        order.seed = first + static_cast<std::uint64_t>(i);
+        const std::filesystem::path folder = out / ("seed-" + std::to_string(order.seed));
+        const auto done =
+            carry_out(line, order, folder, static_cast<std::size_t>(i), static_cast<std::size_t>(*seeds));
+        if (LongWork::stop_asked())
+            return LongWork::stop_code();
+        if (!done)
+            return refused(done.error());
+        const auto study = read_study(folder);
+        if (!study)
+            return refused(study.error());
+        auto report = report_on(*study);
+        if (!report)
+            return refused(report.error());
+        for (const std::string& remark : done->remarks)
+            say(remark);
+        reports.push_back(std::move(*report));
+    }
+    LongWork::step("writing the comparison");
+    if (const std::string problem = write_comparison(out, reports); !problem.empty())
+        return refused(problem);
+    const auto compared = compared_results(reports);
+    if (line.has("json"))
+        std::printf("%s\n",
+                    QJsonDocument(QJsonObject{{"experiment", QString::fromStdString(order.experiment.name)},
+                                              {"studies", *seeds},
+                                              {"participants", order.participants},
+                                              {"published", json_of(compared)}})
+                        .toJson(QJsonDocument::Compact)
+                        .constData());
+    else
+        for (const ComparedResult& result : compared)
+            std::printf("%s: published %s; here %s; %s\n", subject_words(result.published).c_str(),
+                        published_words(result.published).c_str(), our_words(result).c_str(),
+                        result.alike ? "alike" : "not alike");
     return exit_done;
 }
 

@@ -15,5 +15,7 @@ Result<Experiment> experiment_of(const std::filesystem::path& file);
 void add_simulation_options(VerbLine& line);
 /// `study simulate FILE`: its exit code.
 int simulate_study_verb(const VerbLine& line, const std::filesystem::path& file);
+/// `study replicate FILE`: studies of several seeds beside what was published; its exit code.
+int replicate_study_verb(const VerbLine& line, const std::filesystem::path& file);
 
 } // namespace tp

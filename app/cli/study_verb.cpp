@@ -3,6 +3,7 @@
 #include "app/cli/long_work.hpp"
 #include "app/cli/study_simulation.hpp"
 #include "app/cli/verbs.hpp"
+#include "app/figures/study/published_results.hpp"
 #include "app/figures/study/study_report.hpp"
 #include "core/experiment/trial_order.hpp"
 #include "core/study_folder/study_check.hpp"
@@ -17,6 +18,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace tp {
@@ -27,7 +29,12 @@ QString text_of(const std::string& text) { return QString::fromStdString(text); 
 QJsonValue maybe(const std::optional<double>& value) { return value ? QJsonValue(*value) : QJsonValue(); }
 
 QJsonObject json_of(const StudyReport& report) {
-    QJsonArray effects, levels, remarks;
+    QJsonArray effects, levels, remarks, published;
+    for (const ComparedResult& result : compared_results(std::span(&report, 1)))
+        published.append(QJsonObject{{"what", text_of(subject_words(result.published))},
+                                     {"published", text_of(published_words(result.published))},
+                                     {"here", result.mean},
+                                     {"alike", result.alike}});
     for (const StudyMeasure& measure : report.measures) {
         for (const WithinEffect& effect : measure.anova.effects)
             effects.append(QJsonObject{{"measure", text_of(measure.name)},
@@ -56,6 +63,7 @@ QJsonObject json_of(const StudyReport& report) {
             {"repeated", static_cast<int>(report.repeated)},
             {"effects", effects},
             {"levels", levels},
+            {"published", published},
             {"remarks", remarks}};
 }
 
@@ -155,14 +163,16 @@ int plan_verb(const VerbLine& line, const std::filesystem::path& file) {
     for (const StudyFactor& factor : experiment->factors)
         columns += "," + std::string(kind_of(factor.parameter).name);
     std::printf("%s,seed\n", columns.c_str());
+    const Experiment in_training = experiment->in_training();
     int number = 0;
     for (const PlannedTrial& trial :
          trials_of(*experiment, *participant, static_cast<std::uint64_t>(*seed))) {
         std::string row = std::to_string(++number) + "," + std::to_string(trial.repetition + 1) +
                           (trial.training ? ",yes" : ",no");
-        const auto levels = experiment->levels_of(trial.condition);
+        const Experiment& from = trial.training ? in_training : *experiment;
+        const auto levels = from.levels_of(trial.condition);
         for (std::size_t i = 0; i < levels.size(); ++i)
-            row += "," + experiment->factors[i].levels[levels[i]];
+            row += "," + from.factors[i].levels[levels[i]];
         std::printf("%s,%llu\n", row.c_str(), static_cast<unsigned long long>(trial.seed));
     }
     return exit_done;
@@ -179,18 +189,24 @@ int study_verb(const QStringList& words) {
         "shows, as tables, plots and one page: repeated-measures analysis of variance, Tukey's groups, what\n"
         "was called what. simulate FILE: lets simulated people do the experiment, which fills such a "
         "folder;\n"
-        "the same seed gives the same bytes.\n"
+        "the same seed gives the same bytes. replicate FILE: several such studies, each of other people, "
+        "beside "
+        "what\nwas published of the experiment.\n"
         "Experiments are files. The program's own have names and numbers: 1 tracking, 2 primitives,\n"
         "3 expressions, 4 laws-tracking, 5 laws-expressions; 1 to 3 are the published ones.");
-    line.argument("what", "plan, check, export, report or simulate.", "plan|check|export|report|simulate")
+    line.argument("what", "plan, check, export, report, simulate or replicate.",
+                  "plan|check|export|report|simulate|replicate")
         .argument("from", "An experiment's file, name or number, or the folder of a study.", "FILE|FOLDER")
         .option("participant", "With plan: the number of the person.", "N", "1")
-        .option("seed", "With plan and simulate: the study's number; another one is another order.", "S", "1")
+        .option("seed",
+                "With plan and simulate: the study's number; another one is another order. With replicate: "
+                "the first.",
+                "S", "1")
         .option("out",
                 "With report: folder for the results; made where it is missing. With export: the zip. With "
-                "simulate: the study's folder, new or begun.",
+                "simulate: the study's folder, new or begun. With replicate: the folder of all.",
                 "DIR|FILE")
-        .option("json", "With report and simulate: JSON instead of words.");
+        .option("json", "With report, simulate and replicate: JSON instead of words.");
     add_simulation_options(line);
     if (const auto ended = line.parse(words, 2, 2))
         return *ended;
@@ -206,8 +222,11 @@ int study_verb(const QStringList& words) {
         return report_verb(line, from);
     if (what == "simulate")
         return simulate_study_verb(line, from);
-    return wrong_usage("study", "There is nothing called \"" + what.toStdString() +
-                                    "\"; plan, check, export, report and simulate are what can be done.");
+    if (what == "replicate")
+        return replicate_study_verb(line, from);
+    return wrong_usage("study",
+                       "There is nothing called \"" + what.toStdString() +
+                           "\"; plan, check, export, report, simulate and replicate are what can be done.");
 }
 
 } // namespace tp

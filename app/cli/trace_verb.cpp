@@ -34,6 +34,8 @@ Trace explore(const Scene& scene, std::unique_ptr<HapticScene> haptic, double lo
     ServoLoop loop(device, can, clock, ServoSettings{});
     ExploringFinger hand(scene.surface());
     device.place_finger(hand.start());
+    const GuidanceLaw& law = *haptic->law;
+    const double band = haptic->profile.band();
     loop.render(std::move(haptic));
     loop.engage();
 
@@ -48,6 +50,11 @@ Trace explore(const Scene& scene, std::unique_ptr<HapticScene> haptic, double lo
         device.move_pointer(hand.step(view.finger(), view.force(), 0.001));
         if (clock.now() >= next_row) {
             trace.rows.push_back(view);
+            if (!(view.distance < band)) { // the servo looks there now and then only
+                const Guidance guidance = law.at(view.finger());
+                trace.rows.back().distance = guidance.distance;
+                trace.rows.back().contour = guidance.contour;
+            }
             next_row += record_every;
         }
         if (clock.now() >= next_word) {

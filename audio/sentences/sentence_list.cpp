@@ -267,6 +267,7 @@ constexpr const char* all_sentences[] = {
     QT_TRANSLATE_NOOP("Sentence", "The language %1"),
     QT_TRANSLATE_NOOP("Sentence", "The language of the name cannot be saved: %1"),
     QT_TRANSLATE_NOOP("Sentence", "The last line of the finger's path is not whole."),
+    QT_TRANSLATE_NOOP("Sentence", "The line %1 reaches more than 1 km from the middle of the surface, too far to be felt exactly."),
     QT_TRANSLATE_NOOP("Sentence", "The list of the import \"%1\" cannot be read; import its folder again, nothing comes twice."),
     QT_TRANSLATE_NOOP("Sentence", "The list of what was deleted in \"%1\" cannot be read; its files are still there."),
     QT_TRANSLATE_NOOP("Sentence", "The map between two frames cannot be inverted, because it flattens the plane to a line."),

@@ -8,8 +8,9 @@ namespace tp {
 namespace {
 
 constexpr std::array<std::string_view, 2> laws{"exact", "published"};
-constexpr std::array<std::string_view, 3> paths{"circle", "triangle", "curve"};
-constexpr std::array<std::string_view, 5> shapes{"circle", "triangle", "square", "pentagon", "hexagon"};
+constexpr std::array<std::string_view, 4> paths{"circle", "triangle", "curve", "line"};
+constexpr std::array<std::string_view, 8> shapes{"circle",  "triangle", "square",      "pentagon",
+                                                 "hexagon", "line",     "broken-line", "curve"};
 constexpr std::array<std::string_view, 4> expressions{"smiling", "surprised", "sad", "angry"};
 
 /// In the order of StudyParameter.
@@ -34,6 +35,26 @@ std::optional<StudyParameter> parameter_named(std::string_view name) {
     if (found == kinds.end())
         return std::nullopt;
     return static_cast<StudyParameter>(found - kinds.begin());
+}
+
+Experiment Experiment::in_training() const {
+    Experiment same = *this;
+    for (const StudyFactor& factor : training_factors)
+        for (StudyFactor& own : same.factors)
+            if (own.parameter == factor.parameter)
+                own.levels = factor.levels;
+    return same;
+}
+
+bool Experiment::asks(bool in_training) const {
+    if (!answer || !in_training)
+        return answer.has_value();
+    const auto own = std::ranges::find(factors, *answer, &StudyFactor::parameter);
+    const auto trained = std::ranges::find(training_factors, *answer, &StudyFactor::parameter);
+    return trained == training_factors.end() ||
+           std::ranges::all_of(trained->levels, [&](const std::string& level) {
+               return std::ranges::find(own->levels, level) != own->levels.end();
+           });
 }
 
 std::size_t Experiment::conditions() const {

@@ -54,10 +54,17 @@ struct Experiment {
     std::optional<StudyParameter> answer;  ///< where things are named: the factor that is asked for
     int repetitions = 1;                   ///< of each condition
     int training = 0;                      ///< trials before, which do not count
+    /// The levels of a factor in training, in place of its own: faces that are not asked for later.
+    std::vector<StudyFactor> training_factors;
+    std::optional<double> longest_training_s; ///< of a trial in training; nothing: as long as the others
     int trials_between_breaks = 0;         ///< 0: no breaks
     std::optional<double> longest_trial_s; ///< then it ends, or an answer is asked for
     double surface_width_mm = 200.0, surface_height_mm = 200.0;
 
+    /// What training is drawn from: the same experiment with the training factors' levels.
+    Experiment in_training() const;
+    /// Whether an answer is asked for; in training only where its levels are among the answers.
+    bool asks(bool in_training) const;
     std::size_t conditions() const;
     std::size_t trials() const { return conditions() * static_cast<std::size_t>(repetitions); }
     /// Of a condition, 0 … conditions(): an index a factor. The last factor's changes first.

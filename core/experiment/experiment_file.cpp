@@ -145,14 +145,19 @@ Problem take_line(std::string_view key, std::string_view value, Experiment& expe
         return take_whole(value, 1, 1000, experiment.trials_between_breaks);
     if (key == "longest trial")
         return take_seconds(value, experiment.longest_trial_s);
+    if (key == "longest training")
+        return take_seconds(value, experiment.longest_training_s);
     if (key == "surface")
         return take_surface(value, experiment);
-    for (const auto& [word, factors] : {std::pair(std::string_view("factor "), &experiment.factors),
-                                        std::pair(std::string_view("set "), &experiment.settings)})
+    for (const auto& [word, factors] :
+         {std::pair(std::string_view("factor "), &experiment.factors),
+          std::pair(std::string_view("set "), &experiment.settings),
+          std::pair(std::string_view("training "), &experiment.training_factors)})
         if (key.starts_with(word)) {
             StudyFactor factor;
             Problem problem = take_factor(trimmed(key.substr(word.size())), value, factor);
-            if (problem.empty() && (factors == &experiment.settings) != (factor.levels.size() == 1))
+            if (problem.empty() && factors != &experiment.training_factors &&
+                (factors == &experiment.settings) != (factor.levels.size() == 1))
                 problem = factors == &experiment.settings ? "sets more than one value"
                                                           : "needs at least two values";
             factors->push_back(std::move(factor));
@@ -172,6 +177,15 @@ std::string fault_of(const Experiment& experiment) {
         for (const StudyFactor& factor : *factors)
             if (!parameters.insert(factor.parameter).second)
                 return "The experiment speaks twice of " + std::string(kind_of(factor.parameter).name) + ".";
+    parameters.clear();
+    for (const StudyFactor& factor : experiment.training_factors) {
+        const std::string name(kind_of(factor.parameter).name);
+        if (!parameters.insert(factor.parameter).second)
+            return "The experiment speaks twice of " + name + " in training.";
+        if (std::ranges::find(experiment.factors, factor.parameter, &StudyFactor::parameter) ==
+            experiment.factors.end())
+            return "The " + name + " can be another in training only where it is a factor.";
+    }
     std::size_t conditions = 1;
     for (const StudyFactor& factor : experiment.factors)
         if ((conditions *= factor.levels.size()) > most_study_trials)
@@ -229,7 +243,8 @@ std::string experiment_text(const Experiment& experiment) {
         text += "title: " + experiment.title + "\n";
     text += std::string("task: ") + (experiment.task == StudyTask::follow ? "follow" : "name") + "\n";
     for (const auto& [word, factors] :
-         {std::pair("factor ", &experiment.factors), std::pair("set ", &experiment.settings)})
+         {std::pair("factor ", &experiment.factors), std::pair("set ", &experiment.settings),
+          std::pair("training ", &experiment.training_factors)})
         for (const StudyFactor& factor : *factors) {
             text += word + std::string(kind_of(factor.parameter).name) + ": ";
             for (std::size_t i = 0; i < factor.levels.size(); ++i)
@@ -247,6 +262,8 @@ std::string experiment_text(const Experiment& experiment) {
         text += "break after: " + std::to_string(experiment.trials_between_breaks) + "\n";
     if (experiment.longest_trial_s)
         text += "longest trial: " + shortest(*experiment.longest_trial_s) + " s\n";
+    if (experiment.longest_training_s)
+        text += "longest training: " + shortest(*experiment.longest_training_s) + " s\n";
     return text + "surface: " + shortest(experiment.surface_width_mm) + " x " +
            shortest(experiment.surface_height_mm) + " mm\n";
 }

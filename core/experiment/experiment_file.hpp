@@ -26,10 +26,11 @@ inline constexpr std::size_t most_study_trials = 10'000; ///< of one person
 /// | `answer: shape` | the factor that is asked for, where the task is to name |
 /// | `order: random` or `latin-square` | see StudyOrder |
 /// | `repetitions: 2`, `training: 3`, `break after: 25` | trials |
-/// | `longest trial: 60 s` | |
+/// | `training face: 5` | the levels of a factor in training, in place of its own |
+/// | `longest trial: 60 s`, `longest training: 20 s` | of one trial; in training |
 /// | `surface: 200 x 200 mm` | |
 ///
-/// `experiment`, `task` and a factor must be there; each line but `factor` and `set` once. An error is one sentence with the number
+/// `experiment`, `task` and a factor must be there; each line but `factor`, `set` and `training FACTOR` once. An error is one sentence with the number
 /// of the line.
 Result<Experiment> read_experiment(std::string_view text);
 

@@ -26,10 +26,11 @@ std::vector<PlannedTrial> trials_of(const Experiment& experiment, int participan
     std::iota(shuffled.begin(), shuffled.end(), std::size_t{0});
     std::vector<PlannedTrial> trials;
 
-    std::vector<std::size_t> before = shuffled;
+    std::vector<std::size_t> before(experiment.in_training().conditions());
+    std::iota(before.begin(), before.end(), std::size_t{0});
     person.shuffle(before);
     for (std::size_t i = 0; i < static_cast<std::size_t>(experiment.training); ++i)
-        trials.push_back({before[i % conditions], 0, true, 0});
+        trials.push_back({before[i % before.size()], 0, true, 0});
 
     std::vector<PlannedTrial> counted;
     for (int repetition = 0; repetition < experiment.repetitions; ++repetition) {

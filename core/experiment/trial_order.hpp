@@ -11,7 +11,7 @@ namespace tp {
 
 /// One trial that a person is to do.
 struct PlannedTrial {
-    std::size_t condition = 0;
+    std::size_t condition = 0; ///< of the experiment; in training of Experiment::in_training()
     int repetition = 0;     ///< of the condition, from 0; of training always 0
     bool training = false;  ///< it does not count
     std::uint64_t seed = 0; ///< of everything that is random in it, such as where a shape lies

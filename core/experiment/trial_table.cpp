@@ -46,7 +46,8 @@ bool take_flag(std::string_view text, bool& into) {
 }
 
 /// What is wrong with a line, the end of a sentence; empty: it is in `record`.
-std::string take(const Experiment& experiment, std::string_view line, TrialRecord& record) {
+std::string take(const Experiment& experiment, const Experiment& in_training, std::string_view line,
+                 TrialRecord& record) {
     const auto cells = cells_of(line);
     if (!cells || cells->size() != 11 + experiment.factors.size())
         return "has another number of cells than there are columns";
@@ -63,15 +64,16 @@ std::string take(const Experiment& experiment, std::string_view line, TrialRecor
     }
     if (!take_flag(*++cell, record.training))
         return "does not say whether it was training";
+    const Experiment& from = record.training ? in_training : experiment;
     std::vector<std::size_t> levels;
-    for (const StudyFactor& factor : experiment.factors) {
+    for (const StudyFactor& factor : from.factors) {
         const auto level = std::ranges::find(factor.levels, *++cell);
         if (level == factor.levels.end())
             return "has a " + std::string(kind_of(factor.parameter).name) +
                    " that the experiment does not know";
         levels.push_back(static_cast<std::size_t>(level - factor.levels.begin()));
     }
-    record.condition = experiment.condition_of(levels);
+    record.condition = from.condition_of(levels);
     if (!(++cell)->empty()) {
         record.error_mm = number_in(*cell, 0.0, 1e6);
         if (!record.error_mm)
@@ -99,8 +101,10 @@ std::string take(const Experiment& experiment, std::string_view line, TrialRecor
 } // namespace
 
 bool is_right(const Experiment& experiment, const TrialRecord& record) {
-    return experiment.answer && !record.answer.empty() &&
-           record.answer == experiment.value_of(*experiment.answer, record.condition);
+    if (!experiment.answer || record.answer.empty())
+        return false;
+    return record.answer == (record.training ? experiment.in_training() : experiment)
+                                .value_of(*experiment.answer, record.condition);
 }
 
 std::string trial_columns(const Experiment& experiment) {
@@ -115,11 +119,13 @@ std::string trial_line(const Experiment& experiment, const TrialRecord& record) 
     std::string line = experiment.name + "," + std::to_string(record.participant) + "," +
                        std::to_string(record.trial) + "," + std::to_string(record.repetition) + "," +
                        flag(record.training) + ",";
-    const std::vector<std::size_t> levels = experiment.levels_of(record.condition);
+    const Experiment from = record.training ? experiment.in_training() : experiment;
+    const std::vector<std::size_t> levels = from.levels_of(record.condition);
     for (std::size_t i = 0; i < levels.size(); ++i)
-        line += experiment.factors[i].levels[levels[i]] + ",";
+        line += from.factors[i].levels[levels[i]] + ",";
     line += (record.error_mm ? shortest(*record.error_mm) : "") + "," + shortest(record.time_s) + "," +
-            record.answer + "," + (experiment.answer ? flag(is_right(experiment, record)) : "") + "," +
+            record.answer + "," +
+            (experiment.asks(record.training) ? flag(is_right(experiment, record)) : "") + "," +
             flag(record.repeated) + "," + std::to_string(record.seed) + "\n";
     return line;
 }
@@ -131,6 +137,7 @@ Result<TrialTable> read_trials(const Experiment& experiment, std::string_view cs
     TrialTable table;
     std::string columns = trial_columns(experiment);
     columns.pop_back();
+    const Experiment in_training = experiment.in_training();
     int line_number = 0;
     for (std::string_view rest = csv; !rest.empty();) {
         ++line_number;
@@ -149,7 +156,7 @@ Result<TrialTable> read_trials(const Experiment& experiment, std::string_view cs
             continue;
         }
         TrialRecord record;
-        if (const std::string problem = take(experiment, line, record); !problem.empty())
+        if (const std::string problem = take(experiment, in_training, line, record); !problem.empty())
             return Error{"Line " + std::to_string(line_number) + " of the table of trials " + problem + "."};
         table.records.push_back(std::move(record));
     }

@@ -21,7 +21,7 @@ struct TrialRecord {
     int trial = 0;       ///< of this person, from 1, training and repeated ones too
     int repetition = 0;  ///< of the condition, from 1
     bool training = false;
-    std::size_t condition = 0;
+    std::size_t condition = 0;      ///< of the experiment; in training of Experiment::in_training()
     std::optional<double> error_mm; ///< mean distance of the finger from the path, over its samples
     double time_s = 0.0;            ///< from the start to the end or the answer
     std::string answer{};           ///< where something is named; empty: none was given in time

@@ -21,23 +21,25 @@ BlendedLaw::BlendedLaw(const FlatScene& scene, TentProfile profile, double radiu
 Guidance BlendedLaw::at(Vec2 finger) const noexcept {
     const Nearest nearest = index_.nearest_within(finger, profile_.band() + radius_);
     if (!nearest.found()) // no force here; only the distance is wanted
-        return pull_towards(index_.nearest(finger), finger, profile_);
+        return pull_towards(index_.nearest(finger), profile_);
     return around(finger, nearest);
 }
 
-Vec2 BlendedLaw::force_at(Vec2 finger) const noexcept {
+Guidance BlendedLaw::felt_at(Vec2 finger) const noexcept {
     const Nearest nearest = index_.nearest_within(finger, profile_.band() + radius_);
-    return nearest.found() ? around(finger, nearest).force : Vec2(0.0);
+    return nearest.found() ? around(finger, nearest) : pull_towards(nearest, profile_);
 }
 
+Vec2 BlendedLaw::force_at(Vec2 finger) const noexcept { return felt_at(finger).force; }
+
 Guidance BlendedLaw::around(Vec2 finger, const Nearest& nearest) const noexcept {
-    Guidance guidance = pull_towards(nearest, finger, profile_);
+    Guidance guidance = pull_towards(nearest, profile_);
     Vec2 force(0.0);
     double energy = 0.0;
     for (const Vec2 away : places_) {
         const Vec2 place = finger + away;
         const Nearest there = index_.nearest_within(place, profile_.band());
-        force += pull_towards(there, place, profile_).force;
+        force += pull_towards(there, profile_).force;
         energy += profile_.energy(there.distance);
     }
     guidance.force = force / static_cast<double>(places_.size());

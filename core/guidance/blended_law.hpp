@@ -22,6 +22,7 @@ public:
 
     /// Force and energy are the means; distance, nearest place and contour are the finger's own.
     Guidance at(Vec2 finger) const noexcept override;
+    Guidance felt_at(Vec2 finger) const noexcept override;
     Vec2 force_at(Vec2 finger) const noexcept override;
 
 private:

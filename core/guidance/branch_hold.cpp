@@ -6,8 +6,12 @@ namespace tp {
 Nearest BranchHold::nearest_of_segment(Vec2 finger, std::uint32_t segment) const noexcept {
     const Polyline& line = scene_->lines[static_cast<std::size_t>(contour_)];
     Nearest nearest;
-    nearest.point = nearest_on_segment(line.segment_start(segment), line.segment_end(segment), finger);
-    nearest.distance = length(nearest.point - finger);
+    const IndexedSegment piece(line.segment_start(segment), line.segment_end(segment));
+    const Foot<double> foot(piece, finger);
+    const WayToSegment<double> way(piece, foot.parameter, finger);
+    nearest.distance = way.length();
+    nearest.point = point_on(piece, foot.parameter);
+    nearest.towards = way.vector();
     nearest.contour = contour_;
     nearest.segment = segment;
     return nearest;
@@ -41,10 +45,10 @@ Nearest BranchHold::downhill(Vec2 finger) const noexcept {
     return best;
 }
 
-Guidance BranchHold::moved_over(const Guidance& exact, const Nearest& held, Vec2 finger) const noexcept {
-    const Nearest nearest{exact.distance, exact.nearest, exact.contour, exact.segment};
-    const Guidance from = pull_towards(nearest, finger, profile_);
-    Guidance to = pull_towards(held, finger, profile_);
+Guidance BranchHold::moved_over(const Guidance& exact, const Nearest& held) const noexcept {
+    const Nearest nearest{exact.distance, exact.nearest, exact.contour, exact.segment, exact.towards};
+    const Guidance from = pull_towards(nearest, profile_);
+    Guidance to = pull_towards(held, profile_);
     to.force += exact.force - from.force;
     to.energy += exact.energy - from.energy;
     return to;
@@ -60,7 +64,7 @@ Guidance BranchHold::hold(Vec2 finger, const Guidance& exact) noexcept {
         const Nearest held = downhill(finger);
         if (held.distance <= exact.distance + margin_) {
             segment_ = held.segment;
-            return moved_over(exact, held, finger);
+            return moved_over(exact, held);
         }
         ++switches_;
     }

@@ -30,7 +30,7 @@ private:
 
     Nearest nearest_of_segment(Vec2 finger, std::uint32_t segment) const noexcept;
     Nearest downhill(Vec2 finger) const noexcept;
-    Guidance moved_over(const Guidance& exact, const Nearest& held, Vec2 finger) const noexcept;
+    Guidance moved_over(const Guidance& exact, const Nearest& held) const noexcept;
 
     const FlatScene* scene_;
     TentProfile profile_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace tp {
 
@@ -13,6 +14,8 @@ namespace {
 constexpr double widest_mm = 5e4;
 /// Scenes of fewer segments can afford cells for their surroundings too.
 constexpr std::size_t small_scene = 16384;
+constexpr double surroundings = 0.3; ///< on every side, as a share of the scene
+constexpr std::size_t large_scene = 200'000;
 
 /// The nine places of a block that its four quarters have as corners, row by row from the lower left; the
 /// block's own corners are the four of them that stand at `corner_places`.
@@ -28,7 +31,8 @@ class CellGridBuilder {
 public:
     CellGridBuilder(CellGrid& grid, const SegmentSet& set, const SegmentTree& tree, double band,
                     double margin, std::size_t most_listed)
-        : grid_(grid), set_(set), tree_(tree), band_(band), margin_(margin), most_listed_(most_listed) {}
+        : grid_(grid), set_(set), tree_(tree), band_(band), margin_(margin), most_listed_(most_listed),
+          most_pairs_(set.size() < large_scene ? 15 : CellGrid::most_pairs) {}
 
     void build();
 
@@ -72,14 +76,19 @@ private:
     static constexpr std::size_t first_crowd = 200;
     /// A list this short is not worth dividing the block for.
     static constexpr std::size_t short_list = 2;
-    /// Beyond the band there is no force: lists are kept coarser.
-    static constexpr std::size_t short_list_beyond = 6;
-    static constexpr std::uint32_t last_side_beyond = 4;
+    static constexpr std::size_t short_list_coarse = 6;
+    static constexpr std::uint32_t last_side_coarse = 4;
     /// A child looks for its candidates in the tree rather than in a list longer than this.
     static constexpr std::size_t long_list = 800;
+    /// First blocks with more candidates than this wait until the others are done.
+    static constexpr std::size_t most_found = 4096;
+    static constexpr std::uint32_t few_blocks = 15;
+    static constexpr std::size_t most_looks = 400; ///< for each cell that holds a list; usually a tenth
 
     Block block_at(std::uint32_t column, std::uint32_t row, std::uint32_t side) const;
-    void refine_from_tree(const Block& block, std::size_t depth);
+    bool refine_from_tree(const Block& block, std::size_t depth, std::size_t most);
+    /// Whether the work so far is in proportion to the segments and to the cells that hold a list.
+    bool affordable() const { return looks_ < 4 * set_.size() + 20'000 + most_looks * listed_; }
     void refine(const Block& block, std::size_t depth);
     void look_from(const Block& block, std::size_t one, std::size_t other, View& view);
     void keep_possible(const Block& block, const View& from, const std::array<std::size_t, 4>& corners,
@@ -93,20 +102,37 @@ private:
     double band_;
     double margin_;           ///< mm, far above what rounding can do here
     std::size_t most_listed_; ///< entries of lists_
+    std::size_t most_pairs_;  ///< of one list: in a large scene, whose tree answers slowly, twice as many
     std::array<View, 8> views_;
     View found_;
-    Vec2 last_centre_{0.0};
-    double last_distance_ = std::numeric_limits<double>::infinity();
+    std::size_t looks_ = 0;  ///< two segments or places each
+    std::size_t listed_ = 0; ///< cells
 };
 
 void CellGridBuilder::build() {
-    std::uint32_t first_side = largest_first_side;
-    while (first_side > 1 &&
-           std::size_t{first_side} * first_side * set_.size() > first_crowd * grid_.cell_count())
-        first_side /= 2;
-    for (std::uint32_t row = 0; row < grid_.rows_; row += first_side)
-        for (std::uint32_t column = 0; column < grid_.columns_; column += first_side)
-            refine_from_tree(block_at(column, row, first_side), 0);
+    std::uint32_t side = largest_first_side;
+    while (side > 1 && std::size_t{side} * side * set_.size() > first_crowd * grid_.cell_count())
+        side /= 2;
+    const std::uint32_t across = (grid_.row_length_ + side - 1) / side;
+    const std::uint32_t count = across * ((static_cast<std::uint32_t>(grid_.rows_) + side - 1) / side);
+    std::uint32_t stride = std::max(1u, count * 5 / 13); // so that the first blocks speak for all
+    while (std::gcd(stride, count) != 1)
+        ++stride;
+    std::vector<Block> crowded;
+    std::uint64_t at = 0;
+    for (std::uint32_t done = 0; done < count; ++done, at = (at + stride) % count) {
+        const auto number = static_cast<std::uint32_t>(at);
+        const Block block = block_at(number % across * side, number / across * side, side);
+        if (!refine_from_tree(block, 0, most_found))
+            crowded.push_back(block);
+        if (done == few_blocks && crowded.size() == few_blocks + 1) {
+            grid_.rows_ = grid_.columns_ = 0.0; // crowds everywhere: no cell would hold a list
+            grid_.outside_ = 0;
+            return grid_.cells_.clear();
+        }
+    }
+    for (const Block& block : crowded)
+        refine_from_tree(block, 0, set_.size());
 }
 
 CellGridBuilder::Block CellGridBuilder::block_at(std::uint32_t column, std::uint32_t row,
@@ -116,18 +142,19 @@ CellGridBuilder::Block CellGridBuilder::block_at(std::uint32_t column, std::uint
     return {column, row, side, grid_.origin_ + Vec2(column * cell + half, row * cell + half), half};
 }
 
-void CellGridBuilder::refine_from_tree(const Block& block, std::size_t depth) {
-    // The nearest segment is no farther than it was from the last block, plus the way between the blocks.
-    const double at_most = last_distance_ + length(block.centre - last_centre_) + margin_;
+/// False, and nothing done, where more than `most` segments are in question.
+bool CellGridBuilder::refine_from_tree(const Block& block, std::size_t depth, std::size_t most) {
+    if (!affordable())
+        return true;
     Closest<double> nearest;
-    nearest.squared = at_most * at_most;
     tree_.search(set_, block.centre, nearest);
-    last_centre_ = block.centre;
-    last_distance_ = std::sqrt(nearest.squared);
     const IndexedSegment& segment = set_.segments[nearest.segment];
     found_.segments.clear();
-    tree_.collect_unbeaten(block.corners(), point_on(segment, nearest.parameter), 8.0 * margin_,
-                           found_.segments);
+    if (!tree_.collect_unbeaten(block.corners(), point_on(segment, nearest.parameter), 8.0 * margin_, most,
+                                found_.segments)) {
+        looks_ += found_.segments.size();
+        return false;
+    }
     found_.count = found_.segments.size();
     found_.segments.push_back(set_.filler());
     for (const std::size_t k : corner_places)
@@ -136,10 +163,12 @@ void CellGridBuilder::refine_from_tree(const Block& block, std::size_t depth) {
     look_from(block, 6, 8, found_);
     keep_possible(block, found_, corner_places, views_[depth]);
     refine(block, depth);
+    return true;
 }
 
 /// Measures the candidates of a view from two of the block's places.
 void CellGridBuilder::look_from(const Block& block, std::size_t one, std::size_t other, View& view) {
+    looks_ += view.even();
     const Vec2 p = block.place(one);
     const Vec2 q = block.place(other);
     constexpr double far = 1e300;
@@ -228,14 +257,20 @@ void CellGridBuilder::keep_possible(const Block& block, const View& from,
 void CellGridBuilder::refine(const Block& block, std::size_t depth) {
     View& view = views_[depth];
     double nearest = std::numeric_limits<double>::infinity();
-    for (const std::size_t k : corner_places)
+    double farthest = 0.0;
+    for (const std::size_t k : corner_places) {
         nearest = std::min(nearest, view.next[k].squared);
+        farthest = std::max(farthest, view.next[k].squared);
+    }
     const bool beyond = std::sqrt(nearest) - block.radius() - 2.0 * margin_ > band_;
-    const bool divisible = block.side > (beyond ? last_side_beyond : 1);
-    if (!divisible || view.count <= (beyond ? short_list_beyond : short_list))
+    // Beyond the band there is no force: where memory runs short, lists are kept coarser there.
+    const bool coarse = beyond && grid_.lists_.size() > most_listed_ / 2;
+    const bool straddles = !beyond && block.side > last_side_coarse && farthest > band_ * band_;
+    if (block.side <= (coarse ? last_side_coarse : 1) ||
+        (view.count <= (coarse ? short_list_coarse : short_list) && !straddles))
         return store(block, view, beyond);
     const std::size_t cells = std::size_t(block.side) * block.side;
-    if (view.count > cells * CellGrid::most_pairs * 2)
+    if (view.count > cells * most_pairs_ * 2 || !affordable())
         return fill(block, 0); // dividing a crowd evenly would still leave crowds
     const bool crowded = view.count > long_list;
     if (!crowded) {
@@ -252,7 +287,7 @@ void CellGridBuilder::refine(const Block& block, std::size_t depth) {
                 continue;
             const Block quarter = block_at(column, row, half);
             if (crowded) {
-                refine_from_tree(quarter, depth + 1);
+                refine_from_tree(quarter, depth + 1, set_.size());
                 continue;
             }
             const std::size_t first = 3 * up + right;
@@ -275,30 +310,73 @@ void CellGridBuilder::store(const Block& block, const View& view, bool beyond) {
     std::vector<std::uint32_t>& lists = grid_.lists_;
     const std::uint32_t mark = beyond ? CellGrid::beyond_band : 0;
     const std::size_t pairs = view.even() / 2;
-    if (pairs > CellGrid::most_pairs || lists.size() + 2 * pairs > most_listed_)
+    if (pairs > most_pairs_ || lists.size() + 2 * pairs > most_listed_)
         return fill(block, mark);
+    listed_ += std::size_t(block.side) * block.side;
     const auto first_pair = static_cast<std::uint32_t>(lists.size() / 2);
     lists.insert(lists.end(), view.segments.begin(),
                  view.segments.begin() + static_cast<std::ptrdiff_t>(view.even()));
     fill(block, (first_pair << CellGrid::flag_bits) | mark | static_cast<std::uint32_t>(pairs));
 }
 
+namespace {
+
+/// Cells leave out an end that is farther than this, mm, and half of their width, from the mass of all.
+constexpr double stray_mm = 150.0;
+
+/// The rectangle of all ends but those that lie far from nearly all others.
+Rect extent_of(const SegmentSet& set) {
+    const std::size_t step = 1 + set.size() / 4096;
+    std::array<std::vector<double>, 2> samples;
+    for (std::size_t i = 0; i < set.size(); i += step)
+        for (const Vec2 end : {set.segments[i].a, set.segments[i].b}) {
+            samples[0].push_back(end.x);
+            samples[1].push_back(end.y);
+        }
+    const std::size_t count = samples[0].size();
+    const std::size_t few = count < 32 ? 0 : std::max<std::size_t>(2, count / 50);
+    Rect wide;
+    for (const int axis : {0, 1}) {
+        std::vector<double>& all = samples[static_cast<std::size_t>(axis)];
+        const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+        std::nth_element(all.begin(), at(few), all.end());
+        const double low = all[few];
+        std::nth_element(all.begin(), at(count - 1 - few), all.end());
+        const double high = all[count - 1 - few];
+        const double room = stray_mm + 0.5 * (high - low);
+        wide.min[axis] = low - room;
+        wide.max[axis] = high + room;
+    }
+    Rect extent{Vec2(std::numeric_limits<double>::infinity()),
+                Vec2(-std::numeric_limits<double>::infinity())};
+    for (std::size_t i = 0; i < set.size(); ++i)
+        for (const Vec2 end : {set.segments[i].a, set.segments[i].b})
+            if (few == 0 || wide.contains(end)) {
+                extent.min = glm::min(extent.min, end);
+                extent.max = glm::max(extent.max, end);
+            }
+    return extent;
+}
+
+} // namespace
+
 CellGrid::CellGrid(const SegmentSet& set, const SegmentTree& tree, double band, std::size_t most_bytes) {
     if (set.size() == 0 || !(band < 1e6))
         return;
-    Vec2 min = set.segments.front().a;
-    Vec2 max = min;
+    const auto [min, max] = extent_of(set);
+    bool strays = false; // beyond the cells lies more
     for (std::size_t i = 0; i < set.size(); ++i) {
-        const IndexedSegment& s = set.segments[i];
-        min = glm::min(min, glm::min(s.a, s.b));
-        max = glm::max(max, glm::max(s.a, s.b));
+        const auto& s = set.segments[i];
+        const Vec2 low = glm::min(s.a, s.b), high = glm::max(s.a, s.b);
+        strays = strays || low.x < min.x || low.y < min.y || high.x > max.x || high.y > max.y;
     }
-    const double share = set.size() < small_scene ? 0.125 : 0.0;
+    const double share = set.size() < small_scene ? surroundings : 0.0;
     const Vec2 pad = Vec2(band) + share * (max - min);
     const Vec2 around = max - min + 2.0 * pad;
     const double largest =
         std::max({std::abs(min.x), std::abs(min.y), std::abs(max.x), std::abs(max.y)}) + band;
-    const double wanted = std::clamp(20.0 * static_cast<double>(set.size()), 4096.0, 655360.0);
+    const auto count = static_cast<double>(set.size());
+    const double wanted = std::clamp(48.0 * count, 4096.0, std::max(655360.0, std::min(1.2 * count, 8e5)));
     const double wanted_in_memory = std::min(wanted, static_cast<double>(most_bytes) / 16.0);
     const double cell = std::sqrt(around.x / wanted_in_memory * around.y);
     const double margin = 1e-6 * cell;
@@ -311,7 +389,7 @@ CellGrid::CellGrid(const SegmentSet& set, const SegmentTree& tree, double band, 
     columns_ = std::ceil(extent.x / cell);
     rows_ = std::ceil(extent.y / cell);
     row_length_ = static_cast<std::uint32_t>(columns_);
-    outside_ = beyond_band;
+    outside_ = strays ? 0 : beyond_band;
     cells_.resize(std::size_t(row_length_) * static_cast<std::size_t>(rows_));
     CellGridBuilder(*this, set, tree, band, margin,
                     (most_bytes - std::min(most_bytes, cells_.size() * 4)) / 4)

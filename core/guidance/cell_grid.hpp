@@ -21,8 +21,9 @@ public:
     };
 
     CellGrid() = default;
-    /// Covers the segments and `band` mm round them, with at most `most_bytes` of lists. Empty where the
-    /// coordinates are too coarse for cells of a useful size.
+    /// Covers the segments, but for those that stray far from nearly all others, and at least `band` mm round
+    /// them, with at most `most_bytes` of lists. Empty where the coordinates are too coarse for cells of
+    /// a useful size, and where crowds of segments meet in all of them.
     CellGrid(const SegmentSet& set, const SegmentTree& tree, double band, std::size_t most_bytes);
 
     Cell at(Vec2 p) const noexcept {
@@ -45,7 +46,7 @@ public:
 
 private:
     friend class CellGridBuilder;
-    static constexpr std::uint32_t count_bits = 4;
+    static constexpr std::uint32_t count_bits = 5;
     static constexpr std::uint32_t most_pairs = (1u << count_bits) - 1u; ///< of candidates in one list
     static constexpr std::uint32_t beyond_band = 1u << count_bits;
     static constexpr std::uint32_t flag_bits = count_bits + 1;

@@ -106,8 +106,13 @@ CornerCueLaw::CornerCueLaw(std::unique_ptr<const GuidanceLaw> law, const FlatSce
       depth_(share_of_peak * profile.peak() * reach_ * 3.0 * std::numbers::sqrt3 / 8.0),
       corners_(points_as_scene(corners_of(scene)), reach_) {}
 
-Guidance CornerCueLaw::at(Vec2 finger) const noexcept {
-    Guidance guidance = law_->at(finger);
+Guidance CornerCueLaw::at(Vec2 finger) const noexcept { return with_well(law_->at(finger), finger); }
+
+Guidance CornerCueLaw::felt_at(Vec2 finger) const noexcept {
+    return with_well(law_->felt_at(finger), finger);
+}
+
+Guidance CornerCueLaw::with_well(Guidance guidance, Vec2 finger) const noexcept {
     const Nearest corner = corners_.nearest_within(finger, reach_);
     if (!corner.found())
         return guidance;

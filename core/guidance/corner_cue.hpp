@@ -29,11 +29,14 @@ public:
     CornerCueLaw(std::unique_ptr<const GuidanceLaw> law, const FlatScene& scene, TentProfile profile);
 
     Guidance at(Vec2 finger) const noexcept override;
+    Guidance felt_at(Vec2 finger) const noexcept override;
     std::size_t corner_count() const { return corners_.segment_count(); }
     /// How far a well reaches, mm.
     double reach() const { return reach_; }
 
 private:
+    Guidance with_well(Guidance guidance, Vec2 finger) const noexcept;
+
     std::unique_ptr<const GuidanceLaw> law_;
     double reach_;
     double depth_; ///< E, mJ

@@ -7,8 +7,8 @@
 
 namespace tp {
 
-/// The tent towards `nearest`, which lies at `nearest.distance` mm from `finger`; nothing at distance zero.
-Guidance pull_towards(const Nearest& nearest, Vec2 finger, const TentProfile& profile) noexcept;
+/// The tent towards `nearest`, seen from the finger that it was asked for; nothing at distance zero.
+Guidance pull_towards(const Nearest& nearest, const TentProfile& profile) noexcept;
 
 /// Exact guidance, the default: the tent over the true distance to the nearest point of all contours.
 /// The force is minus the gradient of a continuous potential, so a closed path does no net work.
@@ -19,6 +19,7 @@ public:
         : index_(scene, profile.band()), profile_(profile) {}
 
     Guidance at(Vec2 finger) const noexcept override;
+    Guidance felt_at(Vec2 finger) const noexcept override;
     Vec2 force_at(Vec2 finger) const noexcept override;
     /// The potential at `finger`, mJ; outside the band the constant stiffness · range².
     double energy(Vec2 finger) const noexcept { return profile_.energy(index_.nearest(finger).distance); }

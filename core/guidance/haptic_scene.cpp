@@ -52,6 +52,12 @@ Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentP
                                      [](const Polyline& line) { return line.points.empty(); });
     if (nothing)
         return Error{"The scene has no line that can be felt."};
+    for (std::size_t i = 0; i < result->flat.lines.size(); ++i)
+        for (const Vec2 p : result->flat.lines[i].points)
+            if (std::max(std::abs(p.x), std::abs(p.y)) > farthest_felt_mm)
+                return Error{
+                    "The line " + result->flat.names[i] +
+                    " reaches more than 1 km from the middle of the surface, too far to be felt exactly."};
     result->law = make_law(result->flat, profile, law, continuity);
     result->stiffness = steepest(profile, continuity);
     result->hold_mm = continuity.hold_mm;

@@ -42,8 +42,12 @@ std::unique_ptr<const GuidanceLaw> make_law(const FlatScene& flat, TentProfile p
 /// The most that the force of such a law changes with the place, N/mm, apart from where it jumps.
 double steepest(TentProfile profile, const Continuity& continuity = {});
 
+/// No point of a scene lies farther from the middle of the surface on one axis, mm; up to here the index
+/// is true to 1e-9 mm.
+constexpr double farthest_felt_mm = 1e6;
+
 /// An error for a profile or widths that are not valid, for softened switches of the published law, which has
-/// none, or for a scene without a contour that can be felt.
+/// none, for a scene without a contour that can be felt, or for one that reaches beyond `farthest_felt_mm`.
 Result<std::unique_ptr<HapticScene>> make_haptic_scene(const Scene& scene, TentProfile profile = {},
                                                        LawKind law = LawKind::exact,
                                                        const Continuity& continuity = {});

@@ -27,6 +27,7 @@ struct IndexedSegment {
         if (square > 1e-280)
             per_square = 1.0 / square;
     }
+    bool is_longer_than(double mm) const { return per_square > 0.0 && per_square * mm * mm < 1.0; }
 };
 
 /// The segments of an index in the order in which they lie in memory, and whose they are. Behind the last one
@@ -40,6 +41,8 @@ struct SegmentSet {
     /// closest_of): 10 ulp of a distance plus the longest segment, twice over.
     static constexpr double indistinct = 1.0 + 1e-11;
     double indistinct_square = 0.0;
+    /// Of segments up to here double tells which is nearer to 1e-10 mm.
+    static constexpr double double_tells_mm = 1e5;
 
     /// Segments without the filler.
     std::size_t size() const { return owners.size(); }
@@ -128,6 +131,26 @@ inline Foot<double>::Foot(const IndexedSegment& segment, Vec2 p) {
     squared = squares[0] + squares[1];
 }
 
+/// The way from a point to the place of a segment at a foot's parameter. Its vector and length are those of
+/// Foot, so that what is divided by the length is of length one.
+template <typename Real>
+struct WayToSegment {
+    Real x, y; ///< mm
+
+    WayToSegment(const IndexedSegment& segment, Real parameter, Vec2 p) {
+        const bool at_b = !(parameter < Real(1));
+        const Vec2 from = at_b ? segment.b : segment.a;
+        x = Real(from.x) - Real(p.x);
+        y = Real(from.y) - Real(p.y);
+        if (!at_b) {
+            x += parameter * (Real(segment.b.x) - Real(segment.a.x));
+            y += parameter * (Real(segment.b.y) - Real(segment.a.y));
+        }
+    }
+    Vec2 vector() const { return {static_cast<double>(x), static_cast<double>(y)}; }
+    double length() const { return static_cast<double>(std::sqrt(x * x + y * y)); }
+};
+
 /// The point of a segment at a foot's parameter; the end points themselves at 0 and 1.
 template <typename Real>
 Vec2 point_on(const IndexedSegment& segment, Real parameter) {
@@ -179,9 +202,34 @@ private:
 
 [[gnu::noinline]] inline Closest<double>
 closest_of_equals(const SegmentSet& set, std::span<const std::uint32_t> list, Vec2 p) noexcept {
+    const auto is_long = [&](std::uint32_t i) {
+        return set.segments[i].is_longer_than(SegmentSet::double_tells_mm);
+    };
+    if (set.longest > SegmentSet::double_tells_mm && std::any_of(list.begin(), list.end(), is_long)) {
+        Closest<long double> closest;
+        for (const std::uint32_t candidate : list)
+            closest.offer(set, candidate, p);
+        return {static_cast<double>(closest.squared), static_cast<double>(closest.parameter),
+                closest.segment};
+    }
     Closest<double> closest;
     for (const std::uint32_t candidate : list)
         closest.offer(set, candidate, p);
+    return closest;
+}
+
+/// The nearer of a pair, as closest_of finds it.
+inline Closest<double> closer_of(const SegmentSet& set, std::span<const std::uint32_t> pair,
+                                 Vec2 p) noexcept {
+    const TwoSquares here(set.segments[pair[0]], set.segments[pair[1]], p);
+    const std::size_t nearer = here.squared[1] < here.squared[0] ? 1 : 0;
+    Closest<double> closest;
+    closest.squared = here.squared[nearer];
+    if (here.squared[1 - nearer] <= closest.squared * SegmentSet::indistinct + set.indistinct_square)
+        [[unlikely]]
+        return closest_of_equals(set, pair, p);
+    closest.parameter = here.parameter[nearer];
+    closest.segment = pair[nearer];
     return closest;
 }
 
@@ -189,6 +237,8 @@ closest_of_equals(const SegmentSet& set, std::span<const std::uint32_t> list, Ve
 /// `list` comes in pairs, see SegmentSet::filler, and has at least one.
 inline Closest<double> closest_of(const SegmentSet& set, std::span<const std::uint32_t> list,
                                   Vec2 p) noexcept {
+    if (list.size() == 2)
+        return closer_of(set, list, p);
     TwoReals best{1e300, 1e300};
     TwoReals second = best;
     TwoReals best_parameter{};

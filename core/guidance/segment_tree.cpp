@@ -51,6 +51,14 @@ struct BoundFor<double> {
     }
 };
 
+/// In a crowd the bounds of the boxes differ by little.
+struct Crowded {};
+template <>
+struct BoundFor<Crowded> {
+    using type = double;
+    static Place<double> place(double p, double middle) { return {p - middle, p - middle}; }
+};
+
 /// Boxes from here on are left out: bounds may be wrong by a few of their ulp, so that much is allowed for,
 /// and it is above `squared`, so that ties stay in.
 template <typename Bound, typename Real>
@@ -131,18 +139,76 @@ SegmentTree::SegmentTree(const SegmentSet& set) : segment_count_(static_cast<std
         }
 }
 
-template <typename Real>
-void SegmentTree::search(const SegmentSet& set, Vec2 p, Closest<Real>& best) const noexcept {
-    if (segment_count_ == 0)
+void SegmentTree::expect_crowds(const SegmentSet& set) {
+    if (segment_count_ <= crowd)
         return;
-    using Bound = typename BoundFor<Real>::type;
-    const Place<Bound> x = BoundFor<Real>::place(p.x, middle_.x);
-    const Place<Bound> y = BoundFor<Real>::place(p.y, middle_.y);
+    crowds_.resize(nodes_.size());
+    const auto bounds = [&](int level) {
+        return crowds_.data() + first_node_[static_cast<std::size_t>(level) - 1];
+    };
+    const auto count = [&](int level) {
+        return level == levels_ ? 1u : boxes_[static_cast<std::size_t>(level)];
+    };
+    const auto size = [](int level) { return std::uint64_t(leaf_size) << (3 * level); }; // fan_out is 2³
+    const auto first = [&](int level, std::uint32_t box) {
+        return static_cast<std::uint32_t>(box * size(level));
+    };
+    const auto end = [&](int level, std::uint32_t box) {
+        return static_cast<std::uint32_t>(std::min<std::uint64_t>(segment_count_, (box + 1) * size(level)));
+    };
+    for (int level = levels_; level >= 1; --level)
+        for (std::uint32_t box = 0; box < count(level); ++box)
+            bounds(level)[box] =
+                with_hubs(set, first(level, box), end(level, box),
+                          level == levels_ ? nullptr : bounds(level + 1) + box / fan_out, level == 1);
+    for (int level = 1; level <= levels_; ++level)
+        for (std::uint32_t box = 0; box < count(level); ++box)
+            if (level == 1 ||
+                !gather(bounds(level)[box], {bounds(level - 1) + box * fan_out, held(level, box)}))
+                measure(bounds(level)[box], set, first(level, box), end(level, box));
+}
+
+template <typename Real>
+std::uint32_t SegmentTree::search(const SegmentSet& set, Vec2 p, Closest<Real>& best) const noexcept {
+    std::uint32_t leaves = 0;
+    if (segment_count_ > 0 && !search_from_root<false>(set, p, best, leaves))
+        if constexpr (std::is_same_v<Real, double>)
+            search_from_root<true>(set, p, best, leaves);
+    return leaves * leaf_size;
+}
+
+/// Raises the bounds of `count` nodes to what CrowdBound says of them; to infinity for one that cannot be nearer
+/// than `nearest` by more than is distinct.
+template <typename Bound>
+void SegmentTree::raise_by_crowds(int level, std::uint32_t first_box, std::uint32_t count, Vec2 p,
+                                  double nearest, std::array<Bound, fan_out>& squared) const noexcept {
+    const CrowdBound* const crowds = &crowds_[first_node_[static_cast<std::size_t>(level) - 1] + first_box];
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const double bound = crowds[k].at_least(p);
+        if (bound > nearest - indistinct_mm)
+            squared[k] = std::numeric_limits<Bound>::infinity();
+        else if (bound > 0.0)
+            squared[k] = std::max(squared[k], static_cast<Bound>(bound * bound * (1.0 - 1e-14)));
+    }
+}
+
+/// False where a crowd was met: the search has found something, but need not have found the nearest.
+template <bool in_crowd, typename Real>
+bool SegmentTree::search_from_root(const SegmentSet& set, Vec2 p, Closest<Real>& best,
+                                   std::uint32_t& leaves) const noexcept {
+    using Of = BoundFor<std::conditional_t<in_crowd, Crowded, Real>>;
+    using Bound = typename Of::type;
+    const Place<Bound> x = Of::place(p.x, middle_.x);
+    const Place<Bound> y = Of::place(p.y, middle_.y);
     std::array<Pending<Bound>, most_levels * fan_out> stack;
     std::size_t height = 0;
     Pending<Bound> now{Bound(0), 0, levels_};
+    const bool ends_at_crowd = !in_crowd && std::is_same_v<Real, double> && !crowds_.empty();
     for (;;) {
         if (now.level == 0) {
+            if (ends_at_crowd && leaves == crowd / leaf_size)
+                return false;
+            ++leaves;
             const std::uint32_t end = std::min(segment_count_, (now.box + 1) * leaf_size);
             for (std::uint32_t i = now.box * leaf_size; i < end; ++i)
                 best.offer(set, i, p);
@@ -155,8 +221,13 @@ void SegmentTree::search(const SegmentSet& set, Vec2 p, Closest<Real>& best) con
                 squared[k] = dx * dx + dy * dy;
             }
             const Bound limit = limit_above<Bound>(best.squared);
+            const std::uint32_t count = held(now.level, now.box);
+            if constexpr (in_crowd)
+                if (now.level >= 2)
+                    raise_by_crowds(now.level - 1, now.box * fan_out, count, p, std::sqrt(best.squared),
+                                    squared);
             const std::size_t base = height;
-            for (std::uint32_t k = 0; k < held(now.level, now.box); ++k) {
+            for (std::uint32_t k = 0; k < count; ++k) {
                 if (!(squared[k] < limit))
                     continue;
                 std::size_t place = height++; // farthest first, so that the nearest is taken next
@@ -168,19 +239,19 @@ void SegmentTree::search(const SegmentSet& set, Vec2 p, Closest<Real>& best) con
         const Bound limit = limit_above<Bound>(best.squared);
         do {
             if (height == 0)
-                return;
+                return true;
             now = stack[--height];
         } while (!(now.squared < limit));
     }
 }
 
-template void SegmentTree::search(const SegmentSet&, Vec2, Closest<double>&) const noexcept;
-template void SegmentTree::search(const SegmentSet&, Vec2, Closest<long double>&) const noexcept;
+template std::uint32_t SegmentTree::search(const SegmentSet&, Vec2, Closest<double>&) const noexcept;
+template std::uint32_t SegmentTree::search(const SegmentSet&, Vec2, Closest<long double>&) const noexcept;
 
-void SegmentTree::collect_unbeaten(const std::array<Vec2, 4>& corners, Vec2 rival, double margin,
-                                   std::vector<std::uint32_t>& out) const {
+bool SegmentTree::collect_unbeaten(const std::array<Vec2, 4>& corners, Vec2 rival, double margin,
+                                   std::size_t most, std::vector<std::uint32_t>& out) const {
     if (segment_count_ == 0)
-        return;
+        return true;
     std::array<Place<float>, 4> x, y;
     std::array<float, 4> limit;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -191,6 +262,8 @@ void SegmentTree::collect_unbeaten(const std::array<Vec2, 4>& corners, Vec2 riva
     }
     std::vector<Pending<float>> stack{{0.0f, 0, levels_}};
     while (!stack.empty()) {
+        if (out.size() > most)
+            return false;
         const Pending<float> now = stack.back();
         stack.pop_back();
         if (now.level == 0) {
@@ -213,6 +286,7 @@ void SegmentTree::collect_unbeaten(const std::array<Vec2, 4>& corners, Vec2 riva
             if (!(lead[i] >= 0.0f))
                 stack.push_back({0.0f, now.box * fan_out + i, now.level - 1});
     }
+    return out.size() <= most;
 }
 
 } // namespace tp

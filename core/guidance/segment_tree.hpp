@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/guidance/indexed_segment.hpp"
+#include "core/guidance/crowd_bound.hpp"
 
 #include <array>
 
@@ -16,13 +16,20 @@ public:
     /// `set` must be in the order of `sort_along_hilbert_curve`.
     explicit SegmentTree(const SegmentSet& set);
 
-    /// Offers `best` every segment that may beat it or tie with it. Real is double or long double.
+    /// Prepares for places from which a crowd of segments is about equally far (see CrowdBound).
+    void expect_crowds(const SegmentSet& set);
+
+    /// Offers `best` every segment that may beat it or tie with it; returns how many. Real is double or long double. After
+    /// expect_crowds, and once more than `crowd` segments have been offered, segments that are nearer by less
+    /// than `indistinct_mm` than another may be left out.
     template <typename Real>
-    void search(const SegmentSet& set, Vec2 p, Closest<Real>& best) const noexcept;
+    std::uint32_t search(const SegmentSet& set, Vec2 p, Closest<Real>& best) const noexcept;
+    static constexpr std::uint32_t crowd = 1024;
+    static constexpr double indistinct_mm = 5e-10;
 
     /// Appends the segments, and perhaps a few more, that are not farther from all of `corners` than `rival`
-    /// is, give or take `margin` mm.
-    void collect_unbeaten(const std::array<Vec2, 4>& corners, Vec2 rival, double margin,
+    /// is, give or take `margin` mm. False, and not all of them, where they are more than `most`.
+    bool collect_unbeaten(const std::array<Vec2, 4>& corners, Vec2 rival, double margin, std::size_t most,
                           std::vector<std::uint32_t>& out) const;
 
     /// Calls `visit` with every segment whose box meets the rectangle from `low` to `high` (mm), and perhaps with a few more.
@@ -30,11 +37,15 @@ public:
     template <typename Visit>
     void for_each_near(Vec2 low, Vec2 high, Visit visit) const noexcept;
 
-    std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
+    std::size_t bytes() const {
+        return nodes_.capacity() * sizeof(Node) + crowds_.capacity() * sizeof(CrowdBound);
+    }
 
-private:
     static constexpr std::uint32_t fan_out = 8;   ///< boxes a node
     static constexpr std::uint32_t leaf_size = 4; ///< segments a lowest box
+    static constexpr std::uint32_t segments_in_lowest_node = fan_out * leaf_size;
+
+private:
     static constexpr int most_levels = 12;
 
     struct alignas(64) Node {
@@ -57,6 +68,12 @@ private:
     std::uint32_t held(int level, std::uint32_t box) const {
         return std::min(fan_out, boxes_[static_cast<std::size_t>(level) - 1] - box * fan_out);
     }
+    template <bool in_crowd, typename Real>
+    bool search_from_root(const SegmentSet& set, Vec2 p, Closest<Real>& best,
+                          std::uint32_t& leaves) const noexcept;
+    template <typename Bound>
+    void raise_by_crowds(int level, std::uint32_t first_box, std::uint32_t count, Vec2 p, double nearest,
+                         std::array<Bound, fan_out>& squared) const noexcept;
     void set_box(std::size_t level, std::uint32_t box, const std::array<float, 4>& bounds);
     /// The rectangle as boxes are kept, rounded outwards: min x, min y, max x, max y.
     std::array<float, 4> as_box(Vec2 low, Vec2 high) const;
@@ -67,6 +84,7 @@ private:
     std::array<std::uint32_t, most_levels> boxes_{}; ///< of each level
     std::array<std::uint32_t, most_levels> first_node_{};
     std::vector<Node> nodes_;
+    std::vector<CrowdBound> crowds_; ///< one a node, or none
 };
 
 template <typename Visit>

@@ -120,6 +120,7 @@ void ServoLoop::take_new_scene(Vec2 finger) noexcept {
     current_ = offered;
     fade_from_ = rendered_;
     fade_left_ = settings_.scene_fade;
+    far_look_.reset();
     tour_.reset();
     if (current_->value && current_->value->tour && !current_->value->tour->points.empty())
         tour_.emplace(*current_->value->tour, finger, current_->value->tour_manner);
@@ -131,7 +132,7 @@ void ServoLoop::take_new_scene(Vec2 finger) noexcept {
 Guidance ServoLoop::wanted(Vec2 finger, double dt) noexcept {
     if (current_ == nullptr || current_->value == nullptr)
         return {};
-    Guidance guidance = current_->value->law->at(finger);
+    Guidance guidance = far_look_.at(*current_->value->law, finger);
     if (hold_)
         guidance = hold_->hold(finger, guidance);
     if (tour_)

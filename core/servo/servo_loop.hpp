@@ -8,6 +8,7 @@
 #include "core/servo/clock.hpp"
 #include "core/servo/energy_observer.hpp"
 #include "core/servo/exit_guard.hpp"
+#include "core/servo/far_look.hpp"
 #include "core/servo/force_device.hpp"
 #include "core/servo/fresh_readings.hpp"
 #include "core/servo/handover.hpp"
@@ -138,6 +139,7 @@ private:
     Vec2 last_finger_{0.0};
     bool was_cut_ = false;
     const Handover<HapticScene>::Held* current_ = nullptr;
+    FarLook far_look_;
     std::optional<GuidedTour> tour_;
     std::optional<BranchHold> hold_;
     Vec2 fade_from_{0.0}; ///< N, the force that was rendered when the scene changed

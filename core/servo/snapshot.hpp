@@ -58,7 +58,7 @@ struct ServoSnapshot {
     double time = 0.0;                       ///< s, servo's clock
     double x = 0.0, y = 0.0;                 ///< mm, finger, surface frame
     double fx = 0.0, fy = 0.0;               ///< N, force delivered, surface frame
-    double distance = 0.0;                   ///< mm, to the nearest contour; infinity for none
+    double distance = 0.0;                   ///< mm, to the nearest contour; see FarLook; infinity for none
     double nearest_x = 0.0, nearest_y = 0.0; ///< mm, surface frame
     double gain = 0.0;                       ///< 0 … 1
     double tour_progress = 0.0;              ///< 0 … 1

@@ -26,6 +26,16 @@ std::string factor_words(const StudyFactor& factor) {
     return words;
 }
 
+/// "; in training line, curve"; empty where training has the same levels.
+std::string training_words(const Experiment& experiment, StudyParameter parameter) {
+    std::string words;
+    for (const StudyFactor& factor : experiment.training_factors)
+        if (factor.parameter == parameter)
+            for (const std::string& level : factor.levels)
+                words += (words.empty() ? "; in training " : ", ") + level;
+    return words;
+}
+
 } // namespace
 
 std::string study_readme(const Experiment& experiment) {
@@ -50,7 +60,8 @@ std::string study_readme(const Experiment& experiment) {
             row("repetition", "which time the condition is met, from 1") +
             row("training", "yes: the trial does not count; no");
     for (const StudyFactor& factor : experiment.factors)
-        text += row(kind_of(factor.parameter).name, factor_words(factor));
+        text += row(kind_of(factor.parameter).name,
+                    factor_words(factor) + training_words(experiment, factor.parameter));
     text += row("error_mm", "mm: mean distance of the finger from the path, over the samples of the trial;") +
             row("", "empty: no path was followed") +
             row("time_s", "s: from the start of the trial to its end, or to the answer") +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/trials/study_shapes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,8 +11,8 @@
 namespace tp {
 namespace {
 
-constexpr std::array<std::string_view, 6> names{"circle",   "triangle", "square",
-                                                "pentagon", "hexagon",  "curve"};
+constexpr std::array<std::string_view, 8> names{"circle",  "triangle", "square", "pentagon",
+                                                "hexagon", "curve",    "line",   "broken-line"};
 
 Vec2 at_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -54,6 +55,20 @@ Contour curve(Vec2 centre, double radius, double first) {
     return {"curve", {one, other}, false};
 }
 
+/// From the left to the right; the broken one by a corner of 90° above the middle.
+Contour line(StudyShape shape, Vec2 centre, double radius, double first) {
+    std::vector<Vec2> points{{-1.0, 0.0}, {1.0, 0.0}};
+    if (shape == StudyShape::broken_line)
+        points = {at_angle(std::numbers::pi * 7.0 / 6.0),
+                  {0.0, 0.5 * (std::sqrt(3.0) - 1.0)},
+                  at_angle(-std::numbers::pi / 6.0)};
+    for (Vec2& point : points)
+        point = centre + radius * point;
+    if (std::fmod(first, 2.0) >= 1.0)
+        std::ranges::reverse(points);
+    return contour_through(std::string(names[static_cast<std::size_t>(shape)]), points, false);
+}
+
 } // namespace
 
 std::optional<StudyShape> study_shape_named(std::string_view name) {
@@ -70,6 +85,8 @@ double usual_radius_mm(StudyShape shape) {
     case StudyShape::triangle:
         return 50.0 / 1.5;
     case StudyShape::curve:
+    case StudyShape::line:
+    case StudyShape::broken_line:
         return 100.0;
     default:
         return 50.0;
@@ -82,6 +99,9 @@ Contour study_shape(StudyShape shape, Vec2 centre, double radius_mm, double firs
         return circle(centre, radius_mm, first);
     case StudyShape::curve:
         return curve(centre, radius_mm, first);
+    case StudyShape::line:
+    case StudyShape::broken_line:
+        return line(shape, centre, radius_mm, first);
     default:
         return polygon(shape, centre, radius_mm, first);
     }

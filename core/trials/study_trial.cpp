@@ -33,6 +33,13 @@ void choose_guidance(const Experiment& experiment, std::size_t condition, StudyT
     trial.law = law_named(experiment.value_of(StudyParameter::law, condition)).value_or(trial.law);
 }
 
+/// K·d in a condition, N.
+double peak_of(const Experiment& experiment, std::size_t condition) {
+    StudyTrial trial;
+    choose_guidance(experiment, condition, trial);
+    return trial.profile.stiffness * trial.profile.range;
+}
+
 /// A number from where a box of that size may begin to be inside an interval about 0.
 double free_place(double surface, double size, double low, Chance& chance) {
     const double free = surface - size;
@@ -51,7 +58,10 @@ Result<Contour> shape_of(const Experiment& experiment, std::size_t condition, St
         return Error{"A shape " + millimetres(box.width()) + " mm wide and " + millimetres(box.height()) +
                      " mm high does not fit on a surface of " + millimetres(experiment.surface_width_mm) +
                      " x " + millimetres(experiment.surface_height_mm) + " mm."};
-    Vec2 centre{chance.between(-0.25 * radius, 0.25 * radius), chance.between(-0.25 * radius, 0.25 * radius)};
+    // Two numbers that place nothing are drawn first, so that a trial that was given stays as it was.
+    chance.share();
+    chance.share();
+    Vec2 centre(0.0);
     if (experiment.task == StudyTask::follow)
         centre = {free_place(experiment.surface_width_mm, box.width(), box.min.x, chance),
                   free_place(experiment.surface_height_mm, box.height(), box.min.y, chance)};
@@ -93,12 +103,29 @@ void choose_path(StudyTrial& trial) {
 
 } // namespace
 
-Result<StudyTrial> trial_of(const Experiment& experiment, const PlannedTrial& planned,
-                            const StudyFaces* faces) {
+double strongest_pull_n(const Experiment& experiment) {
+    double strongest = 0.0;
+    for (const Experiment& part : {experiment, experiment.in_training()})
+        for (std::size_t condition = 0; condition < part.conditions(); ++condition)
+            strongest = std::max(strongest, peak_of(part, condition));
+    return strongest;
+}
+
+std::size_t conditions_cut_at(const Experiment& experiment, double limit_n) {
+    std::size_t cut = 0;
+    for (std::size_t condition = 0; condition < experiment.conditions(); ++condition)
+        cut += peak_of(experiment, condition) > limit_n + 1e-9 ? 1 : 0;
+    return cut;
+}
+
+Result<StudyTrial> trial_of(const Experiment& whole, const PlannedTrial& planned, const StudyFaces* faces) {
+    const Experiment experiment = planned.training ? whole.in_training() : whole;
     const std::size_t condition = planned.condition;
     StudyTrial trial;
     trial.task = experiment.task;
-    trial.longest_s = experiment.longest_trial_s;
+    trial.asks = whole.asks(planned.training);
+    trial.longest_s = planned.training && experiment.longest_training_s ? experiment.longest_training_s
+                                                                        : experiment.longest_trial_s;
     trial.scene.width_mm = experiment.surface_width_mm;
     trial.scene.height_mm = experiment.surface_height_mm;
     choose_guidance(experiment, condition, trial);

@@ -5,6 +5,7 @@
 #include "core/experiment/trial_order.hpp"
 #include "core/guidance/haptic_scene.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -35,6 +36,7 @@ struct StudyTrial {
     std::vector<Vec2> knots; ///< places of the path that must be passed, else the trial is repeated
     double reach_mm = 0.0;   ///< a knot or an end is passed where the finger comes as near
     std::optional<double> longest_s;
+    bool asks = false; ///< at its end an answer is asked for
 };
 
 /// How near is near enough, mm; of a path so short that knots would run together, half of what lies between two.
@@ -44,11 +46,16 @@ inline constexpr int study_path_parts = 6;
 /// Left free round what lies at a random place, where the surface is large enough, mm.
 inline constexpr double study_margin_mm = 10.0;
 
+/// The strongest pull that some trial of the experiment asks for, training too: the largest K·d, N.
+double strongest_pull_n(const Experiment& experiment);
+/// In how many of the experiment's conditions a limit cuts the pull: K·d is above it.
+std::size_t conditions_cut_at(const Experiment& experiment, double limit_n);
+
 /// The trial that was planned. What is random in it follows from its seed: the same on every computer.
 ///
 /// A path lies anywhere on the surface where it fits, and begins at any of its places that it may (a circle everywhere, a triangle at
-/// a corner, a curve at an end). A shape to be named lies about the middle, moved by less than a quarter of its radius, and the
-/// finger begins in the middle, inside. A face fills the surface; the finger begins in the middle. A stiffness, range or law that
+/// a corner, a curve at an end). A shape to be named lies about the middle of the surface, as published, and the finger begins there,
+/// inside. A face fills the surface; the finger begins in the middle. A stiffness, range or law that
 /// the experiment does not say is the program's own.
 ///
 /// `faces` may be nullptr where the experiment has none. An error, in one sentence, where there is nothing to follow or name, more

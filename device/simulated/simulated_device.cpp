@@ -29,8 +29,8 @@ Result<Capabilities> SimulatedDevice::open() {
     can.name = "simulated device";
     const Vec2 half(0.5 * width_, 0.5 * height_);
     can.workspace = {-half, {half.x, -half.y}, half, {-half.x, half.y}};
-    can.max_force = 3.0;
-    can.continuous_force = 3.0;
+    can.max_force = max_force_n;
+    can.continuous_force = continuous_force_n;
     can.resolution = plant_.quantum;
     can.delay = static_cast<double>(plant_.told_delay_ticks.value_or(plant_.delay_ticks)) * plant_.tick;
     can.damping = plant_.told_damping.value_or(plant_.damping);

@@ -35,6 +35,9 @@ struct SimulatedPlant {
 /// so that in simulated time everything is reproducible.
 class SimulatedDevice final : public ForceDevice {
 public:
+    /// What the device of the published experiments gives, a PHANToM Premium 1.5 (data sheet of its maker).
+    static constexpr double max_force_n = 8.5, continuous_force_n = 1.4;
+
     /// A rectangular workspace, mm, centred on the origin.
     SimulatedDevice(double width_mm, double height_mm, SimulatedPlant plant = {});
 

@@ -4333,6 +4333,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die letzte Zeile des Fingerwegs ist nicht vollständig.</translation>
     </message>
     <message>
+        <source>The line %1 reaches more than 1 km from the middle of the surface, too far to be felt exactly.</source>
+        <translation>Die Linie %1 reicht mehr als 1 km von der Mitte der Fläche weg, zu weit, um genau gefühlt zu werden.</translation>
+    </message>
+    <message>
         <source>The page &quot;%1&quot; cannot be written: %2</source>
         <translation>Die Seite „%1“ kann nicht geschrieben werden: %2</translation>
     </message>
@@ -4831,6 +4835,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Was den Finger bewegt</translation>
     </message>
     <message>
+        <source>I consent to the force that this study asks for</source>
+        <translation>Ich willige in die Kraft ein, die diese Studie verlangt</translation>
+    </message>
+    <message>
         <source>Show the scene, to try it out; nothing is kept</source>
         <translation>Szene zeigen, zum Ausprobieren; nichts wird gespeichert</translation>
     </message>
@@ -5094,8 +5102,8 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Leertaste beginnt und beendet einen Durchgang und führt nach einer Pause weiter. Eine Zifferntaste gibt eine Antwort. Wo kein Gerät den Finger bewegt, bewegen die Pfeiltasten die Hand um 2 Millimeter, mit Umschalt um 10. P macht eine Pause, W sagt, wo Sie sind. Escape hält an; die Kraft ist dann sofort aus.</translation>
     </message>
     <message>
-        <source>Keys 1 to 9: experiment. O: an experiment&apos;s file. F: the study&apos;s folder. G: the folder with faces. N, Minus and Plus: participant. M: what moves the finger. S: start. C: how the study stands. R: makes its report. W: says where you are.</source>
-        <translation>Tasten 1 bis 9: Experiment. O: Datei eines Experiments. F: Ordner der Studie. G: Ordner mit Gesichtern. N, Minus und Plus: Versuchsperson. M: was den Finger bewegt. S: beginnen. C: Stand der Studie. R: erstellt ihren Bericht. W: sagt, wo Sie sind.</translation>
+        <source>Keys 1 to 9: experiment. O: an experiment&apos;s file. F: the study&apos;s folder. G: the folder with faces. N, Minus and Plus: participant. M: what moves the finger. L: consent to the force that the study needs. S: start. C: how the study stands. R: makes its report. W: says where you are.</source>
+        <translation>Tasten 1 bis 9: Experiment. O: Datei eines Experiments. F: Ordner der Studie. G: Ordner mit Gesichtern. N, Minus und Plus: Versuchsperson. M: was den Finger bewegt. L: in die Kraft einwilligen, die die Studie braucht. S: beginnen. C: Stand der Studie. R: erstellt ihren Bericht. W: sagt, wo Sie sind.</translation>
     </message>
 </context>
 <context>
@@ -5262,6 +5270,18 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Mean time: %1 seconds.</source>
         <translation>Mittlere Zeit: %1 Sekunden.</translation>
+    </message>
+    <message>
+        <source>Feel the line; nothing is asked.</source>
+        <translation>Ertasten Sie die Linie; es wird nichts gefragt.</translation>
+    </message>
+    <message>
+        <source>The pull is cut at %1 newtons; the study asks for %2.</source>
+        <translation>Der Zug ist auf %1 Newton begrenzt; die Studie verlangt %2.</translation>
+    </message>
+    <message>
+        <source>The force may be stronger than this program usually allows, up to %1 newtons.</source>
+        <translation>Die Kraft kann stärker sein, als dieses Programm sonst zulässt, bis zu %1 Newton.</translation>
     </message>
 </context>
 <context>
@@ -8339,6 +8359,18 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>Studies. %1. Keys 1 to %2 choose the experiment, S starts it, F1 says more.</source>
         <translation>Studien. %1. Die Tasten 1 bis %2 wählen das Experiment, S beginnt es, F1 sagt mehr.</translation>
+    </message>
+    <message>
+        <source>The force may reach %1 newtons, as far as the device gives it, with your consent.</source>
+        <translation>Mit Ihrer Einwilligung kann die Kraft %1 Newton erreichen, soweit das Gerät sie aufbringt.</translation>
+    </message>
+    <message>
+        <source>This study asks for up to %1 newtons. The force is cut at %2 newtons, in %3 of %4 conditions, unless you consent to more. Key: L.</source>
+        <translation>Diese Studie verlangt bis zu %1 Newton. Die Kraft ist auf %2 Newton begrenzt, in %3 von %4 Bedingungen, wenn Sie nicht in mehr einwilligen. Taste: L.</translation>
+    </message>
+    <message>
+        <source>This study asks for no more force than the settings allow.</source>
+        <translation>Diese Studie verlangt nicht mehr Kraft, als die Einstellungen zulassen.</translation>
     </message>
 </context>
 <context>

@@ -4310,6 +4310,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>손가락 경로의 마지막 줄이 온전하지 않습니다.</translation>
     </message>
     <message>
+        <source>The line %1 reaches more than 1 km from the middle of the surface, too far to be felt exactly.</source>
+        <translation>표면 가운데에서 1 km 넘게 뻗어 있어 정확히 느낄 수 없는 선: %1.</translation>
+    </message>
+    <message>
         <source>The page &quot;%1&quot; cannot be written: %2</source>
         <translation>페이지 “%1”: 쓸 수 없습니다. %2</translation>
     </message>
@@ -4808,6 +4812,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>손가락을 움직이는 것</translation>
     </message>
     <message>
+        <source>I consent to the force that this study asks for</source>
+        <translation>이 연구에 필요한 힘에 동의합니다</translation>
+    </message>
+    <message>
         <source>Show the scene, to try it out; nothing is kept</source>
         <translation>시험 삼아 장면 보기, 저장하지 않음</translation>
     </message>
@@ -5071,8 +5079,8 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>스페이스바는 시행을 시작하고 끝내며, 휴식 뒤에는 계속합니다. 숫자 키로 답합니다. 장치가 없으면 화살표 키로 손을 2밀리미터씩, Shift와 함께 누르면 10밀리미터씩 움직입니다. P는 일시 정지, W는 현재 위치입니다. Escape 키를 누르면 멈추고 힘이 바로 꺼집니다.</translation>
     </message>
     <message>
-        <source>Keys 1 to 9: experiment. O: an experiment&apos;s file. F: the study&apos;s folder. G: the folder with faces. N, Minus and Plus: participant. M: what moves the finger. S: start. C: how the study stands. R: makes its report. W: says where you are.</source>
-        <translation>1에서 9까지의 키: 실험. O: 실험 파일. F: 연구 폴더. G: 얼굴 폴더. N, 빼기와 더하기: 참가자. M: 손가락을 움직이는 것. S: 시작. C: 연구 진행 상황. R: 보고서 만들기. W: 현재 위치.</translation>
+        <source>Keys 1 to 9: experiment. O: an experiment&apos;s file. F: the study&apos;s folder. G: the folder with faces. N, Minus and Plus: participant. M: what moves the finger. L: consent to the force that the study needs. S: start. C: how the study stands. R: makes its report. W: says where you are.</source>
+        <translation>1에서 9까지의 키: 실험. O: 실험 파일. F: 연구 폴더. G: 얼굴 폴더. N, 빼기와 더하기: 참가자. M: 손가락을 움직이는 것. L: 연구에 필요한 힘에 동의. S: 시작. C: 연구 진행 상황. R: 보고서 만들기. W: 현재 위치.</translation>
     </message>
 </context>
 <context>
@@ -5239,6 +5247,18 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Mean time: %1 seconds.</source>
         <translation>평균 시간: %1초.</translation>
+    </message>
+    <message>
+        <source>Feel the line; nothing is asked.</source>
+        <translation>선을 만져 보세요. 질문은 없습니다.</translation>
+    </message>
+    <message>
+        <source>The pull is cut at %1 newtons; the study asks for %2.</source>
+        <translation>당기는 힘은 %1뉴턴으로 제한됩니다. 이 연구에는 %2뉴턴이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The force may be stronger than this program usually allows, up to %1 newtons.</source>
+        <translation>힘이 이 프로그램의 보통 한도보다 셀 수 있으며, 최대 %1뉴턴입니다.</translation>
     </message>
 </context>
 <context>
@@ -8284,6 +8304,18 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>Studies. %1. Keys 1 to %2 choose the experiment, S starts it, F1 says more.</source>
         <translation>연구. %1. 1에서 %2까지의 키로 실험을 고르고, S 키로 시작합니다. F1 키를 누르면 도움말이 나옵니다.</translation>
+    </message>
+    <message>
+        <source>The force may reach %1 newtons, as far as the device gives it, with your consent.</source>
+        <translation>동의하셨으므로 장치가 낼 수 있는 한 힘이 %1뉴턴까지 될 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>This study asks for up to %1 newtons. The force is cut at %2 newtons, in %3 of %4 conditions, unless you consent to more. Key: L.</source>
+        <translation>이 연구에는 최대 %1뉴턴이 필요합니다. 더 센 힘에 동의하지 않으시면 힘은 %2뉴턴으로 제한되며, 조건 %4개 중 %3개가 그렇습니다. L 키.</translation>
+    </message>
+    <message>
+        <source>This study asks for no more force than the settings allow.</source>
+        <translation>이 연구에는 설정이 허용하는 것보다 센 힘이 필요하지 않습니다.</translation>
     </message>
 </context>
 <context>

@@ -19,7 +19,7 @@ private slots:
         for (const std::size_t size : {64u, 1000u, 10'000u}) {
             const BenchScene scene = bench_scene(size);
             const auto plain = NearestMethod::make("plain_loop", scene.flat);
-            for (const char* name : {"ours", "ours_any_distance", "boost_rtree"}) {
+            for (const char* name : {"ours", "ours_any_distance", "boost_rtree", "boost_rtree_any"}) {
                 const auto method = NearestMethod::make(name, scene.flat);
                 for (const auto& places : {hand_path(500), random_places(500)})
                     for (const Vec2 place : places) {
@@ -93,6 +93,8 @@ private slots:
         std::set<std::string> methods;
         for (const BenchRow& row : run_nearest_bench(plan, [](const std::string&) {})) {
             methods.insert(row.method);
+            const bool is_bounded = row.method == "ours" || row.method == "boost_rtree";
+            QCOMPARE(row.query, std::string(is_bounded ? "band" : "any"));
             QVERIFY(row.ns_median > 0.0 && row.bytes > 0 && row.build_ms >= 0.0);
             QVERIFY(!row.method.starts_with("ours") || row.max_error_mm < 1e-9);
         }

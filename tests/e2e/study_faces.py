@@ -73,7 +73,7 @@ class Sitting:
 def inner(program, lab, draw):
     with tempfile.TemporaryDirectory() as folder, desk.Desk():
         crowd = os.path.join(folder, "Faces")
-        subprocess.run([sys.executable, draw, "--crowd", "4", "--seed", "5", "--contours-only", "--out", crowd], check=True)
+        subprocess.run([sys.executable, draw, "--crowd", "5", "--seed", "5", "--contours-only", "--out", crowd], check=True)
         listener = desk.Listener(quick=True)
         with start(program, folder, "en"):
             sitting = Sitting(desk.Page(), listener, folder)

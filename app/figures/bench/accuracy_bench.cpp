@@ -19,7 +19,9 @@ public:
     MethodLaw(std::unique_ptr<NearestMethod> method, TentProfile profile)
         : method_(std::move(method)), profile_(profile) {}
     Guidance at(Vec2 finger) const noexcept override {
-        Guidance guidance = pull_towards(method_->nearest(finger), finger, profile_);
+        Nearest nearest = method_->nearest(finger);
+        nearest.towards = nearest.point - finger;
+        Guidance guidance = pull_towards(nearest, profile_);
         if (!is_finite(guidance.force)) // the published division by the distance
             guidance.force = Vec2(0.0);
         return guidance;

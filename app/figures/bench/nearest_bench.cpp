@@ -152,9 +152,9 @@ std::vector<BenchRow> run_nearest_bench(const BenchPlan& plan,
                     contender.ns.push_back(clock.ns() / static_cast<double>(batch.size()));
                 }
             for (const Contender& it : contenders)
-                rows.push_back({scene.name, size, kind, it.name, quantile(it.ns, 0.5),
-                                slow_ns(it, places, 50.0 * plan.batch_ms), it.build_ms, it.method->bytes(),
-                                largest_error(*it.method, places, truths)});
+                rows.push_back({scene.name, size, kind, it.name, std::string(it.method->query()),
+                                quantile(it.ns, 0.5), slow_ns(it, places, 50.0 * plan.batch_ms), it.build_ms,
+                                it.method->bytes(), largest_error(*it.method, places, truths)});
         }
     }
     return rows;

@@ -15,6 +15,7 @@ struct BenchRow {
     std::size_t segments = 0;
     std::string queries;       ///< "hand_path" or "random"
     std::string method;        ///< see NearestMethod::names
+    std::string query;         ///< "band" or "any", see NearestMethod::query
     double ns_median = 0.0;    ///< per question: processor time, the median over batches of milliseconds
     double ns_p999 = 0.0;      ///< wall time of questions one by one, less the clock's own
     double build_ms = 0.0;     ///< processor time, median over a few builds

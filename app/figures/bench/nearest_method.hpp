@@ -23,23 +23,26 @@ public:
     virtual std::size_t bytes() const = 0;
     /// Farther away than this, mm, the method need not find anything.
     virtual double reach() const;
+    /// What is asked: "band", whether there is something within `reach`, and if so where, or "any".
+    std::string_view query() const;
 
-    /// ours                ContourIndex, within the band of the default profile, as the servo asks
+    /// ours                ContourIndex, within the band of the default profile, as the servo asks at every tick
     /// ours_any_distance   ContourIndex without the bound
-    /// boost_rtree         Boost.Geometry R-tree of segments, packed, nearest k = 1
+    /// boost_rtree         Boost.Geometry R-tree of segments, packed, nearest k = 1, within the same band
+    /// boost_rtree_any     the same without the bound
     /// nanoflann           k-d tree of vertices: the nearest vertex, which is not the nearest point
     /// plain_loop          every segment, every time
     /// published_scan      the paper's Algorithm 1 as listed
     /// published_kdtree    the same with v1 and v2 from a k-d tree
-    static constexpr std::array<std::string_view, 7> names{
-        "ours",       "ours_any_distance", "boost_rtree",     "nanoflann",
-        "plain_loop", "published_scan",    "published_kdtree"};
+    static constexpr std::array<std::string_view, 8> names{
+        "ours",      "boost_rtree", "ours_any_distance", "boost_rtree_any",
+        "nanoflann", "plain_loop",  "published_scan",    "published_kdtree"};
     /// One of `names`, built for `scene`, which need not outlive the call; null for another name.
     static std::unique_ptr<NearestMethod> make(std::string_view name, const FlatScene& scene);
 };
 
 std::unique_ptr<NearestMethod> make_ours(const FlatScene& scene, bool within_band);
-std::unique_ptr<NearestMethod> make_boost_rtree(const FlatScene& scene);
+std::unique_ptr<NearestMethod> make_boost_rtree(const FlatScene& scene, bool within_band);
 std::unique_ptr<NearestMethod> make_nanoflann(const FlatScene& scene);
 std::unique_ptr<NearestMethod> make_plain_loop(const FlatScene& scene);
 std::unique_ptr<NearestMethod> make_published_scan(const FlatScene& scene);

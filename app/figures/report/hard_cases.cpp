@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <random>
 
 namespace tp {
@@ -49,6 +50,29 @@ FlatScene million_in_a_square_millimetre() {
         scribble.points.emplace_back(x, place(random));
     }
     return scene_of({scribble});
+}
+
+constexpr int crowd = 100'000;
+
+/// Short chords, all of them equally far from the centre.
+FlatScene circle_of_many() {
+    Polyline circle{{}, true};
+    for (int i = 0; i < crowd; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / crowd;
+        circle.points.push_back(80.0 * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    return scene_of({circle});
+}
+
+/// Long lines that all cross in the origin.
+FlatScene many_diameters() {
+    std::vector<Polyline> diameters;
+    for (int i = 0; i < crowd; ++i) {
+        const double angle = std::numbers::pi * i / crowd;
+        const Vec2 end = 80.0 * Vec2(std::cos(angle), std::sin(angle));
+        diameters.push_back(open_line({-end, end}));
+    }
+    return scene_of(std::move(diameters));
 }
 
 /// Distance to the nearest contour, by looking at every segment.
@@ -228,6 +252,21 @@ std::vector<HardPlace> hard_places() {
                       {{-10, 2}, {-3, 1}, {-25, 3}, {2, 5}}});
     places.push_back(
         {"a_million_segments_in_1_mm2", million_in_a_square_millimetre(), {{0.5, 0.5}, {3, 0.5}, {-2, -2}}});
+    places.push_back({"centre_of_a_circle_of_100000_segments",
+                      circle_of_many(),
+                      {{0, 0}, {1e-9, 2e-10}, {1e-3, 0}, {77, 0}, {0, -83}}});
+    places.push_back({"crossing_of_100000_diameters",
+                      many_diameters(),
+                      {{0, 0}, {1e-9, 2e-10}, {0.01, 0.02}, {40, 3}, {84, 3}}});
+    places.push_back({"a_stray_line_4_m_away",
+                      scene_of({level, open_line({{4000, 0}, {4001, 1}})}),
+                      {{5, 2}, {-20, 4}, {4000, 3}, {2000, 0}}});
+    places.push_back({"a_line_200_m_long",
+                      scene_of({level, open_line({{-1e5, -3e4}, {1e5, 3e4}})}),
+                      {{5, 1}, {-30, -7}, {20, 8}, {1000, 303}}});
+    places.push_back({"a_scene_of_1e6_mm",
+                      scene_of({open_line({{-1e6, -1e6}, {1e6, 1e6}}), open_line({{-1e6, 5}, {1e6, 6}})}),
+                      {{0, 1}, {30, 27}, {999990, 999987}, {-999000, 8}}});
     places.push_back({"nan_and_inf", scene_of({level}), {{nan, 0}, {0, nan}, {infinity, 0}, {0, -infinity}}});
     places.push_back({"coordinates_of_1e9_mm",
                       scene_of({open_line({{1e9, 1e9}, {1e9 + 10, 1e9}})}),

@@ -42,10 +42,19 @@ public:
                 painter_.drawLine(place(line.points[i - 1]), place(line.points[i]));
         }
         painter_.restore();
+        for (const PlotPanel::Text& words : panel_.texts) {
+            const QPointF at = place(words.place);
+            text(QRectF(at.x() - 40, at.y() - 24, 80, 18), Qt::AlignCenter, words.words, 13, true);
+        }
         painter_.setPen(QPen(ink, 1.2));
         painter_.drawRect(box_);
         legend();
-        text(QRectF(box_.left(), box_.top() - 40, box_.width(), 30), Qt::AlignCenter, panel_.title, 17, true);
+        const bool noted = !panel_.note.isEmpty();
+        text(QRectF(box_.left(), box_.top() - (noted ? 46 : 40), box_.width(), noted ? 26 : 30),
+             Qt::AlignCenter, panel_.title, 17, true);
+        if (noted)
+            text(QRectF(box_.left() - 60, box_.top() - 21, box_.width() + 70, 18), Qt::AlignCenter,
+                 panel_.note, 12);
     }
 
 private:
@@ -95,18 +104,25 @@ private:
     }
 
     void axis(const PlotAxis& axis, bool across) {
-        for (const double value : ticks(axis)) {
+        std::vector<std::pair<double, QString>> marks = axis.names;
+        if (marks.empty())
+            for (const double value : ticks(axis))
+                marks.emplace_back(value, QString::number(value, 'g', 3));
+        const double wide =
+            across && !axis.names.empty() ? box_.width() / static_cast<double>(marks.size()) : 80.0;
+        for (const auto& [value, number] : marks) {
             const double at = share(axis, value);
-            const QString number = QString::number(value, 'g', 3);
             painter_.setPen(QPen(grid, 1.0));
             if (across) {
                 const double x = box_.left() + at * box_.width();
                 painter_.drawLine(QPointF(x, box_.top()), QPointF(x, box_.bottom()));
-                text(QRectF(x - 40, box_.bottom() + 4, 80, 18), Qt::AlignCenter, number, 13);
+                text(QRectF(x - 0.5 * wide, box_.bottom() + 4, wide, number.contains('\n') ? 32 : 18),
+                     Qt::AlignCenter, number, wide < 60.0 ? 10 : 13);
             } else {
                 const double y = box_.bottom() - at * box_.height();
                 painter_.drawLine(QPointF(box_.left(), y), QPointF(box_.right(), y));
-                text(QRectF(box_.left() - 56, y - 9, 50, 18), Qt::AlignRight | Qt::AlignVCenter, number, 13);
+                text(QRectF(box_.left() - 176, y - 9, 170, 18), Qt::AlignRight | Qt::AlignVCenter, number,
+                     13);
             }
         }
         if (across) {

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <utility>
 #include <vector>
 
 class QPainter;
@@ -22,6 +23,7 @@ struct PlotAxis {
     double low = 0.0;
     double high = 1.0;
     bool logarithmic = false; ///< low > 0
+    std::vector<std::pair<double, QString>> names{}; ///< in place of numbers at the ticks; empty: numbers
 };
 
 /// One panel of a plot: axes with ticks, lines and dots in data coordinates, a legend.
@@ -37,11 +39,17 @@ struct PlotPanel {
         QColor colour;
         bool hollow = false;
     };
+    struct Text {
+        Vec2 place; ///< its lower middle
+        QString words;
+    };
     QString title;
+    QString note; ///< under the title: what bars and dots mean; empty: nothing
     PlotAxis x;
     PlotAxis y;
     std::vector<Line> lines;
     std::vector<Dot> dots;
+    std::vector<Text> texts;
     std::vector<std::pair<QString, QColor>> dot_names; ///< legend of the dots
     bool legend_at_bottom = false;                     ///< else at the top
 };

@@ -4,7 +4,6 @@
 #include "app/figures/simulated/simulated_hands.hpp"
 #include "core/base/chance.hpp"
 #include "core/servo/servo_loop.hpp"
-#include "device/simulated/simulated_device.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +39,11 @@ Vec2 somewhere_on(const Rect& surface, std::uint64_t seed) {
             surface.min.y + surface.height() * chance.share()};
 }
 
-ServoSettings servo_of(const SimulatedBench& bench) {
+ServoSettings servo_of(const StudyTrial& trial, const SimulatedBench& bench) {
     ServoSettings settings;
     settings.rate = bench.rate_hz;
+    const double asked = trial.profile.stiffness * trial.profile.range;
+    settings.limits.max_force = bench.limit_n.value_or(std::max(settings.limits.max_force, asked));
     return settings;
 }
 
@@ -58,7 +59,7 @@ Result<SimulatedTrial> simulate_trial(const StudyTrial& trial, const Person& per
     Capabilities can = *device.open();
     can.max_force = bench.body.max_force_n;
     can.continuous_force = bench.body.continuous_force_n;
-    ServoLoop loop(device, can, clock, servo_of(bench));
+    ServoLoop loop(device, can, clock, servo_of(trial, bench));
     const int ticks_a_step = std::max(1, static_cast<int>(std::lround(hand_step_s * bench.rate_hz)));
     const double step_s = ticks_a_step / bench.rate_hz;
     const auto pass = [&] {
@@ -101,7 +102,7 @@ Result<SimulatedTrial> simulate_trial(const StudyTrial& trial, const Person& per
             done.path.push_back({time, view.x, view.y, view.fx, view.fy});
             next_sample += simulated_sample_s;
         }
-        if (!answers_at)
+        if (trial.asks && !answers_at)
             if (const auto answer = hand->knows(done.path)) {
                 done.answer = *answer;
                 answers_at = time + person.answer_s;
@@ -114,7 +115,7 @@ Result<SimulatedTrial> simulate_trial(const StudyTrial& trial, const Person& per
         device.move_pointer(meant);
         pass();
     }
-    if (!answers_at)
+    if (trial.asks && !answers_at)
         done.answer = hand->guess(done.path);
     done.state = judge.state();
     done.error_mm = judge.error_mm();

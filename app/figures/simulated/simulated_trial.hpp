@@ -6,6 +6,7 @@
 #include "core/experiment/trial_table.hpp"
 #include "core/participant/person.hpp"
 #include "core/trials/trial_judge.hpp"
+#include "device/simulated/simulated_device.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,9 @@ struct SimulatedBody {
     double damping_n_s_per_m = 0.3;
     double coulomb_n = 0.0;                             ///< dry friction
     double quantum_mm = 0.0;                            ///< step of its places; 0: none
-    double max_force_n = 3.0, continuous_force_n = 3.0; ///< the safety chain's own limit holds too
+    /// The safety chain's own limit holds too.
+    double max_force_n = SimulatedDevice::max_force_n,
+           continuous_force_n = SimulatedDevice::continuous_force_n;
     /// Nobody holds it: the hand moves a mouse and knows where that is, and the finger on its spring is drawn (simulated_device.hpp).
     /// The tone that says where the line is counts as a force that is felt.
     bool drawn = false;
@@ -36,6 +39,8 @@ struct SimulatedBench {
     double rate_hz = 1000.0;
     std::size_t delay_ticks = 0; ///< between a force and its acting
     SimulatedBody body;
+    /// A person's own limit, N; nothing: what a trial asks for is not cut, as with the researcher's consent on the page.
+    std::optional<double> limit_n;
     /// Before a trial the guided tour leads a relaxed hand from anywhere to the start, as on the page; else the finger is set down there.
     bool led = false;
 };

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/figures/study/published_results.hpp"
 #include "app/figures/study/study_report.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+
+#include <span>
 
 namespace tp {
 
@@ -16,9 +19,18 @@ std::string write_report(const std::filesystem::path& folder, const StudyReport&
     for (const auto& written : tables)
         if (!written)
             return written.error();
-    const auto plots = plot_study(folder, report);
+    auto plots = plot_study(folder, report);
     if (!plots)
         return plots.error();
+    if (const auto compared = compared_results(std::span(&report, 1)); !compared.empty()) {
+        if (const auto written = published_table(compared).write(folder / "published.csv"); !written)
+            return written.error();
+        const auto drawn = plot_published(folder, compared);
+        if (!drawn)
+            return drawn.error();
+        if (*drawn)
+            plots->push_back("published");
+    }
     const std::filesystem::path page = folder / study_page_file;
     const std::string reason = replace_file(page, study_page(report, *plots));
     return reason.empty() ? std::string() : "The page " + quoted(page) + " cannot be written: " + reason;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/figures/study/published_results.hpp"
 #include "app/figures/study/study_report.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,15 @@ std::string row(const std::vector<std::string>& cells, const char* kind = "td") 
     for (const std::string& one : cells)
         line += std::string("<") + kind + ">" + one + "</" + kind + ">";
     return line + "</tr>\n";
+}
+
+std::string page_head(const std::string& title) {
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + title +
+           "</title>\n<style>body{font-family:sans-serif;max-width:75em;margin:1em auto;padding:0 1em}"
+           "table{border-collapse:collapse;margin:0.5em 0 1.5em}td,th{border:1px solid #999;padding:0.2em "
+           "0.6em;"
+           "text-align:left}img{max-width:100%}</style>\n</head>\n<body>\n<h1>" +
+           title + "</h1>\n";
 }
 
 std::string effects(const StudyMeasure& measure) {
@@ -81,6 +92,36 @@ std::string confusion_words(const Confusion& confusion) {
 
 } // namespace
 
+std::string published_rows(std::span<const ComparedResult> results) {
+    std::string table = "<table>\n" + row({"what", "published (Lim, Yoo, Choi 2019)", "here", "alike"}, "th");
+    for (const ComparedResult& result : results)
+        table += row({escaped(subject_words(result.published)), escaped(published_words(result.published)),
+                      escaped(our_words(result)), result.alike ? "yes" : "no"});
+    return table + "</table>\n<p>Alike: an F on the same side of p = 0.05, an order in most studies, a time "
+                   "within a factor "
+                   "of two, a share within ten points.</p>\n";
+}
+
+std::string comparison_page(std::span<const StudyReport> studies, std::span<const ComparedResult> results) {
+    const Experiment& experiment = studies.front().experiment;
+    std::string page = page_head(escaped(experiment.title.empty() ? experiment.name : experiment.title) +
+                                 ", beside the published experiment");
+    page += "<p>" + std::to_string(studies.size()) + " studies of " +
+            std::to_string(studies.front().participants) +
+            " participants each. In brackets: the smallest and the largest of the studies.</p>\n"
+            "<img src=\"published.svg\" alt=\"Each published F and mean beside those of the studies.\">\n";
+    std::vector<std::string> remarks;
+    for (const StudyReport& study : studies)
+        for (const std::string& remark : study.remarks)
+            if (std::ranges::find(remarks, remark) == remarks.end())
+                remarks.push_back(remark);
+    page += remarks.empty() ? "" : "<ul>\n";
+    for (const std::string& remark : remarks)
+        page += "<li>" + escaped(remark) + "</li>\n";
+    page += remarks.empty() ? "" : "</ul>\n";
+    return page + published_rows(results) + "</body>\n</html>\n";
+}
+
 std::string study_page(const StudyReport& report, const std::vector<std::string>& plots) {
     const auto plot = [&](const std::string& name, const std::string& shows) {
         return std::ranges::find(plots, name) == plots.end()
@@ -89,14 +130,9 @@ std::string study_page(const StudyReport& report, const std::vector<std::string>
     };
     const std::string title =
         escaped(report.experiment.title.empty() ? report.experiment.name : report.experiment.title);
-    std::string page =
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + title +
-        "</title>\n<style>body{font-family:sans-serif;max-width:75em;margin:1em auto;padding:0 1em}"
-        "table{border-collapse:collapse;margin:0.5em 0 1.5em}td,th{border:1px solid #999;padding:0.2em 0.6em;"
-        "text-align:left}img{max-width:100%}</style>\n</head>\n<body>\n<h1>" +
-        title + "</h1>\n<p>" + std::to_string(report.participants) + " participants, " +
-        std::to_string(report.trials) + " trials that count, " + std::to_string(report.repeated) +
-        " that were done again.</p>\n";
+    std::string page = page_head(title) + "<p>" + std::to_string(report.participants) + " participants, " +
+                       std::to_string(report.trials) + " trials that count, " +
+                       std::to_string(report.repeated) + " that were done again.</p>\n";
     if (!report.remarks.empty()) {
         page += "<ul>\n";
         for (const std::string& remark : report.remarks)
@@ -106,9 +142,13 @@ std::string study_page(const StudyReport& report, const std::vector<std::string>
     page += plot("speed", "Time against the other measure, a dot for each condition.");
     for (const StudyMeasure& measure : report.measures)
         page += "<h2>" + escaped(measure.axis) + "</h2>\n" +
-                plot(measure.name,
-                     "Means over each factor with standard errors; the numbers stand in the tables below.") +
+                plot(measure.name, "Means over each factor with standard errors over participants, and "
+                                   "Tukey's letters; the numbers stand in the tables below.") +
                 effects(measure) + levels(measure);
+    if (const auto compared = compared_results(std::span(&report, 1)); !compared.empty())
+        page += "<h2>Beside the published experiment</h2>\n" +
+                plot("published", "Each published F and mean beside that of this study.") +
+                published_rows(compared);
     if (!report.confusions.empty())
         page += "<h2>What was called what</h2>\n";
     for (const Confusion& confusion : report.confusions)

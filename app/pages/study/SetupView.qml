@@ -115,6 +115,21 @@ TpScroll {
         current: view.setup.hand
         onPicked: (index) => view.setup.chooseHand(index)
     }
+    TpStatus {
+        objectName: "force"
+        width: parent.width
+        visible: text !== ""
+        text: view.setup.force
+        wrapMode: Text.Wrap
+    }
+    TpToggle {
+        objectName: "consentToForce"
+        width: parent.width
+        visible: view.setup.force !== ""
+        text: qsTr("I consent to the force that this study asks for")
+        on: view.setup.forceAllowed
+        onSwitched: (on) => view.setup.setForceAllowed(on)
+    }
     TpToggle {
         width: parent.width
         text: qsTr("Show the scene, to try it out; nothing is kept")

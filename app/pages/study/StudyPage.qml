@@ -14,7 +14,7 @@ FocusScope {
     readonly property bool active: Window.active
     readonly property string help: run.running
         ? qsTr("Space starts and ends a trial, and goes on after a break. A number key gives an answer. Arrow keys move the hand by 2 millimetres, with Shift by 10, where no device does. P pauses, W says where you are. Escape stops; the force is then off at once.")
-        : qsTr("Keys 1 to 9: experiment. O: an experiment's file. F: the study's folder. G: the folder with faces. N, Minus and Plus: participant. M: what moves the finger. S: start. C: how the study stands. R: makes its report. W: says where you are.")
+        : qsTr("Keys 1 to 9: experiment. O: an experiment's file. F: the study's folder. G: the folder with faces. N, Minus and Plus: participant. M: what moves the finger. L: consent to the force that the study needs. S: start. C: how the study stands. R: makes its report. W: says where you are.")
 
     onActiveChanged: session.setActive(active)
 
@@ -37,6 +37,7 @@ FocusScope {
         case Qt.Key_C: session.overview.look(); break
         case Qt.Key_R: session.overview.makeReport(); break
         case Qt.Key_M: setup.chooseHand((setup.hand + 1) % setup.hands.length); break
+        case Qt.Key_L: setup.setForceAllowed(!setup.forceAllowed); break
         case Qt.Key_S: session.begin(); break
         case Qt.Key_W: session.tellWhere(); break
         default:

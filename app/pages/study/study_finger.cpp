@@ -17,12 +17,6 @@ namespace tp {
 
 namespace {
 
-/// For the record, in English: "force pad, TPC-0042, at most 1.00 N"
-std::string recorded(QStringList about, double strongest_n) {
-    about << QStringList{"at most", QString::number(strongest_n, 'f', 2), "N"}.join(' ');
-    return about.join(", ").toStdString();
-}
-
 /// Its six numbers, row by row.
 std::string words_of(const Affine& map) {
     QStringList numbers;
@@ -61,24 +55,41 @@ QString StudyFinger::found() const {
     return device == nullptr ? QString() : in_persons_language(device->about);
 }
 
-double StudyFinger::strongest() const {
+double StudyFinger::persons_limit_n() const {
     return std::clamp(preferences_.choices().max_force_n, 0.0, settings_.servo.limits.max_force);
 }
 
-void StudyFinger::take(Vec2 surface, bool device) {
+void StudyFinger::choose_limit(double device_n) {
+    const double persons = persons_limit_n();
+    limit_n_ = std::min(device_n, wish_.force_allowed ? std::max(persons, wish_.pull_n) : persons);
+    servo_->set_max_force(limit_n_);
+}
+
+/// For the record, in English: "force pad, TPC-0042, at most 1.00 N, cut: the study asks for 5.00 N"
+std::string StudyFinger::recorded(QStringList about) const {
+    const auto newtons = [](double value) { return QString::number(value, 'f', 2) + " N"; };
+    about << QStringList{"at most", newtons(limit_n_)}.join(' ');
+    if (wish_.force_allowed && limit_n_ > persons_limit_n())
+        about << "raised with the researcher's consent";
+    if (is_cut())
+        about << QStringList{"cut: the study asks for", newtons(wish_.pull_n)}.join(' ');
+    return about.join(", ").toStdString();
+}
+
+void StudyFinger::take(const Wish& wish) {
     give_back();
-    surface_ = surface;
+    wish_ = wish;
     faults_ = {};
     calibration_.clear();
-    servo_ = std::make_unique<FingerServo>(surface, settings_.servo, settings_.plant, settings_.time);
-    servo_->set_max_force(strongest());
-    const ListedDevice* wanted = device ? this->wanted() : nullptr;
-    if (device && wanted == nullptr) {
+    servo_ = std::make_unique<FingerServo>(wish.surface, settings_.servo, settings_.plant, settings_.time);
+    choose_limit(SimulatedDevice::max_force_n);
+    const ListedDevice* wanted = wish.device ? this->wanted() : nullptr;
+    if (wish.device && wanted == nullptr) {
         give_back();
         return emit refused(tr("The force device is not there. Connect it."));
     }
     if (wanted == nullptr) {
-        about_ = recorded({"drawn finger", "mouse or touchscreen or keys", "tone"}, strongest());
+        about_ = recorded({"drawn finger", "mouse or touchscreen or keys", "tone"});
         return emit taken();
     }
     opening_ = true;
@@ -91,7 +102,7 @@ bool StudyFinger::reaches(const OpenDevice& open) const {
     Vec2 most(0.0);
     for (const Vec2 corner : reach)
         most = glm::max(most, glm::abs(corner));
-    return most.x >= 0.5 * surface_.x && most.y >= 0.5 * surface_.y;
+    return most.x >= 0.5 * wish_.surface.x && most.y >= 0.5 * wish_.surface.y;
 }
 
 void StudyFinger::use(OpenDevice& open) {
@@ -104,8 +115,8 @@ void StudyFinger::use(OpenDevice& open) {
         return emit refused(
             tr("The device does not reach all of the experiment's surface, %1 by %2 millimetres: %3. "
                "Write a smaller surface into the experiment's file, or use the mouse.")
-                .arg(surface_.x)
-                .arg(surface_.y)
+                .arg(wish_.surface.x)
+                .arg(wish_.surface.y)
                 .arg(about));
     }
     ServoSettings servo = settings_.device_servo;
@@ -113,11 +124,12 @@ void StudyFinger::use(OpenDevice& open) {
     QStringList about{QString::fromStdString(open.listed.about)};
     if (!open.can.serial_number.empty())
         about << QString::fromStdString(open.can.serial_number);
-    about_ = recorded(about, std::min(strongest(), open.can.max_force));
+    const double device_n = open.can.max_force;
     calibration_ = words_of(servo.device_to_surface);
     connector_.release(
         servo_->use(std::make_unique<DeviceDrive>(std::move(open.device), open.can, servo, settings_.time)));
-    servo_->set_max_force(strongest());
+    choose_limit(device_n);
+    about_ = recorded(about);
     emit taken();
 }
 

@@ -11,6 +11,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <memory>
 #include <string>
@@ -34,9 +35,21 @@ public:
     /// The device that would be used, in the person's language; empty: none is there.
     QString found() const;
 
-    /// A finger on a surface of that size, mm. With `device` the one that was found is opened: `taken` or `refused` follows,
-    /// at once where none is wanted.
-    void take(Vec2 surface, bool device);
+    /// What a study asks of the finger.
+    struct Wish {
+        Vec2 surface{0.0};          ///< its size, mm
+        bool device = false;        ///< a device's; else a drawn one
+        double pull_n = 0.0;        ///< the strongest pull that it asks for
+        bool force_allowed = false; ///< the researcher consents to that pull, whatever the person's own limit
+    };
+    /// A finger on that surface. With `device` the one that was found is opened: `taken` or `refused` follows, at once where none is
+    /// wanted.
+    void take(const Wish& wish);
+    /// The person's own limit, which holds where the researcher has not consented to more, N.
+    double persons_limit_n() const;
+    /// The strongest pull on the finger that was taken, N; and whether that is less than the study asks for.
+    double limit_n() const { return limit_n_; }
+    bool is_cut() const { return limit_n_ < wish_.pull_n - 1e-9; }
     /// The device is given back, and nothing ticks any more.
     void give_back();
     bool here() const { return servo_ != nullptr && !opening_; }
@@ -81,11 +94,14 @@ private:
     const ListedDevice* wanted() const;
     void use(OpenDevice& open);
     bool reaches(const OpenDevice& open) const;
-    double strongest() const;
+    /// At most `device_n`, which is what the device gives, N.
+    void choose_limit(double device_n);
+    std::string recorded(QStringList about) const;
 
     const StudySettings& settings_;
     Preferences& preferences_;
-    Vec2 surface_{0.0}; ///< width and height, mm
+    Wish wish_;
+    double limit_n_ = 0.0;
     std::unique_ptr<FingerServo> servo_;
     FaultWatch faults_;
     std::string about_, calibration_; ///< of the device in use

@@ -15,6 +15,7 @@ struct StudyPlan {
     std::filesystem::path folder;
     int participant = 1;
     bool device = false;                     ///< a force device moves the finger; else it is drawn
+    bool force_allowed = false; ///< the researcher lets the pull be as strong as the experiment asks for
     bool show_scene = false;                 ///< to try it out; then nothing is kept
     std::shared_ptr<const StudyFaces> faces; ///< null: the experiment has none
 };

@@ -65,7 +65,10 @@ void StudyRun::open() {
     become(State::Opening);
     if (finger_.here())
         return finger_taken();
-    finger_.take({plan_.experiment.surface_width_mm, plan_.experiment.surface_height_mm}, plan_.device);
+    finger_.take({{plan_.experiment.surface_width_mm, plan_.experiment.surface_height_mm},
+                  plan_.device,
+                  strongest_pull_n(plan_.experiment),
+                  plan_.force_allowed});
 }
 
 void StudyRun::finger_refused(const QString& sentence) {
@@ -118,6 +121,8 @@ void StudyRun::offer(const QString& before) {
         if (progress().done > 0)
             add(StudyWords::so_far(progress()));
         add(StudyWords::task(plan_.experiment));
+        if (finger_.is_cut())
+            add(StudyWords::cut(finger_.limit_n(), strongest_pull_n(plan_.experiment)));
         if (!finger_.real())
             add(tr("Your hand moves the finger with the mouse, on the screen or with the arrow keys, from "
                    "where each "
@@ -154,7 +159,7 @@ void StudyRun::offer(const QString& before) {
 
 void StudyRun::ready(const QString& before) {
     become(State::Ready);
-    const QString sentence = StudyWords::ready(plan_.experiment, progress());
+    const QString sentence = StudyWords::ready(plan_.experiment, progress(), laid_->asks);
     teller_.tell(before.isEmpty() ? sentence : before + ' ' + sentence);
 }
 
@@ -204,10 +209,16 @@ void StudyRun::judge() {
                     tr("A part of the line was left out; the trial is done again."));
     case TrialState::out_of_time:
         if (plan_.experiment.task == StudyTask::name)
-            return ask(true);
+            return felt_enough(true);
         return keep(felt_->record(plan_.participant, true), State::Coming,
                     tr("The time is over; the trial is done again."));
     }
+}
+
+void StudyRun::felt_enough(bool out_of_time) {
+    if (!laid_->asks)
+        return keep(felt_->record(plan_.participant, false), State::Coming, {});
+    ask(out_of_time);
 }
 
 void StudyRun::ask(bool out_of_time) {
@@ -218,7 +229,7 @@ void StudyRun::ask(bool out_of_time) {
 }
 
 void StudyRun::answer(int index) {
-    const bool names = plan_.experiment.task == StudyTask::name && in_trial();
+    const bool names = in_trial() && laid_->asks;
     if (!names || index < 0 || index >= StudyWords::answers(plan_.experiment).size())
         return;
     TrialRecord record = felt_->record(plan_.participant, false);

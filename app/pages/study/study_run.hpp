@@ -141,6 +141,7 @@ private:
     void ready(const QString& before = {});
     void start();
     void judge();
+    void felt_enough(bool out_of_time);
     void ask(bool out_of_time);
     void keep(TrialRecord record, State then, const QString& said);
     void kept(const QString& problem);

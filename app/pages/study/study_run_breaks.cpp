@@ -13,7 +13,7 @@ void StudyRun::goOn() {
         return start();
     case State::Feeling:
         if (plan_.experiment.task == StudyTask::name)
-            return ask(false);
+            return felt_enough(false);
         return keep(felt_->record(plan_.participant, true), State::Coming,
                     tr("The end of the line was not reached; the trial is done again."));
     case State::Answering:
@@ -186,7 +186,12 @@ QString StudyRun::status() const {
 }
 
 QString StudyRun::consent() const {
-    return state_ == State::Consent ? StudyWords::consent(plan_.experiment, plan_.participant) : QString();
+    if (state_ != State::Consent)
+        return {};
+    const double pull = strongest_pull_n(plan_.experiment);
+    const bool raised = plan_.force_allowed && pull > finger_.persons_limit_n();
+    return StudyWords::consent(plan_.experiment, plan_.participant,
+                               raised ? std::optional(pull) : std::nullopt);
 }
 
 QStringList StudyRun::answers() const {

@@ -7,6 +7,7 @@
 #include "audio/sentences/sentences.hpp"
 #include "core/experiment/experiment_file.hpp"
 #include "core/files/whole_file.hpp"
+#include "core/trials/study_trial.hpp"
 
 #include <QLocale>
 
@@ -53,9 +54,10 @@ void StudySetup::choose(int index) {
     chosen_ = static_cast<std::size_t>(index);
     folder_.clear();
     faces_.reset();
+    force_allowed_ = false;
     look(true);
     read_faces();
-    teller_.tell(tr("%1.").arg(StudyWords::title(now())));
+    teller_.tell(QStringList{tr("%1.").arg(StudyWords::title(now())), force()}.join(' ').trimmed());
 }
 
 void StudySetup::openFile(const QUrl& file) {
@@ -215,6 +217,39 @@ void StudySetup::chooseHand(int index) {
     teller_.tell(tr("%1.").arg(all[index]));
 }
 
+// --- how strong it is ---
+
+std::optional<double> StudySetup::stronger_pull_n() const {
+    if (experiments_.empty())
+        return std::nullopt;
+    const double pull = strongest_pull_n(now());
+    return pull > finger_.persons_limit_n() + 1e-9 ? std::optional(pull) : std::nullopt;
+}
+
+QString StudySetup::force() const {
+    const auto pull = stronger_pull_n();
+    if (!pull)
+        return {};
+    if (force_allowed_)
+        return tr("The force may reach %1 newtons, as far as the device gives it, with your consent.")
+            .arg(StudyWords::newtons(*pull));
+    const double limit = finger_.persons_limit_n();
+    return tr("This study asks for up to %1 newtons. The force is cut at %2 newtons, in %3 of %4 conditions, "
+              "unless "
+              "you consent to more. Key: L.")
+        .arg(StudyWords::newtons(*pull), StudyWords::newtons(limit))
+        .arg(conditions_cut_at(now(), limit))
+        .arg(now().conditions());
+}
+
+void StudySetup::setForceAllowed(bool allowed) {
+    if (!stronger_pull_n())
+        return teller_.tell(tr("This study asks for no more force than the settings allow."));
+    force_allowed_ = allowed;
+    emit changed();
+    teller_.tell(force());
+}
+
 void StudySetup::setShowScene(bool on) {
     if (on == show_scene_)
         return;
@@ -234,13 +269,15 @@ void StudySetup::enter() {
 void StudySetup::leave() {
     choosing_ = Choosing::nothing;
     show_scene_ = false;
+    force_allowed_ = false;
     emit changed();
 }
 
 void StudySetup::tell_where() {
     teller_.tell(tr("Studies. %1. Keys 1 to %2 choose the experiment, S starts it, F1 says more.")
                      .arg(experiments_.empty() ? problem() : StudyWords::title(now()))
-                     .arg(experiments_.size()));
+                     .arg(experiments_.size()) +
+                 (force().isEmpty() ? QString() : ' ' + force()));
 }
 
 std::optional<StudyPlan> StudySetup::plan() const {
@@ -251,6 +288,7 @@ std::optional<StudyPlan> StudySetup::plan() const {
     plan.folder = study_folder();
     plan.participant = participant_;
     plan.device = uses_device();
+    plan.force_allowed = force_allowed_ && stronger_pull_n().has_value();
     plan.show_scene = show_scene_;
     plan.faces = faces_;
     return plan;

@@ -42,6 +42,9 @@ class StudySetup final : public QObject {
     /// What may move the finger; the force device is there only where one was found.
     Q_PROPERTY(QStringList hands READ hands NOTIFY changed)
     Q_PROPERTY(int hand READ hand NOTIFY changed)
+    /// How strong the pull is, where the experiment asks for more than the person's own limit; empty: it does not.
+    Q_PROPERTY(QString force READ force NOTIFY changed)
+    Q_PROPERTY(bool forceAllowed READ force_allowed NOTIFY changed)
     Q_PROPERTY(bool showScene READ show_scene NOTIFY changed)
     /// The experiment shows faces, and where they come from.
     Q_PROPERTY(bool needsFaces READ needs_faces NOTIFY changed)
@@ -63,6 +66,8 @@ public:
     QString problem() const;
     QStringList hands() const;
     int hand() const { return uses_device() ? 0 : static_cast<int>(hands().size()) - 1; }
+    QString force() const;
+    bool force_allowed() const { return force_allowed_; }
     bool show_scene() const { return show_scene_; }
     bool needs_faces() const;
     QString faces_words() const;
@@ -78,6 +83,9 @@ public:
     /// As it was typed; what is no number changes nothing and is said.
     Q_INVOKABLE void typeParticipant(const QString& number);
     Q_INVOKABLE void chooseHand(int index);
+    /// The researcher consents to a pull as strong as the experiment asks for and the device gives. Holds for this experiment until
+    /// the page is left.
+    Q_INVOKABLE void setForceAllowed(bool allowed);
     /// For the researcher who tries it out; nothing is kept then. It is off whenever one comes to the page or a sitting has ended.
     Q_INVOKABLE void setShowScene(bool on);
 
@@ -98,6 +106,8 @@ private:
     enum class Choosing { nothing, study, faces };
 
     const Experiment& now() const { return experiments_[chosen_]; }
+    /// The strongest pull of the experiment, where it is above the person's own limit, N.
+    std::optional<double> stronger_pull_n() const;
     bool uses_device() const { return wants_device_ && !finger_.found().isEmpty(); }
     void add(Experiment experiment);
     void look(bool offer_next);
@@ -119,6 +129,7 @@ private:
     std::optional<StudyKeeping::Known> known_; ///< of this folder and participant
     std::uint64_t looked_ = 0;
     bool wants_device_ = true;
+    bool force_allowed_ = false;
     bool show_scene_ = false;
     std::filesystem::path faces_folder_;
     std::shared_ptr<const StudyFaces> faces_;

@@ -56,11 +56,13 @@ QString StudyWords::trial(const StudyProgress& progress) {
     return tr("Trial %1 of %2").arg(std::min(progress.done + 1, progress.trials)).arg(progress.trials);
 }
 
-QString StudyWords::ready(const Experiment& experiment, const StudyProgress& progress) {
+QString StudyWords::ready(const Experiment& experiment, const StudyProgress& progress, bool asks) {
     const QString which = progress.again ? tr("%1, once more").arg(trial(progress)) : trial(progress);
     QString what = tr("Feel the shape.");
     if (experiment.task == StudyTask::follow)
         what = tr("Follow the line.");
+    else if (!asks)
+        what = tr("Feel the line; nothing is asked.");
     else if (experiment.answer == StudyParameter::expression)
         what = tr("Feel the face.");
     return tr("%1. %2 Press Space to start.").arg(which, what);
@@ -113,8 +115,20 @@ QString StudyWords::summary(const StudySummary& summary) {
     return words.join(' ');
 }
 
-QString StudyWords::consent(const Experiment& experiment, int participant) {
-    return tr("You are asked to take part in a study: %1. It has %3 trials. What is kept is the way of your "
+QString StudyWords::newtons(double force_n) { return QLocale().toString(force_n, 'f', 1); }
+
+QString StudyWords::cut(double limit_n, double pull_n) {
+    return tr("The pull is cut at %1 newtons; the study asks for %2.").arg(newtons(limit_n), newtons(pull_n));
+}
+
+QString StudyWords::consent(const Experiment& experiment, int participant, std::optional<double> raised_n) {
+    const QString force =
+        raised_n ? tr("The force may be stronger than this program usually allows, up to %1 newtons.")
+                           .arg(newtons(*raised_n)) +
+                       ' '
+                 : QString();
+    return force +
+           tr("You are asked to take part in a study: %1. It has %3 trials. What is kept is the way of your "
               "finger, "
               "the force on it, times and answers, on this computer only, under the number %2 and without "
               "your name. "
@@ -122,9 +136,9 @@ QString StudyWords::consent(const Experiment& experiment, int participant) {
               "then off "
               "at once. Nothing has been kept so far. If you agree, press Enter. If you do not, press "
               "Escape.")
-        .arg(title(experiment))
-        .arg(participant)
-        .arg(experiment.trials());
+               .arg(title(experiment))
+               .arg(participant)
+               .arg(experiment.trials());
 }
 
 } // namespace tp

@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include <cstddef>
+#include <optional>
 
 namespace tp {
 
@@ -34,16 +35,20 @@ public:
     static QString so_far(const StudyProgress& progress);
     /// "Trial 3 of 150", "Training 1 of 3"
     static QString trial(const StudyProgress& progress);
-    /// "Trial 3 of 150. Follow the line. Press Space to start."
-    static QString ready(const Experiment& experiment, const StudyProgress& progress);
+    /// "Trial 3 of 150. Follow the line. Press Space to start." `asks`: an answer is asked for at the trial's end.
+    static QString ready(const Experiment& experiment, const StudyProgress& progress, bool asks);
+    /// "5.0", as the person's language writes it.
+    static QString newtons(double force_n);
+    /// That the pull is weaker than the experiment's.
+    static QString cut(double limit_n, double pull_n);
     /// The answers that can be given, in the order of the experiment's levels.
     static QStringList answers(const Experiment& experiment);
     /// "Which was it? 1: circle. 2: triangle. …"
     static QString question(const Experiment& experiment, bool out_of_time);
     /// The study's numbers so far: people, trials, mean error, share named rightly, mean time; of what there is.
     static QString summary(const StudySummary& summary);
-    /// What a person agrees to before anything is written.
-    static QString consent(const Experiment& experiment, int participant);
+    /// What a person agrees to before anything is written. `raised_n`: the pull may be so strong, which is more than usual.
+    static QString consent(const Experiment& experiment, int participant, std::optional<double> raised_n);
 };
 
 } // namespace tp

@@ -58,11 +58,14 @@ Result<Labelled> labelled_files(const fs::path& folder) {
 }
 
 std::vector<std::string> levels_of(const Experiment& experiment, StudyParameter parameter) {
-    for (const auto* list : {&experiment.factors, &experiment.settings})
+    std::vector<std::string> levels;
+    for (const auto* list : {&experiment.factors, &experiment.settings, &experiment.training_factors})
         for (const StudyFactor& factor : *list)
             if (factor.parameter == parameter)
-                return factor.levels;
-    return {};
+                for (const std::string& level : factor.levels)
+                    if (std::ranges::find(levels, level) == levels.end())
+                        levels.push_back(level);
+    return levels;
 }
 
 /// The contours of the largest face, and those alone.

@@ -30,9 +30,10 @@ std::string complaint_about_experiment(std::string_view text) {
     if (trials.size() != experiment->trials() + static_cast<std::size_t>(experiment->training))
         return "another number of trials";
     for (const PlannedTrial& trial : trials) {
-        if (trial.condition >= experiment->conditions())
+        const Experiment from = trial.training ? experiment->in_training() : *experiment;
+        if (trial.condition >= from.conditions())
             return "a condition that there is not";
-        if (experiment->condition_of(experiment->levels_of(trial.condition)) != trial.condition)
+        if (from.condition_of(from.levels_of(trial.condition)) != trial.condition)
             return "levels of another condition";
     }
     return {};

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/experiment/experiment_file.hpp"
+#include "core/experiment/trial_order.hpp"
+#include "core/experiment/trial_table.hpp"
 #include "core/files/whole_file.hpp"
 #include "experiment_check.hpp"
 #include "places.hpp"
@@ -7,6 +9,8 @@
 #include <QTest>
 
 #include <random>
+#include <set>
+#include <string>
 
 using namespace tp;
 using namespace tp::test;
@@ -39,13 +43,89 @@ private slots:
         QCOMPARE(level_words(tracking.factors[2], 1), std::string("triangle"));
         const Experiment primitives = shipped("primitives");
         QCOMPARE(primitives.trials(), std::size_t{45});
-        QCOMPARE(primitives.value_of(StudyParameter::stiffness, 3), std::string("0.5"));
+        QCOMPARE(primitives.repetitions, 3);
         const Experiment expressions = shipped("expressions");
         QCOMPARE(expressions.trials(), std::size_t{16});
         QCOMPARE(*expressions.longest_trial_s, 60.0);
         QVERIFY(*expressions.answer == StudyParameter::expression);
-        QCOMPARE(shipped("laws-tracking").trials(), std::size_t{108});
+        QCOMPARE(shipped("laws-tracking").trials(), std::size_t{2 * 3 * 6});
         QCOMPARE(shipped("laws-expressions").trials(), std::size_t{32});
+    }
+    /// Lim, Yoo and Choi (2019): Experiments I and II by Eq. 1, III by Algorithm 1; I with K = 0.1 to 0.5 N/mm and d = 2 to 10 mm, II and
+    /// III with K = 0.2 N/mm and d = 4 mm; II with circumscribed circles of radius 2, 5 and 8 cm.
+    void the_published_experiments_have_the_published_guidance() {
+        const auto values = [](const char* name, StudyParameter parameter) {
+            const Experiment experiment = shipped(name);
+            std::set<std::string> all;
+            for (std::size_t condition = 0; condition < experiment.conditions(); ++condition)
+                all.insert(experiment.value_of(parameter, condition));
+            return all;
+        };
+        using Values = std::set<std::string>;
+        const auto is = [&](const char* name, StudyParameter parameter, const Values& published) {
+            QCOMPARE(values(name, parameter), published);
+        };
+        is("tracking", StudyParameter::law, {"exact"});
+        is("tracking", StudyParameter::stiffness, {"0.1", "0.2", "0.3", "0.4", "0.5"});
+        is("tracking", StudyParameter::range, {"2", "4", "6", "8", "10"});
+        is("primitives", StudyParameter::law, {"exact"});
+        is("primitives", StudyParameter::radius, {"20", "50", "80"});
+        is("expressions", StudyParameter::law, {"published"});
+        for (const char* const name : {"laws-tracking", "laws-expressions"})
+            is(name, StudyParameter::law, {"exact", "published"});
+        for (const char* const name : {"primitives", "expressions", "laws-tracking", "laws-expressions"}) {
+            is(name, StudyParameter::stiffness, {"0.2"});
+            is(name, StudyParameter::range, {"4"});
+        }
+    }
+    /// The same: a straight line (I); a straight, a broken and a curved line, about a minute (II); four faces that are not asked later (III).
+    void the_published_experiments_are_trained_as_published() {
+        const auto trained = [](const char* name, StudyParameter parameter) {
+            const Experiment experiment = shipped(name), training = experiment.in_training();
+            std::multiset<std::string> all;
+            for (const PlannedTrial& planned : trials_of(experiment, 3, 5))
+                if (planned.training)
+                    all.insert(training.value_of(parameter, planned.condition));
+            return all;
+        };
+        using Values = std::multiset<std::string>;
+        QCOMPARE(trained("tracking", StudyParameter::path), (Values{"line", "line", "line"}));
+        QCOMPARE(trained("primitives", StudyParameter::shape), (Values{"line", "broken-line", "curve"}));
+        const Experiment primitives = shipped("primitives");
+        QCOMPARE(primitives.training * primitives.longest_training_s.value(), 60.0);
+        QVERIFY(!primitives.asks(true) && primitives.asks(false));
+        QCOMPARE(trained("expressions", StudyParameter::expression),
+                 (Values{"smiling", "surprised", "sad", "angry"}));
+        QVERIFY(shipped("expressions").asks(true));
+        for (const char* const name : {"expressions", "laws-expressions"}) {
+            const Experiment experiment = shipped(name);
+            for (std::size_t condition = 0; condition < experiment.conditions(); ++condition)
+                QVERIFY(!trained(name, StudyParameter::face)
+                             .contains(experiment.value_of(StudyParameter::face, condition)));
+        }
+    }
+    void training_has_its_own_levels_in_place_of_a_factor_s() {
+        const Experiment experiment =
+            read_experiment("experiment: a\ntask: name\nanswer: shape\nfactor shape: circle, square\n"
+                            "factor radius: 20, 50 mm\ntraining: 4\ntraining shape: line, square\n"
+                            "training radius: 30 mm\nlongest training: 9 s\n")
+                .value();
+        const Experiment training = experiment.in_training();
+        QCOMPARE(training.conditions(), std::size_t{2});
+        QCOMPARE(training.value_of(StudyParameter::shape, 1), std::string("square"));
+        QCOMPARE(training.value_of(StudyParameter::radius, 1), std::string("30"));
+        QCOMPARE(experiment.conditions(), std::size_t{4});
+        QVERIFY(!experiment.asks(true)); // a line is no answer
+        QCOMPARE(*experiment.longest_training_s, 9.0);
+        QCOMPARE(complaint_about_experiment(experiment_text(experiment)), std::string());
+        const TrialRecord record{1, 1, 1, true, 0, {}, 4.0, "", false, 7};
+        const std::string line = trial_line(experiment, record);
+        QCOMPARE(line, std::string("a,1,1,1,yes,line,30,,4,,,no,7\n"));
+        QCOMPARE(read_trials(experiment, trial_columns(experiment) + line)->records.front(), record);
+        const auto counted =
+            read_trials(experiment, trial_columns(experiment) + "a,1,1,1,no,line,20,,4,,,no,7\n");
+        QVERIFY2(counted.error().find("has a shape that the experiment does not know") != std::string::npos,
+                 counted.error().c_str());
     }
     void what_is_shipped_is_the_same_again_when_it_was_written() {
         for (const char* const name :
@@ -103,6 +183,11 @@ private slots:
                                        << "Line 4 of the experiment needs seconds from 1 to 3600: 60 s.";
         QTest::newRow("a strip") << "surface: 200 x 1 mm"
                                  << "Line 4 of the experiment needs sides from 20 to 1000 mm.";
+        QTest::newRow("training of what does not vary")
+            << "training path: line"
+            << "The path can be another in training only where it is a factor.";
+        QTest::newRow("training said twice") << "training range: 8 mm\ntraining range: 9 mm"
+                                             << "Line 5 of the experiment says it a second time.";
         QTest::newRow("no order") << "order: as I like"
                                   << "Line 4 of the experiment needs random or latin-square.";
     }

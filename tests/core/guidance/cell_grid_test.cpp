@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The grid alone: its lists lack nothing, hold little more than they must, and stay within their memory.
 #include "core/guidance/cell_grid.hpp"
+#include "crowded_scenes.hpp"
 #include "index_parts.hpp"
 #include "scenes.hpp"
 
@@ -151,7 +152,7 @@ private slots:
                 min = glm::min(min, glm::min(all.set.segments[i].a, all.set.segments[i].b));
                 max = glm::max(max, glm::max(all.set.segments[i].a, all.set.segments[i].b));
             }
-            const Vec2 pad = Vec2(8.0) + 0.125 * (max - min);
+            const Vec2 pad = Vec2(8.0) + 0.3 * (max - min);
             const Vec2 extent = max - min + 2.0 * pad;
             QVERIFY(count * cell * cell >= extent.x * extent.y);
             QVERIFY(count * cell * cell < 1.2 * extent.x * extent.y);
@@ -164,6 +165,45 @@ private slots:
                                  max + pad + Vec2(2 * cell, 0), max + pad + Vec2(0, 2 * cell)})
                 QVERIFY(all.grid.at(p).candidates.empty() && all.grid.at(p).beyond_band);
         }
+    }
+
+    /// Cells as wide as a stray line is away would hold everything in a few.
+    void a_stray_line_leaves_the_cells_as_they_are() {
+        const FlatScene plain = many_curves(3000, 40.0);
+        const Gridded without(plain);
+        std::mt19937 random(45);
+        for (const auto& [from, to] : {std::pair{Vec2(4000, 0), Vec2(4001, 1)},
+                                       {Vec2(-9e5, 7e5), Vec2(-9e5, 7e5)},
+                                       {Vec2(-1e5, -3e4), Vec2(1e5, 3e4)},
+                                       {Vec2(0, 0), Vec2(2e5, 1e4)}}) {
+            FlatScene scene = plain;
+            scene.names.push_back("stray");
+            scene.lines.push_back({{from, to}, false});
+            const Gridded with(scene);
+            QVERIFY(with.grid.cell_size_mm() < 1.01 * without.grid.cell_size_mm());
+            int lists = 0, lists_without = 0;
+            for (const Vec2 p : fingers(without.set, random, 300)) {
+                lists += with.grid.at(p).candidates.empty() ? 0 : 1;
+                lists_without += without.grid.at(p).candidates.empty() ? 0 : 1;
+                const double truth = std::sqrt(closest_of_all(with.set, p).squared);
+                const CellGrid::Cell cell = with.grid.at(p);
+                QVERIFY(!cell.beyond_band || truth > 8.0);
+                if (!cell.candidates.empty())
+                    QVERIFY(std::abs(std::sqrt(closest_of(with.set, cell.candidates, p).squared) - truth) <
+                            1e-9);
+            }
+            QVERIFY(lists >= 0.98 * lists_without);
+            // Beyond the cells, the stray line may be near.
+            QVERIFY(!with.grid.at(from + Vec2(1e3)).beyond_band);
+        }
+    }
+
+    /// A list of everything in each cell would take long to make and hold, and be of no use.
+    void where_crowds_meet_everywhere_there_are_no_cells() {
+        for (const char* name : {"centre_of_a_circle", "crossing_of_diameters"})
+            for (const CrowdedScene& crowded : crowded_scenes())
+                if (crowded.name == std::string(name))
+                    QVERIFY(Gridded(crowded.make(60'000)).grid.bytes() < usual_bytes);
     }
 
     void there_are_no_cells_where_they_would_not_be_right() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/guidance/exact_law.hpp"
+#include "core/guidance/haptic_scene.hpp"
 #include "scenes.hpp"
 
 #include <QTest>
@@ -31,6 +32,80 @@ private slots:
         const ExactLaw law(scene, {});
         for (const Vec2 p : {Vec2(0, 0), Vec2(10, 0), Vec2(5, 0), Vec2(10, 3)})
             QVERIFY(law.at(p).force == Vec2(0.0));
+    }
+
+    /// Where coordinates are coarse, the way from the finger is not.
+    void far_from_the_origin_the_force_points_straight_at_the_line() {
+        for (const double far : {0.0, 1e3, 1e6, 1e9}) {
+            FlatScene scene;
+            scene.names = {"slanted"};
+            const Vec2 from(far - 12.5, far - 25.0), to(far + 37.25, far + 70.75);
+            scene.lines = {{{from, to}, false}};
+            const ExactLaw law(scene, {});
+            for (const double along : {0.125, 0.5, 0.75}) {
+                const Vec2 finger(far + std::floor(40.0 * along) - 8.25,
+                                  far + std::floor(80.0 * along) - 25.5);
+                const long double ux = (long double)(to.x) - from.x, uy = (long double)(to.y) - from.y;
+                const long double x = (long double)(finger.x) - from.x, y = (long double)(finger.y) - from.y;
+                const long double side = (ux * y - uy * x) / (ux * ux + uy * uy);
+                const Guidance at = law.at(finger);
+                const long double wanted_x = side * uy, wanted_y = -side * ux; // from the finger to the line
+                const long double away = std::hypot(wanted_x, wanted_y);
+                QVERIFY(away > 1e-3 && away < 8.0);
+                const long double turn =
+                    (wanted_x * at.force.y - wanted_y * at.force.x) / (away * length(at.force));
+                QVERIFY2(std::abs(turn) < 1e-12, qPrintable(QString::number(double(turn))));
+                QVERIFY(std::abs(at.distance - away) < 1e-12);
+            }
+        }
+    }
+
+    void no_line_is_too_long_for_the_peak() {
+        for (const double half : {1e3, 1e6, 1e9, 1e13, 1e17, 1e100}) {
+            FlatScene scene;
+            scene.names = {"long"};
+            scene.lines = {{{{-half, -0.3 * half}, {half, 0.3 * half}}, false}};
+            const TentProfile profile;
+            const ExactLaw law(scene, profile);
+            std::mt19937 random(8);
+            for (int k = 0; k < 300; ++k)
+                QVERIFY(length(law.at(random_point(random, 12.0)).force) <= profile.peak() * (1.0 + 1e-12));
+        }
+    }
+
+    void what_is_felt_is_the_same_without_the_distance_where_nothing_pulls() {
+        const FlatScene scene = face_scene();
+        std::mt19937 random(9);
+        for (const Continuity& continuity : {Continuity{}, {0.0, 0.4, false}, {0.0, 0.0, true}}) {
+            const auto law = make_law(scene, {}, LawKind::exact, continuity);
+            int without = 0;
+            for (int k = 0; k < 3000; ++k) {
+                const Vec2 p = random_point(random, 90.0);
+                const Guidance all = law->at(p), felt = law->felt_at(p);
+                QVERIFY(all.force == felt.force && all.energy == felt.energy);
+                if (felt.contour < 0) {
+                    ++without;
+                    QVERIFY(all.force == Vec2(0.0) && all.distance > TentProfile{}.band());
+                } else {
+                    QVERIFY(all.contour == felt.contour && all.nearest == felt.nearest &&
+                            all.distance == felt.distance);
+                }
+            }
+            QVERIFY(without > 500);
+        }
+    }
+
+    void a_scene_beyond_a_kilometre_is_refused_with_a_sentence() {
+        const auto scene_to = [](double x) {
+            return Scene{100.0, 100.0, {contour_through("far", {{0, 0}, {x, 0}}, false)}};
+        };
+        QVERIFY(make_haptic_scene(scene_to(farthest_felt_mm)).ok());
+        QVERIFY(make_haptic_scene(scene_to(-farthest_felt_mm)).ok());
+        for (const double x : {1.001e6, -1.001e6, 1e17, -1e300}) {
+            const auto made = make_haptic_scene(scene_to(x));
+            QVERIFY(!made.ok());
+            QVERIFY(made.error().find("far") != std::string::npos && made.error().ends_with('.'));
+        }
     }
 
     void force_is_minus_the_gradient_of_the_energy() {

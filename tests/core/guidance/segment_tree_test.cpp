@@ -183,7 +183,7 @@ private slots:
             const Vec2 rival = point_on(set.segments[nearest.segment], nearest.parameter);
             const double margin = k % 2 == 0 ? 1e-6 : 0.5;
             std::vector<std::uint32_t> list;
-            tree.collect_unbeaten(corners, rival, margin, list);
+            QVERIFY(tree.collect_unbeaten(corners, rival, margin, set.size(), list));
             std::sort(list.begin(), list.end());
             QVERIFY(std::adjacent_find(list.begin(), list.end()) == list.end());
             for (std::uint32_t i = 0; i < set.size(); ++i) {
@@ -203,7 +203,7 @@ private slots:
 
     void a_block_without_segments_is_told_none() {
         std::vector<std::uint32_t> list;
-        SegmentTree().collect_unbeaten({Vec2(0), Vec2(1), Vec2(2), Vec2(3)}, Vec2(5), 1.0, list);
+        QVERIFY(SegmentTree().collect_unbeaten({Vec2(0), Vec2(1), Vec2(2), Vec2(3)}, Vec2(5), 1.0, 0, list));
         QVERIFY(list.empty());
         QCOMPARE(SegmentTree().bytes(), std::size_t(0));
     }

@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -59,7 +60,8 @@ private slots:
             for (int person = 1; person <= 4; ++person)
                 for (const PlannedTrial& planned : trials_of(experiment, person, 3)) {
                     const auto trial = trial_of(experiment, planned, &faces);
-                    if (experiment.value_of(StudyParameter::face, planned.condition) == "4") {
+                    const Experiment from = planned.training ? experiment.in_training() : experiment;
+                    if (from.value_of(StudyParameter::face, planned.condition) == "4") {
                         QCOMPARE(trial.error(), std::string("There is no fourth person."));
                         continue;
                     }
@@ -179,6 +181,8 @@ private slots:
     void a_shape_to_be_named_surrounds_the_finger() {
         const Experiment experiment = shipped("primitives");
         for (const PlannedTrial& planned : trials_of(experiment, 1, 1)) {
+            if (planned.training)
+                continue;
             const auto trial = trial_of(experiment, planned);
             QVERIFY(trial->start == Vec2(0.0) && trial->path.points.empty() && trial->knots.empty());
             const Polyline line = flatten(trial->scene.contours.front());
@@ -188,6 +192,63 @@ private slots:
                                     glm::dot(line.segment_start(i), line.segment_end(i)));
             QVERIFY(std::abs(std::abs(round) - 6.283185307179586) < 1e-6);
         }
+    }
+    /// Lim, Yoo and Choi (2019), Experiment II: primitives at the centre of the workspace, of a circumscribed radius of 2, 5 or 8 cm.
+    void a_shape_to_be_named_has_the_published_place_and_size() {
+        const Experiment experiment = shipped("primitives");
+        std::multiset<long> radii;
+        for (std::size_t condition = 0; condition < experiment.conditions(); ++condition)
+            for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+                const auto trial = trial_of(experiment, {condition, 0, false, seed});
+                double farthest = 0.0;
+                for (const Vec2 place : flatten(trial->scene.contours.front()).points)
+                    farthest = std::max(farthest, length(place)); // from the centre of the workspace
+                radii.insert(std::lround(10.0 * farthest));
+                QVERIFY(trial->asks && trial->law == LawKind::exact);
+                QCOMPARE(trial->profile.stiffness, 0.2);
+                QCOMPARE(trial->profile.range, 4.0);
+            }
+        for (const long tenths : {200L, 500L, 800L})
+            QCOMPARE(radii.count(tenths), std::size_t{5 * 4});
+        QCOMPARE(radii.size(), std::size_t{3 * 5 * 4});
+    }
+    void the_lines_of_training_are_straight_broken_once_and_curved() {
+        const Experiment experiment = shipped("primitives");
+        std::set<std::string> names;
+        for (const PlannedTrial& planned : trials_of(experiment, 1, 1)) {
+            if (!planned.training)
+                continue;
+            const auto trial = trial_of(experiment, planned);
+            const Contour& contour = trial->scene.contours.front();
+            names.insert(contour.name);
+            QVERIFY(!trial->asks && !contour.closed);
+            QCOMPARE(trial->longest_s, std::optional(20.0));
+            const Polyline line = flatten(contour);
+            for (const Vec2 place : line.points)
+                QVERIFY(length(place) <= 80.0 + 1e-9);
+            if (contour.name == "line")
+                QCOMPARE(length_of(line), 160.0);
+            if (contour.name == "broken-line") {
+                QCOMPARE(line.points.size(), std::size_t{3});
+                QVERIFY(std::abs(glm::dot(line.points[1] - line.points[0], line.points[2] - line.points[1])) <
+                        1e-9);
+            }
+        }
+        QCOMPARE(names.size(), std::size_t{3});
+        const auto straight = trial_of(shipped("tracking"), trials_of(shipped("tracking"), 1, 1).front());
+        QCOMPARE(straight->scene.contours.front().name, std::string("line"));
+        QCOMPARE(length_of(straight->path), 200.0);
+    }
+    /// K = 0.5 N/mm and d = 10 mm ask for 5 N; above 1.5 N are 13 of the 25 pairs, each with three paths.
+    void the_strongest_pull_of_an_experiment_is_its_largest_peak() {
+        QCOMPARE(strongest_pull_n(shipped("tracking")), 5.0);
+        QCOMPARE(conditions_cut_at(shipped("tracking"), 1.5), std::size_t{13 * 3});
+        QCOMPARE(conditions_cut_at(shipped("tracking"), 5.0), std::size_t{0});
+        QCOMPARE(strongest_pull_n(shipped("primitives")), 0.2 * 4.0);
+        QCOMPARE(strongest_pull_n(paths), 0.2 * 4.0); // the program's own K and d
+        QCOMPARE(strongest_pull_n(experiment_of("task: follow\nset path: line\nfactor range: 2, 4 mm\n"
+                                                "training range: 30 mm\n")),
+                 0.2 * 30.0);
     }
     void a_face_fills_the_surface_and_stands_upright() {
         const SquareFaces faces;

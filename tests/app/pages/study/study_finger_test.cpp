@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <cmath>
 #include <utility>
 
 using namespace tp;
@@ -56,7 +57,7 @@ struct Bench {
     }
     void take_device() {
         find_device();
-        finger.take(surface, true);
+        finger.take({surface, true});
         QTRY_COMPARE_WITH_TIMEOUT(taken.size(), 1, 60000);
         lay();
     }
@@ -72,7 +73,7 @@ private slots:
     void the_drawn_one_is_taken_at_once_and_set_down_where_a_trial_begins() {
         Bench bench;
         QVERIFY(!bench.finger.here());
-        bench.finger.take(surface, false);
+        bench.finger.take({surface, false});
         QCOMPARE(bench.taken.size(), 1);
         QVERIFY(bench.finger.here() && !bench.finger.real());
         QCOMPARE(bench.finger.about(),
@@ -91,7 +92,7 @@ private slots:
 
     void force_is_there_only_between_feel_and_stop() {
         Bench bench;
-        bench.finger.take(surface, false);
+        bench.finger.take({surface, false});
         bench.lay();
         bench.pass(0.2);
         QCOMPARE(bench.felt(), 0.0);
@@ -112,13 +113,50 @@ private slots:
     void no_more_than_was_chosen_and_the_experiment_allows_is_written_down() {
         Bench bench;
         bench.preferences.change([](Choices& choices) { choices.max_force_n = 0.4; });
-        bench.finger.take(surface, false);
+        bench.finger.take({surface, false});
         QVERIFY(bench.finger.about().ends_with("at most 0.40 N"));
+    }
+
+    void a_study_is_cut_at_the_person_s_limit_unless_the_researcher_consents() {
+        Bench bench;
+        bench.finger.take({surface, false, 5.0, false});
+        QVERIFY(bench.finger.is_cut());
+        QCOMPARE(bench.finger.limit_n(), 1.0);
+        QVERIFY2(bench.finger.about().ends_with("at most 1.00 N, cut: the study asks for 5.00 N"),
+                 bench.finger.about().c_str());
+        bench.finger.take({surface, false, 5.0, true});
+        QVERIFY(!bench.finger.is_cut());
+        QCOMPARE(bench.finger.limit_n(), 5.0);
+        QVERIFY2(bench.finger.about().ends_with("at most 5.00 N, raised with the researcher's consent"),
+                 bench.finger.about().c_str());
+        bench.finger.take(
+            {surface, false, 0.8, true}); // no more than the study asks for, no less than the person allows
+        QCOMPARE(bench.finger.limit_n(), 1.0);
+        QVERIFY(bench.finger.about().ends_with("tone, at most 1.00 N"));
+        bench.finger.take({surface, false, 0.8, false}); // the consent was for one study
+        QCOMPARE(bench.finger.limit_n(), 1.0);
+    }
+
+    void a_device_gives_what_it_can_of_a_pull_that_was_consented_to() {
+        for (const bool allowed : {false, true}) {
+            Bench bench;
+            bench.find_device(); // gives 3 N
+            bench.finger.take({surface, true, 5.0, allowed});
+            QTRY_COMPARE_WITH_TIMEOUT(bench.taken.size(), 1, 60000);
+            QCOMPARE(bench.finger.limit_n(), allowed ? 3.0 : 1.0);
+            QVERIFY(bench.finger.is_cut());
+            bench.finger.lay([] { return make_haptic_scene(line(), {0.5, 10.0}); });
+            bench.hold({-40.0, 10.0});
+            bench.finger.feel({-40.0, 10.0});
+            bench.pass(1.0);
+            const double pulled = length(bench.socket.force());
+            QVERIFY2(std::abs(pulled - (allowed ? 3.0 : 1.0)) < 0.01, qPrintable(QString::number(pulled)));
+        }
     }
 
     void a_scene_that_cannot_be_made_is_a_sentence() {
         Bench bench;
-        bench.finger.take(surface, false);
+        bench.finger.take({surface, false});
         const std::string why = "There is nothing to feel.";
         QCOMPARE(bench.finger.lay([&]() -> Result<std::unique_ptr<HapticScene>> { return Error{why}; }), why);
     }
@@ -128,7 +166,7 @@ private slots:
         QCOMPARE(bench.finger.found(), QString());
         bench.find_device();
         QCOMPARE(bench.finger.found(), QString("force pad"));
-        bench.finger.take(surface, true);
+        bench.finger.take({surface, true});
         QVERIFY(!bench.finger.here()); // it is being opened
         QTRY_COMPARE_WITH_TIMEOUT(bench.taken.size(), 1, 60000);
         QVERIFY(bench.finger.here() && bench.finger.real() && bench.socket.in_use());
@@ -174,21 +212,21 @@ private slots:
 
     void one_that_is_not_there_does_not_reach_or_cannot_be_opened_is_a_sentence() {
         Bench bench;
-        bench.finger.take(surface, true);
+        bench.finger.take({surface, true});
         QVERIFY(bench.last_refusal().startsWith("The force device is not there."));
         QVERIFY(!bench.finger.has_servo());
         bench.find_device();
-        bench.finger.take({400.0, 120.0}, true);
+        bench.finger.take({{400.0, 120.0}, true});
         QTRY_VERIFY_WITH_TIMEOUT(
             bench.last_refusal().startsWith("The device does not reach all of the experiment's "
                                             "surface, 400 by 120 millimetres: force pad."),
             60000);
         QVERIFY(!bench.finger.has_servo());
         QTRY_VERIFY_WITH_TIMEOUT(!bench.socket.in_use(), 60000);
-        bench.finger.take({160.0, 400.0}, true);
+        bench.finger.take({{160.0, 400.0}, true});
         QTRY_COMPARE_WITH_TIMEOUT(bench.refused.size(), 3, 60000);
         bench.socket.refuse("The force pad does not answer. Plug it in again.");
-        bench.finger.take(surface, true);
+        bench.finger.take({surface, true});
         QTRY_COMPARE_WITH_TIMEOUT(bench.last_refusal(),
                                   QString("The force pad does not answer. Plug it in again."), 60000);
         QVERIFY(!bench.finger.here() && bench.taken.isEmpty());

@@ -136,6 +136,55 @@ private slots:
         QCOMPARE(bench.run().state(), State::Answering);
     }
 
+    void a_pull_that_is_cut_or_raised_is_said_and_stands_in_the_record() {
+        for (const bool allowed : {false, true}) {
+            StudyParts bench;
+            StudyPlan plan = bench.plan(StudyParts::lines); // asks for 5 N
+            plan.force_allowed = allowed;
+            bench.sitting->begin(plan);
+            QCOMPARE(bench.run().consent().startsWith(
+                         "The force may be stronger than this program usually allows, up "
+                         "to 5.0 newtons. You are asked to take part"),
+                     allowed);
+            bench.run().agree();
+            bench.opened();
+            QCOMPARE(bench.said().contains("The pull is cut at 1.0 newtons; the study asks for 5.0."),
+                     !allowed);
+            bench.follow();
+            bench.settle();
+            const auto study = read_study(bench.study_folder());
+            QVERIFY(study && !study->sittings.empty());
+            const std::string& device = study->sittings.front().machine.device;
+            QVERIFY2(device.ends_with(allowed ? "at most 5.00 N, raised with the researcher's consent"
+                                              : "at most 1.00 N, cut: the study asks for 5.00 N"),
+                     device.c_str());
+        }
+    }
+
+    void in_training_that_asks_nothing_space_ends_the_trial() {
+        StudyParts bench;
+        bench.begin("experiment: shapes\ntask: name\nfactor shape: circle, square\nanswer: shape\n"
+                    "training: 2\ntraining shape: line, curve\nlongest training: 2 s\n");
+        QVERIFY2(bench.said().endsWith("Feel the line; nothing is asked. Press Space to start."),
+                 qPrintable(bench.said()));
+        bench.start();
+        bench.run().answer(0); // there is no question
+        QCOMPARE(bench.run().state(), State::Feeling);
+        bench.run().goOn();
+        bench.settle();
+        bench.start();
+        bench.pass(2.1); // the time is over
+        bench.settle();
+        const auto records = bench.records();
+        QCOMPARE(records.size(), std::size_t{2});
+        for (const TrialRecord& record : records)
+            QVERIFY(record.training && !record.repeated && record.answer.empty());
+        QVERIFY2(bench.said().contains("Feel the shape."), qPrintable(bench.said()));
+        bench.start();
+        bench.run().goOn();
+        QCOMPARE(bench.run().state(), State::Answering);
+    }
+
     void trials_come_in_the_plan_s_order_and_are_kept_one_by_one() {
         QList<QList<std::size_t>> orders;
         for (const int participant : {1, 2}) {

@@ -135,6 +135,36 @@ private slots:
             bench.session->setup()->problem().contains("too few people with every expression: 1"), 60000);
     }
 
+    void a_pull_above_the_person_s_limit_is_said_and_asked_for() {
+        StudyBench bench;
+        bench.session->enter();
+        StudySetup& setup = *bench.session->setup();
+        const QString cut =
+            "This study asks for up to 5.0 newtons. The force is cut at 1.0 newtons, in 45 of 75 "
+            "conditions, unless you consent to more. Key: L.";
+        QTRY_COMPARE_WITH_TIMEOUT(setup.problem(), QString(), 60000);
+        QCOMPARE(setup.force(), cut);
+        QVERIFY2(bench.said().endsWith(cut), qPrintable(bench.said())); // who comes to the page hears it
+        QVERIFY(!setup.plan()->force_allowed);
+        setup.setForceAllowed(true);
+        const QString raised =
+            "The force may reach 5.0 newtons, as far as the device gives it, with your consent.";
+        QCOMPARE(bench.said(), raised);
+        QCOMPARE(setup.force(), raised);
+        QVERIFY(setup.plan()->force_allowed);
+        setup.choose(1); // no more than 0.8 N
+        QCOMPARE(setup.force(), QString());
+        QVERIFY(!setup.force_allowed());
+        setup.setForceAllowed(true);
+        QCOMPARE(bench.said(), QString("This study asks for no more force than the settings allow."));
+        QVERIFY(!setup.force_allowed());
+        setup.choose(0);
+        QCOMPARE(setup.force(), cut); // asked for again
+        setup.setForceAllowed(true);
+        bench.session->leave();
+        QVERIFY(!setup.force_allowed());
+    }
+
     void escape_ends_choosing_a_folder() {
         StudyBench bench;
         bench.set_up(StudyBench::lines);

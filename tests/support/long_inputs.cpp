@@ -57,7 +57,7 @@ QByteArray tangle() {
         return QByteArray::number(0.1 * static_cast<double>(random() % (10 * below)));
     };
     QByteArray path = "M 0 0";
-    for (int i = 0; i < 100'000; ++i)
+    for (int i = 0; i < 500'000; ++i)
         path += " L " + place(260) + ' ' + place(160);
     return "<svg xmlns='http://www.w3.org/2000/svg' width='260mm' height='160mm' viewBox='0 0 260 160'><path "
            "id='tangle' d='" +

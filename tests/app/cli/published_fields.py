@@ -106,7 +106,7 @@ def of_line(line):
 def run(lab, root, out, command):
     """{what: how} of what came of it. `{recording}` is the file of the only recording."""
     recording = next((path.name for path in out.glob("album/*.tags/*.flac")), "")
-    words = shlex.split(command.format(samples=root / "resources/samples", out=out, recording=recording))
+    words = [word.format(samples=root / "resources/samples", out=out, recording=recording) for word in shlex.split(command)]
     home = {name: str(out / "home" / name) for name in ("HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME")}
     before = set(out.rglob("*.csv")) | set(out.glob("*.json"))
     done = subprocess.run([lab, *words], capture_output=True, text=True, env={**os.environ, **home}, input="10 10\n")

@@ -50,6 +50,7 @@ FaceCare::FaceCare(CaredPhoto& photo, FaceFinder& finder, AlbumFaces& groups, Ca
         found_.reset();
         offers_.clear();
         chosen_ = -1;
+        ++choice_;
         list_faces();
         finder_.want(photo_.place().photo);
         ask();
@@ -201,11 +202,16 @@ QString FaceCare::summary() const {
                         : tr("%1, %2.").arg(faces, tr("%n without a name", nullptr, unnamed));
 }
 
-void FaceCare::choose(int face) {
-    chosen_ = face >= 0 && face < count() ? face : -1;
+void FaceCare::open_for_naming(int face) {
+    chosen_ = face;
+    ++choice_;
     list_languages();
     emit changed();
     emit faceChosen();
+}
+
+void FaceCare::choose(int face) {
+    open_for_naming(face >= 0 && face < count() ? face : -1);
     if (chosen_ >= 0)
         teller_.answer(tr("%1, %2 of %3. Type a name or choose one below.")
                            .arg(face_words(chosen_))
@@ -233,13 +239,13 @@ void FaceCare::name(const QString& typed) {
     if (chosen_ < 0)
         return;
     const QString name = typed.simplified();
-    keep_name(faces_[static_cast<std::size_t>(chosen_)], name, [this, name] {
-        chosen_ = name.isEmpty() ? -1 : next_without_a_name();
-        list_languages();
-        emit changed();
-        emit faceChosen();
+    keep_name(faces_[static_cast<std::size_t>(chosen_)], name, [this, name, choice = choice_] {
+        const bool waited =
+            choice == choice_; // no other face was opened meanwhile, here or on another photograph
+        if (waited)
+            open_for_naming(name.isEmpty() ? -1 : next_without_a_name());
         const QString told = name.isEmpty() ? tr("This face has no name now.") : tr("Saved: %1.").arg(name);
-        teller_.did(Earcon::saved, chosen_ < 0 ? told : tr("%1 Who is the next face?").arg(told));
+        teller_.did(Earcon::saved, waited && chosen_ >= 0 ? tr("%1 Who is the next face?").arg(told) : told);
     });
 }
 
@@ -247,11 +253,12 @@ void FaceCare::accept(int face) {
     if (face < 0 || face >= count() || faces_[static_cast<std::size_t>(face)].offer.empty())
         return;
     const std::string name = faces_[static_cast<std::size_t>(face)].offer;
-    keep_name(faces_[static_cast<std::size_t>(face)], QString::fromStdString(name), [this, name] {
-        const int next = next_without_a_name();
-        const QString told = tr("Saved: %1.").arg(CareWords::text(name));
-        teller_.did(Earcon::saved, next < 0 ? told : tr("%1 %2?").arg(told, face_words(next)));
-    });
+    keep_name(faces_[static_cast<std::size_t>(face)], QString::fromStdString(name),
+              [this, name, choice = choice_] {
+                  const int next = choice == choice_ ? next_without_a_name() : -1;
+                  const QString told = tr("Saved: %1.").arg(CareWords::text(name));
+                  teller_.did(Earcon::saved, next < 0 ? told : tr("%1 %2?").arg(told, face_words(next)));
+              });
 }
 
 void FaceCare::readNameIn(int language) {

@@ -84,6 +84,7 @@ private:
     void list_faces();
     void ask();
     std::string offer_for(const Rect& part) const;
+    void open_for_naming(int face);
     void keep_name(const KnownFace& face, const QString& name, std::function<void()> then);
     PictureTurn turn() const;
     int next_without_a_name() const;
@@ -100,6 +101,7 @@ private:
     std::vector<KnownFace> faces_;
     std::vector<FaceOffer> offers_; ///< for the photograph that is open
     int chosen_ = -1;
+    quint64 choice_ = 0;    ///< changes with each face and each photograph that is opened
     QStringList languages_; ///< BCP 47
 };
 

@@ -2,7 +2,7 @@
 #include "app/album/metadata/write_sidecar.hpp"
 #include "app/pages/care/description_care.hpp"
 #include "care_bench.hpp"
-#include "care_disk.hpp"
+#include "full_disk.hpp"
 
 #include <QSignalSpy>
 

@@ -3,6 +3,7 @@
 #include "app/album/metadata/read_record.hpp"
 #include "app/pages/care/face_care.hpp"
 #include "care_bench.hpp"
+#include "full_disk.hpp"
 #include "known_faces.hpp"
 
 #include <QSignalSpy>
@@ -147,6 +148,32 @@ private slots:
         bench.album.groups->set_on(false);
         bench.open("b.jpg");
         CARE_TRY_COMPARE(bench.texts(), QStringList({"Anna", "Carl"}));
+    }
+
+    /// The disk is slow; the person has gone on to another face, or to another photograph.
+    void a_name_that_is_kept_late_moves_nothing_elsewhere() {
+        Bench bench;
+        bench.open();
+        for (const bool same_photo : {true, false}) {
+            SlowDisk disk("a.jpg.xmp");
+            bench.faces.choose(same_photo ? 0 : 1);
+            bench.faces.name(same_photo ? "Anna" : "Anne");
+            CARE_TRY_VERIFY(disk.waits());
+            if (!same_photo)
+                bench.photo.open({bench.album.photo("b.jpg"), bench.photo.place().keeper});
+            CARE_TRY_COMPARE(bench.faces.count(), 2);
+            bench.faces.choose(1);
+            const QSignalSpy chosen(&bench.faces, &FaceCare::faceChosen);
+            disk.let(1);
+            CARE_TRY_COMPARE(bench.album.last_said(),
+                             same_photo ? QString("Saved: Anna.") : QString("Saved: Anne."));
+            bench.rest();
+            QCOMPARE(chosen.size(), 0); // the field for the name is left as it is
+            QVERIFY(bench.faces.chosen() >= 0);
+            QCOMPARE(bench.faces.chosenName(), QString());
+        }
+        QCOMPARE(bench.album.record("a.jpg").persons, std::vector<std::string>{"Anne"});
+        QVERIFY(bench.album.record("b.jpg").persons.empty());
     }
 
     void of_one_face_alone_it_says_whether_it_has_a_name() {

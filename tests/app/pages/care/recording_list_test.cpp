@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/care/recording_list.hpp"
 #include "care_bench.hpp"
-#include "care_disk.hpp"
+#include "full_disk.hpp"
 
 #include <QSignalSpy>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "care_disk.hpp"
+#include "full_disk.hpp"
 
 #include <cerrno>
 #include <condition_variable>

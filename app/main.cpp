@@ -88,7 +88,6 @@ int main(int argc, char** argv) {
     QGuiApplication::setDesktopFileName("org.touchphoto.TouchPhoto"); // whose name and icon its window has
     QGuiApplication::setWindowIcon(QIcon::fromTheme("org.touchphoto.TouchPhoto"));
     const tp::EndSignals end;
-    QObject::connect(&end, &tp::EndSignals::asked, &app, &QCoreApplication::quit);
 
     QCommandLineParser options;
     options.setApplicationDescription("Feel the face in a photograph.");
@@ -181,6 +180,10 @@ int main(int argc, char** argv) {
         window.resize(*size);
     else if (!picture)
         window.fit_to_screen();
+    QObject::connect(&end, &tp::EndSignals::asked, &window, [&program] {
+        program.keep_all();
+        QCoreApplication::quit();
+    });
     window.show();
     if (photo.isEmpty() && !page.isEmpty())
         program.open_page(page);

@@ -11,6 +11,7 @@
 #include "audio/sound/threaded_filler.hpp"
 #include "core/servo/clock.hpp"
 
+#include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
 #include <QQmlEngine>
@@ -25,6 +26,7 @@ namespace tp {
 namespace {
 
 constexpr std::chrono::seconds open_album_after{1}; ///< when the page is there
+constexpr std::chrono::seconds told_of_keeping_after{1};
 constexpr int names_wait_ms = 100; ///< for the languages of names, which a page's first sentence may have
 
 Narrator::By by(Choices::Voice voice) {
@@ -112,6 +114,7 @@ Program::Program(ProgramParts parts)
 }
 
 Program::~Program() {
+    keep_all();
     capturing_.reset();
     caring_.reset();
     browsing_.reset();
@@ -120,6 +123,22 @@ Program::~Program() {
     album_.reset();
     if (discard_index_)
         AlbumIndex::discard(parts_.cache);
+}
+
+bool Program::keeping() const {
+    return (caring_ && caring_->session.keeping()) || (capturing_ && capturing_->session.keeping());
+}
+
+void Program::keep_all() {
+    shell_.leave();
+    QEventLoop wait;
+    // Queued: what ends may ask for the step that comes next.
+    connect(this, &Program::kept, &wait, &QEventLoop::quit, Qt::QueuedConnection);
+    QTimer::singleShot(told_of_keeping_after, &wait, [this] {
+        narrator_.tell(tr("Still saving. TouchPhoto closes when everything is saved."), Priority::message);
+    });
+    while (keeping())
+        wait.exec(QEventLoop::ExcludeUserInputEvents);
 }
 
 void Program::follow_choices() {
@@ -238,6 +257,7 @@ CareSession& Program::care() {
             if (!caring_->session.photo().empty())
                 looks_->want(caring_->session.photo());
         });
+        connect(&caring_->session, &CareSession::keepingChanged, this, &Program::kept);
         connect(&caring_->session, &CareSession::nameLanguagesRead, &voice_names_, &VoiceNames::know);
         connect(&caring_->session, &CareSession::mendAsked, this, [this](const QString& photo) {
             mend().open_file(photo);
@@ -254,6 +274,7 @@ CareSession& Program::care() {
 CaptureSession& Program::capture() {
     if (!capturing_) {
         capturing_ = std::make_unique<Capturing>(*this);
+        connect(&capturing_->session, &CaptureSession::keepingChanged, this, &Program::kept);
         connect(&capturing_->session, &CaptureSession::importAsked, this, [this] { shell_.open("care"); });
         connect(&capturing_->session, &CaptureSession::touched, this,
                 [this](const std::filesystem::path& photo) { album().touched(photo); });

@@ -91,6 +91,10 @@ public:
     /// Care, which imports it.
     void begin(const QString& file);
 
+    /// Before the end: the open page ends what it is doing, and this waits until all that a person recorded, typed or took is
+    /// on the disk. Meanwhile keys and clicks are not heeded; a sentence says so where it takes more than a second.
+    void keep_all();
+
     /// Opens a page of this name; one that is about a photograph, on the one that one was at last.
     void open_page(const QString& page);
     /// The keyboard has come to something; a screen reader says so itself.
@@ -102,6 +106,8 @@ public:
 
 signals:
     void appearanceChanged();
+    /// `keeping` may have changed.
+    void kept();
     /// All texts are to be asked for anew.
     void language_changed();
 
@@ -127,6 +133,7 @@ private:
     void show_looked(const std::filesystem::path& photo);
     void know_news();
     void news_told();
+    bool keeping() const;
 
     ProgramParts parts_;
     Preferences preferences_;

@@ -88,4 +88,9 @@ void ProgramWindow::exposeEvent(QExposeEvent* event) {
     setFramePosition(room.topLeft());
 }
 
+void ProgramWindow::closeEvent(QCloseEvent* event) {
+    program_.keep_all();
+    QQuickView::closeEvent(event);
+}
+
 } // namespace tp

@@ -3,6 +3,7 @@
 
 #include "app/shell/program.hpp"
 
+#include <QCloseEvent>
 #include <QExposeEvent>
 #include <QKeyEvent>
 #include <QQuickView>
@@ -23,6 +24,8 @@ protected:
     /// Tab also tells what it has come to, where the program's own voice speaks.
     void keyPressEvent(QKeyEvent* event) override;
     void exposeEvent(QExposeEvent* event) override;
+    /// Not before everything is kept.
+    void closeEvent(QCloseEvent* event) override;
 
 private:
     Program& program_;

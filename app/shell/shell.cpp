@@ -20,9 +20,13 @@ QString Shell::title() const {
     return found == pages_.end() ? QString() : found->second.title();
 }
 
-void Shell::enter(const QString& page) {
-    if (const auto left = pages_.find(page_); left != pages_.end())
+void Shell::leave() {
+    if (const auto left = pages_.find(std::exchange(page_, {})); left != pages_.end())
         left->second.leave();
+}
+
+void Shell::enter(const QString& page) {
+    leave();
     page_ = page;
     emit pageChanged();
     pages_.at(page).enter();

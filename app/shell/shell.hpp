@@ -47,6 +47,8 @@ public:
     /// To the page before this one, at the end home.
     Q_INVOKABLE void back();
     Q_INVOKABLE void goHome();
+    /// The page that is open ends what it is doing; none is open then.
+    void leave();
     /// Says what can be done here: the page's own words, then the keys that hold everywhere.
     Q_INVOKABLE void help(const QString& of_page);
     Q_INVOKABLE void repeat() { narrator_.repeat(); }

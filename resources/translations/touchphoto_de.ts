@@ -7545,6 +7545,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>Studies</source>
         <translation>Studien</translation>
     </message>
+    <message>
+        <source>Still saving. TouchPhoto closes when everything is saved.</source>
+        <translation>Es wird noch gespeichert. TouchPhoto schließt sich, wenn alles gespeichert ist.</translation>
+    </message>
 </context>
 <context>
     <name>tp::Questions</name>

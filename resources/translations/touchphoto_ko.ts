@@ -7492,6 +7492,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>Studies</source>
         <translation>연구</translation>
     </message>
+    <message>
+        <source>Still saving. TouchPhoto closes when everything is saved.</source>
+        <translation>아직 저장하고 있습니다. 모두 저장되면 TouchPhoto가 닫힙니다.</translation>
+    </message>
 </context>
 <context>
     <name>tp::Questions</name>

@@ -12,6 +12,7 @@
 namespace tp {
 
 void CaptureAlbum::run(Step step, Then then) {
+    ++waiting_;
     pool_.start([this, folder = folder_(), step = std::move(step), then = std::move(then)] {
         work(folder, step, then);
     });
@@ -30,6 +31,7 @@ void CaptureAlbum::work(const std::filesystem::path& folder, const Step& step, c
         problem = std::string("This could not be done, because the computer reports: ") + fault.what();
     }
     QMetaObject::invokeMethod(this, [this, then, steps, problem = in_persons_language(problem)] {
+        --waiting_;
         steps_ = steps;
         then(problem);
         emit changed();

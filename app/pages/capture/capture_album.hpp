@@ -35,6 +35,8 @@ public:
     ~CaptureAlbum() override { pool_.waitForDone(); }
 
     void run(Step step, Then then);
+    /// A step is being done or waits to be.
+    bool busy() const { return waiting_ > 0; }
     /// Takes the newest step back. `what` it was about, in words.
     void undo(std::function<void(const QString& what, const QString& problem)> then);
     /// So many steps can be taken back.
@@ -48,6 +50,7 @@ private:
 
     Folder folder_;
     std::size_t steps_ = 0;
+    int waiting_ = 0;
     std::optional<AlbumKeeper> keeper_; ///< of the steps' thread alone, and made anew for another folder
     QThreadPool pool_;                  ///< last: it ends before what its work is for
 };

@@ -16,8 +16,10 @@ CaptureMoment::CaptureMoment(CaptureAlbum& album, CaptureChoices& choices, Momen
     connect(&recorder_, &MomentRecorder::hears_changed, this, &CaptureMoment::changed);
     connect(&recorder_, &MomentRecorder::kept, this, &CaptureMoment::list);
     connect(&recorder_, &MomentRecorder::failed, this, [this](quint64 number, const QString& sentence) {
-        if (kept_.erase(number) > 0)
-            teller_.problem(sentence);
+        if (kept_.erase(number) == 0)
+            return;
+        teller_.problem(sentence);
+        emit changed();
     });
 }
 

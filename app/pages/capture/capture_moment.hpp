@@ -29,6 +29,8 @@ public:
                   CaptureTeller& teller);
 
     bool hears() const { return recorder_.hears(); }
+    /// Sound that belongs to a photograph is not over, or not listed among its recordings.
+    bool keeping() const { return !kept_.empty(); }
 
     /// The camera is on, or off; so is the microphone, where it is wanted.
     void begin();

@@ -36,6 +36,9 @@ CaptureSession::CaptureSession(Narrator& narrator, EarconPlayer& earcons, Sonifi
     connect(&shutter_, &CaptureShutter::not_kept, &moment_, &CaptureMoment::drop);
     connect(&moment_, &CaptureMoment::touched, this, &CaptureSession::touched);
     connect(&memo_, &CaptureMemo::touched, this, &CaptureSession::touched);
+    connect(&memo_, &CaptureMemo::changed, this, &CaptureSession::keepingChanged);
+    connect(&moment_, &CaptureMoment::changed, this, &CaptureSession::keepingChanged);
+    connect(&album_, &CaptureAlbum::changed, this, &CaptureSession::keepingChanged);
     connect(&camera_, &CaptureCamera::failed, this, [this] {
         teller_.problem(camera_.problem() + ' ' + tr("Press I to import photographs of another camera."));
     });

@@ -63,6 +63,8 @@ public:
     CaptureMemo* memo() { return &memo_; }
     CaptureMoment* moment() { return &moment_; }
     const CaptureTouch& touch() const { return touch_; }
+    /// A photograph that was taken, or a sound that belongs to one, is not on the disk yet.
+    bool keeping() const { return memo_.running() || moment_.keeping() || album_.busy(); }
 
     /// The page comes into sight: says where one is; the camera goes on.
     Q_INVOKABLE void enter();
@@ -91,6 +93,7 @@ public:
     Q_INVOKABLE void moveCamera(double right, double up, double clockwise, double closer);
 
 signals:
+    void keepingChanged();
     void importAsked();
     /// Something about this photograph was changed on the disk.
     void touched(const std::filesystem::path& photo);

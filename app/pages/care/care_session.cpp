@@ -28,6 +28,8 @@ CareSession::CareSession(OpenAlbum& album, AlbumFaces& groups, Narrator& narrato
     connect(&groups_, &GroupCare::photoAsked, this, &CareSession::open_photo);
     connect(&photos_, &PhotoRows::modelReset, this, &CareSession::photoChanged);
     connect(&photos_, &PhotoRows::rowsMoved, this, &CareSession::photoChanged);
+    connect(&take_, &Take::changed, this, &CareSession::keepingChanged);
+    connect(&steps_, &KeeperSteps::changed, this, &CareSession::keepingChanged);
 }
 
 CareSession::~CareSession() { leave(); }

@@ -85,6 +85,8 @@ public:
     int photoRow() const { return photos_.row_of(photo_.place().photo); }
     /// A step is on its way to the disk.
     bool busy() const { return steps_.busy(); }
+    /// Something that a person recorded, typed or chose is not on the disk yet.
+    bool keeping() const { return busy() || take_.running(); }
 
     Q_INVOKABLE void enter();
     Q_INVOKABLE void leave();
@@ -106,6 +108,7 @@ public:
 
 signals:
     void photoChanged();
+    void keepingChanged();
     /// As CaredPhoto's.
     void nameLanguagesRead(const std::filesystem::path& album, const std::vector<tp::NameLanguage>& names);
     /// Contours of this photograph are to be mended by hand.

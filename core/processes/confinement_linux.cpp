@@ -36,24 +36,38 @@ constexpr std::array allowed{
     SCMP_SYS(gettimeofday), SCMP_SYS(nanosleep),   SCMP_SYS(clock_nanosleep), SCMP_SYS(restart_syscall),
     SCMP_SYS(getrandom),    SCMP_SYS(uname),       SCMP_SYS(sysinfo),         SCMP_SYS(read),
     SCMP_SYS(readv),        SCMP_SYS(pread64),     SCMP_SYS(write),           SCMP_SYS(writev),
-    SCMP_SYS(lseek),        SCMP_SYS(fstat),       SCMP_SYS(close),           SCMP_SYS(fcntl),
-    SCMP_SYS(poll),         SCMP_SYS(ppoll),       SCMP_SYS(memfd_create),    SCMP_SYS(ftruncate),
-    SCMP_SYS(sendmsg),      SCMP_SYS(recvmsg)};
+    SCMP_SYS(lseek),        SCMP_SYS(fstat),       SCMP_SYS(close),           SCMP_SYS(poll),
+    SCMP_SYS(ppoll),        SCMP_SYS(sendmsg),     SCMP_SYS(memfd_create),    SCMP_SYS(ftruncate),
+    SCMP_SYS(recvmsg)};
+
+// Of fcntl(2). The commands that have a descriptor send signals are not among them: by F_SETOWN and F_SETSIG any process of
+// the person could be ended.
+constexpr std::array allowed_of_descriptors{F_GETFD,         F_SETFD,     F_GETFL,
+                                            F_DUPFD_CLOEXEC, F_ADD_SEALS, F_GET_SEALS};
 
 class Filter {
 public:
     /// What no rule allows fails as what is not permitted does.
-    Filter() : context_(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release) {}
+    Filter() : context_(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release) {
+        if (!context_)
+            errno = ENOMEM;
+    }
 
     bool add(std::uint32_t action, int call) {
-        return context_ && seccomp_rule_add(context_.get(), action, call, 0) == 0;
+        return context_ && noted(seccomp_rule_add(context_.get(), action, call, 0));
     }
     bool add(std::uint32_t action, int call, scmp_arg_cmp where) {
-        return context_ && seccomp_rule_add_array(context_.get(), action, call, 1, &where) == 0;
+        return context_ && noted(seccomp_rule_add_array(context_.get(), action, call, 1, &where));
     }
-    bool load() { return seccomp_load(context_.get()) == 0; }
+    bool load() { return context_ && noted(seccomp_load(context_.get())); }
 
 private:
+    /// libseccomp returns what the system says, negated, and leaves errno as it was.
+    static bool noted(int result) {
+        if (result < 0)
+            errno = -result;
+        return result >= 0;
+    }
     std::unique_ptr<void, decltype(&seccomp_release)> context_;
 };
 
@@ -80,6 +94,11 @@ bool filter_calls() {
            // memory that cannot be executed
            filter.add(SCMP_ACT_ALLOW, SCMP_SYS(mmap), masked(2, PROT_EXEC, 0)) &&
            filter.add(SCMP_ACT_ALLOW, SCMP_SYS(mprotect), masked(2, PROT_EXEC, 0)) &&
+           std::all_of(allowed_of_descriptors.begin(), allowed_of_descriptors.end(),
+                       [&](int command) {
+                           return filter.add(SCMP_ACT_ALLOW, SCMP_SYS(fcntl),
+                                             equal(1, static_cast<scmp_datum_t>(command)));
+                       }) &&
            // threads, and no processes; of clone3, whose flags a filter cannot see, glibc does without
            filter.add(SCMP_ACT_ALLOW, SCMP_SYS(clone), masked(0, thread_flags, thread_flags)) &&
            filter.add(SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3)) &&

@@ -21,9 +21,11 @@ class HelperOnLinuxTest : public QObject {
 private slots:
     void confined_it_can_do_nothing_else_data() {
         QTest::addColumn<QString>("what");
-        for (const char* what : {"read a file", "write a file", "make a folder", "remove a file",
-                                 "reach the network", "reach a program", "start a program", "start a process",
-                                 "signal another", "look into another", "map code", "make data code"})
+        for (const char* what :
+             {"read a file", "write a file", "make a folder", "remove a file", "reach the network",
+              "reach a program", "start a program", "start a process", "signal another",
+              "signal another by its descriptor", "signal another with a signal of its choice",
+              "hear of its descriptor by signals", "look into another", "map code", "make data code"})
             QTest::newRow(what) << what;
     }
     void confined_it_can_do_nothing_else() {

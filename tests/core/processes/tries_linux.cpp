@@ -44,6 +44,12 @@ int much_memory() {
     return data == MAP_FAILED ? errno : 0;
 }
 
+/// Whom the kernel tells of the descriptor, by SIGIO where no other signal is chosen.
+int a_signal_by_descriptor() {
+    f_owner_ex owner{F_OWNER_PID, getppid()};
+    return fcntl(3, F_SETOWN, getppid()) == 0 || fcntl(3, F_SETOWN_EX, &owner) == 0 ? 0 : errno;
+}
+
 int open_descriptors() {
     int count = 0;
     for (int i = 0; i < 1000; ++i)
@@ -65,6 +71,10 @@ int tried(const std::string& what, const tp::SharedMemory* shared) {
         {"start a program", [] { return problem_of(execl("/bin/true", "true", nullptr)); }},
         {"start a process", [] { return problem_of(fork()); }},
         {"signal another", [] { return problem_of(kill(getppid(), SIGTERM)); }},
+        {"signal another by its descriptor", a_signal_by_descriptor},
+        {"signal another with a signal of its choice",
+         [] { return problem_of(fcntl(3, F_SETSIG, SIGKILL)); }},
+        {"hear of its descriptor by signals", [] { return problem_of(fcntl(3, F_SETFL, O_ASYNC)); }},
         {"look into another", [] { return problem_of(ptrace(PTRACE_ATTACH, getppid(), nullptr, nullptr)); }},
         {"map code", mapped_code},
         {"make data code", data_made_code},

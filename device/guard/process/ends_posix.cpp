@@ -27,8 +27,15 @@ int wait_for(int descriptor, short for_what, int wait_ms) {
 } // namespace
 
 bool take_ends() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTTOU, SIGTTIN})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTTOU, SIGTTIN, SIGTSTP, SIGALRM,
+                             SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGIO, SIGXCPU, SIGXFSZ})
         std::signal(signal, SIG_IGN);
+#if defined(__linux__)
+    for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal)
+        std::signal(signal, SIG_IGN);
+    std::signal(SIGPWR, SIG_IGN);
+    std::signal(SIGSTKFLT, SIG_IGN);
+#endif
     return true;
 }
 

@@ -2,6 +2,7 @@
 // The real guard beside this program; its device is a pipe.
 #include "device/guard/guard_process.hpp"
 
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -75,6 +76,22 @@ using Bytes = std::vector<std::uint8_t>;
 const Bytes no_force{5, 1, 0, 5, 2, 0};
 const Bytes all_of_it{5, 1, 0, 5, 2, 0, 12, 2};
 
+#if defined(__linux__)
+/// The processes that this one has started; the test starts one at a time.
+std::vector<pid_t> started_processes() {
+    std::vector<pid_t> all;
+    const QString tasks = "/proc/self/task/";
+    for (const QString& task : QDir(tasks).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        QFile file(tasks + task + "/children");
+        if (file.open(QIODevice::ReadOnly))
+            for (const QByteArray& child : file.readAll().simplified().split(' '))
+                if (!child.isEmpty())
+                    all.push_back(child.toInt());
+    }
+    return all;
+}
+#endif
+
 /// The guard's word once it is another than that it watches: CTest ends a test that waits for ever.
 Word next_word(ForceGuard& guard) {
     for (;;) {
@@ -105,6 +122,33 @@ private slots:
         QVERIFY((*guard)->beat(false) == Word::here);
         guard->reset();
         QVERIFY(device.heard_to_the_end().empty());
+    }
+
+    /// As a process of the person's that somebody has taken over may.
+    void it_watches_on_whatever_signal_it_gets() {
+#if defined(__linux__)
+        PipeDevice device;
+        auto guard = device.guarded();
+        QVERIFY((*guard)->beat(true) == Word::here);
+        const std::vector<pid_t> processes = started_processes();
+        QCOMPARE(processes.size(), std::size_t{1});
+        for (int signal = 1; signal <= SIGRTMAX; ++signal) {
+            const bool unavoidable = signal == SIGKILL || signal == SIGSTOP;
+            const bool own_fault = signal == SIGILL || signal == SIGTRAP || signal == SIGABRT ||
+                                   signal == SIGBUS || signal == SIGFPE || signal == SIGSEGV ||
+                                   signal == SIGSYS;
+            const bool of_libc = signal > SIGSYS && signal < SIGRTMIN;
+            if (!unavoidable && !own_fault && !of_libc)
+                QCOMPARE(::kill(processes.front(), signal), 0);
+        }
+        QVERIFY((*guard)->beat(true) != Word::gone); // on a busy machine it may have stepped in meanwhile
+        guard->reset();
+        const std::vector<std::uint8_t> heard = device.heard_to_the_end();
+        QVERIFY(heard.size() >= all_of_it.size() &&
+                std::equal(all_of_it.rbegin(), all_of_it.rend(), heard.rbegin()));
+#else
+        QSKIP("which process the guard is, is not known here");
+#endif
     }
 
     void that_was_dismissed_writes_nothing() {

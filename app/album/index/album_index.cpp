@@ -180,6 +180,19 @@ std::string AlbumIndex::forget(const fs::path& missing) {
         .error();
 }
 
+void AlbumIndex::erase_traces() {
+    {
+        SqlTransaction all(connection());
+        connection().run_once("INSERT INTO words(words) VALUES('optimize')"); // deleted words stay until then
+        all.commit();
+    }
+    if (is_in_memory())
+        return;
+    connection().run_once("VACUUM");
+    connection().run_once("PRAGMA wal_checkpoint(TRUNCATE)");
+    IndexFile::remove_set_aside(file_.parent_path());
+}
+
 Result<std::vector<std::vector<fs::path>>> AlbumIndex::duplicates() {
     return guarded([&] {
         std::vector<std::vector<fs::path>> groups;

@@ -57,6 +57,10 @@ public:
     /// Drops one missing photograph, such as one whose move has been dealt with.
     std::string forget(const std::filesystem::path& missing);
 
+    /// What was deleted from the index leaves no trace in its files: neither in its log nor in one that was set aside. Takes as
+    /// long as writing the index anew.
+    void erase_traces();
+
     /// Groups of photographs with the same content, each by path. Links to one file are no duplicates.
     Result<std::vector<std::vector<std::filesystem::path>>> duplicates();
 

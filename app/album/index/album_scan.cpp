@@ -183,6 +183,8 @@ private:
                 ++report_.missing;
             }
         }
+        if (report_.missing > 0) // after all that came, for it may have moved
+            forget_faces_of_missing(connection_);
         for (const std::int64_t id : changes_.lost_folders)
             connection_.run("UPDATE folders SET present = 0 WHERE id = ?", id);
         connection_.run("DELETE FROM folders WHERE present = 0 AND NOT EXISTS "

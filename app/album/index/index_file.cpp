@@ -34,9 +34,9 @@ OpenFile index_lock(const fs::path& cache) {
 constexpr const char* parts[] = {"-shm", "-wal", ""};
 
 void set_aside(const fs::path& cache) {
+    IndexFile::remove_set_aside(cache);
     for (const char* part : parts) {
         std::error_code none;
-        fs::remove(cache / (std::string(aside_name) + part), none);
         fs::rename(cache / (std::string(file_name) + part), cache / (std::string(aside_name) + part), none);
     }
     std::error_code none;
@@ -97,6 +97,12 @@ Result<IndexFile> IndexFile::open(const fs::path& cache, std::vector<std::string
     }
 }
 
+void IndexFile::remove_set_aside(const fs::path& cache) {
+    std::error_code none;
+    for (const char* part : parts)
+        fs::remove(cache / (std::string(aside_name) + part), none);
+}
+
 std::string IndexFile::remove(const fs::path& cache) {
     std::error_code error;
     if (!fs::exists(cache, error))
@@ -108,6 +114,7 @@ std::string IndexFile::remove(const fs::path& cache) {
         if (!fs::remove(cache / (std::string(file_name) + part), error) && error)
             return reason_of(error.value());
     fs::remove(cache / damage_name, error);
+    remove_set_aside(cache);
     return {};
 }
 

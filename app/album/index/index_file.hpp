@@ -21,6 +21,8 @@ struct IndexFile {
     static Result<IndexFile> open(const std::filesystem::path& cache, std::vector<std::string>& notices);
     /// The reason why not, else empty.
     static std::string remove(const std::filesystem::path& cache);
+    /// One that was set aside goes too.
+    static void remove_set_aside(const std::filesystem::path& cache);
     /// The next one to open it sets it aside.
     static void note_damage(const std::filesystem::path& cache);
 };

@@ -190,6 +190,7 @@ Result<bool> KnownFaces::forget() {
         connection.run("UPDATE seen SET marked = 0 WHERE marked <> 0");
         connection.run("UPDATE seen_faces SET no_guess = 0 WHERE no_guess <> 0");
         all.commit();
+        index_.erase_traces();
         return true;
     });
 }

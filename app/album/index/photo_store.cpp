@@ -189,6 +189,13 @@ void forget_photo(SqlConnection& connection, std::int64_t id) {
     connection.run("DELETE FROM photos WHERE id = ?", id);
 }
 
+void forget_faces_of_missing(SqlConnection& connection) {
+    connection.run("DELETE FROM known_faces WHERE NOT EXISTS "
+                   "(SELECT 1 FROM photos WHERE hash = known_faces.hash AND missing = 0)");
+    connection.run("UPDATE seen SET marked = 0 WHERE marked <> 0 AND NOT EXISTS "
+                   "(SELECT 1 FROM photos WHERE hash = seen.hash AND missing = 0)");
+}
+
 std::optional<PhotoRecord> stored_record(SqlConnection& connection, std::int64_t id) {
     PhotoRecord record;
     {

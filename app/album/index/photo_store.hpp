@@ -28,6 +28,8 @@ void miss_photo(SqlConnection& connection, std::int64_t id);
 
 /// Drops a photograph.
 void forget_photo(SqlConnection& connection, std::int64_t id);
+/// Of content that is at no place any more, the faces are not known again.
+void forget_faces_of_missing(SqlConnection& connection);
 
 /// Says that the folder is there and looked like that.
 void put_folder(SqlConnection& connection, const std::filesystem::path& folder, const std::string& stamp);

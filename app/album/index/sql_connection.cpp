@@ -83,6 +83,7 @@ SqlConnection::SqlConnection(const QString& path, const QString& options, Memory
         if (!turn_)
             run_once("PRAGMA journal_mode = WAL");
         run_once("PRAGMA synchronous = NORMAL"); // a power cut may take the last batch, never more
+        run_once("PRAGMA secure_delete = ON");   // what is deleted is overwritten
         run_once("PRAGMA temp_store = MEMORY");
         run_once("PRAGMA cache_size = -16000");
     } catch (const SqlFault&) {

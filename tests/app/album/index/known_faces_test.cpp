@@ -3,6 +3,9 @@
 #include "app/album/index/seen_photos.hpp"
 #include "test_album.hpp"
 
+#include <QDir>
+#include <QFile>
+#include <QStringList>
 #include <QTest>
 
 #include <algorithm>
@@ -135,6 +138,62 @@ private slots:
         fs::remove(bench.path("b.jpg"));
         bench.scan();
         QCOMPARE(bench.faces().placed().value().size(), std::size_t(1));
+    }
+
+    void the_numbers_of_a_face_go_with_its_last_photograph() {
+        Bench bench;
+        bench.look("a.jpg", "ff");
+        bench.look("b.jpg", "f");
+        bench.take_all();
+        fs::rename(bench.path("a.jpg"), bench.path("moved.jpg"));
+        fs::remove(bench.path("b.jpg"));
+        bench.scan();
+        QCOMPARE(bench.faces().all().value().faces.size(), std::size_t(3)); // c has the same bytes as b
+        fs::remove(bench.path("c.jpg"));
+        bench.scan();
+        QCOMPARE(bench.faces().all().value().faces.size(), std::size_t(2));
+        fs::remove(bench.path("moved.jpg"));
+        bench.scan();
+        QVERIFY(bench.faces().all().value().faces.empty());
+        bench.album.add("again.jpg", "first"); // is looked at again, as one that was never there
+        bench.scan();
+        QCOMPARE(bench.faces().to_look().value(), std::size_t(1));
+    }
+
+    void what_is_forgotten_is_in_no_file() {
+        TestAlbum album;
+        album.add("a.jpg", "first");
+        const fs::path cache = album.cache();
+        AlbumIndex index = AlbumIndex::open(cache).value();
+        AlbumIndex of_the_page = index.another().value(); // so that SQLite's log stays
+        QVERIFY(album.scan(index));
+        AlbumQueries queries(index);
+        const std::string sha256 =
+            queries.summary(queries.find(fs::canonical(album.root()) / "a.jpg").value()->id).value()->sha256;
+        const auto files_with = [&](const std::string& bytes) {
+            QStringList names;
+            for (const QString& name : QDir(QString::fromStdString(cache.string())).entryList(QDir::Files)) {
+                QFile file(QString::fromStdString(cache.string()) + '/' + name);
+                if (file.open(QIODevice::ReadOnly) &&
+                    file.readAll().contains(QByteArray::fromStdString(bytes)))
+                    names << name;
+            }
+            return names;
+        };
+        const std::string numbers(128, 'f');
+        QCOMPARE(SeenPhotos(index, 1, true).put(sha256, seen_with("ff")), std::string());
+        GroupsKept kept;
+        kept.names[1] = "Anastasia Unmistakable";
+        QCOMPARE(KnownFaces(index).keep(kept), std::string());
+        QFile aside(QString::fromStdString((cache / "album.sqlite.aside").string()));
+        QVERIFY(aside.open(QIODevice::WriteOnly) && aside.write("Anastasia Unmistakable") > 0);
+        aside.close();
+        QVERIFY(!files_with(numbers).isEmpty());
+        QVERIFY(files_with("Anastasia Unmistakable").size() >= 2);
+        QVERIFY(KnownFaces(index).forget().value());
+        QCOMPARE(files_with(numbers), QStringList());
+        QCOMPARE(files_with("Anastasia Unmistakable"), QStringList());
+        QCOMPARE(KnownFaces(of_the_page).to_look().value(), std::size_t(1));
     }
 
     void what_is_said_while_it_is_grouped_is_not_lost() {

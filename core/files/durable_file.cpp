@@ -69,6 +69,8 @@ std::string make_folder(const fs::path& folder, Readers readers) {
     std::error_code error;
     if (folder.empty() || fs::is_directory(folder, error))
         return {};
+    if (!folder.has_relative_path()) // a disk that is not there
+        return reason_of(ENOENT);
     if (std::string reason = make_folder(folder.parent_path(), readers); !reason.empty())
         return reason;
     const int made = make_directory(folder, readers);

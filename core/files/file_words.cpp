@@ -14,15 +14,13 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD"; // U+FFFD
 
-/// Not to be shown: controls, line ends, and what turns the direction of the rest of the sentence (Unicode
-/// UAX 9).
-bool unwelcome(char32_t code) {
+} // namespace
+
+bool is_unwelcome(char32_t code) {
     return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C ||
            (code >= 0x200E && code <= 0x200F) || (code >= 0x2028 && code <= 0x202E) ||
            (code >= 0x2066 && code <= 0x2069);
 }
-
-} // namespace
 
 std::string readable(std::string_view text) {
     std::string result;
@@ -32,7 +30,7 @@ std::string readable(std::string_view text) {
         const std::size_t length = utf8_length(text, code);
         if (length == 0)
             result += replacement;
-        else if (unwelcome(code))
+        else if (is_unwelcome(code))
             result += ' ';
         else
             result += text.substr(0, length);

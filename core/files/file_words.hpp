@@ -8,6 +8,9 @@
 
 namespace tp {
 
+/// Not to be shown: controls, line ends, and what turns the direction of the rest of a sentence (Unicode UAX 9).
+bool is_unwelcome(char32_t code);
+
 /// The text as valid UTF-8 on one line: what is not UTF-8 becomes U+FFFD, control characters and the marks
 /// that turn the direction of writing become blanks.
 std::string readable(std::string_view text);

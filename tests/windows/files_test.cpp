@@ -51,6 +51,11 @@ private slots:
         QCOMPARE(count(), std::size_t{1});
     }
 
+    void a_folder_on_a_disk_that_is_not_there_is_refused() {
+        QVERIFY(!make_folder("Y:\\").empty());
+        QVERIFY(!make_folder("Y:\\a\\b").empty());
+    }
+
     void a_name_in_any_script_is_a_name() {
         const fs::path file = root_ / fs::path(u8"J\u00f6rg \uc544\uae30 \u05e9.jpg");
         QCOMPARE(replace_file(file, "x"), std::string());

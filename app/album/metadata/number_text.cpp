@@ -19,7 +19,7 @@ std::optional<double> number_from(std::string_view text) {
         text.remove_prefix(1);
     while (text.ends_with(' '))
         text.remove_suffix(1);
-    if (text.starts_with('+'))
+    if (text.starts_with('+') && !text.starts_with("+-"))
         text.remove_prefix(1);
     double number = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -112,7 +112,8 @@ private slots:
         for (const auto& [text, number] :
              {std::pair{"0.5", 0.5}, {" +.25 ", 0.25}, {"-3", -3.0}, {"  1e3", 1000.0}})
             QCOMPARE(number_from(text).value_or(99.0), number);
-        for (const char* none : {"", " ", "+", "1,5", "1.5x", "x1", "1 2", "inf", "nan", "1e999", "\t1"})
+        for (const char* none :
+             {"", " ", "+", "+-5", "+ 5", "1,5", "1.5x", "x1", "1 2", "inf", "nan", "1e999", "\t1"})
             QVERIFY2(!number_from(none), none);
         for (const auto& [number, text] :
              {std::pair{0.5, "0.5"}, {1e21, "1000000000000000000000"}, {-0.001, "-0.001"}}) {

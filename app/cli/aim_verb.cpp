@@ -2,11 +2,11 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/json_number.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/report/aim_report.hpp"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <cstddef>
@@ -45,17 +45,17 @@ QJsonObject json_of(const AimReport& report, int seed) {
             {"guidance", rows}};
 }
 
-void print(const AimReport& report) {
-    std::printf("%-16s %7s %7s %7s %7s %8s %7s %9s\n", "guidance", "5 s", "10 s", "15 s", "20 s", "median",
-                "missed", "sentences");
+void show(const AimReport& report) {
+    print("%-16s %7s %7s %7s %7s %8s %7s %9s\n", "guidance", "5 s", "10 s", "15 s", "20 s", "median",
+          "missed", "sentences");
     for (std::size_t i = 0; i < all_guidance.size(); ++i) {
         const AimShares& shares = report.shares[i];
         const std::string median =
             shares.median_s ? QString::asprintf("%.1f s", *shares.median_s).toStdString() : "-";
-        std::printf("%-16s %5.1f %% %5.1f %% %5.1f %% %5.1f %% %8s %7.2f %9.1f\n",
-                    std::string(name_of(all_guidance[i])).c_str(), 100.0 * shares.within_5_s,
-                    100.0 * shares.within_10_s, 100.0 * shares.within_15_s, 100.0 * shares.within_20_s,
-                    median.c_str(), shares.missed_pictures, shares.sentences);
+        print("%-16s %5.1f %% %5.1f %% %5.1f %% %5.1f %% %8s %7.2f %9.1f\n",
+              std::string(name_of(all_guidance[i])).c_str(), 100.0 * shares.within_5_s,
+              100.0 * shares.within_10_s, 100.0 * shares.within_15_s, 100.0 * shares.within_20_s,
+              median.c_str(), shares.missed_pictures, shares.sentences);
     }
 }
 
@@ -118,9 +118,9 @@ int aim_verb(const QStringList& words) {
         if (const auto written = variations_table(variations).write(out / "assumptions.csv"); !written)
             return refused(written.error());
     if (line.has("json"))
-        std::printf("%s\n", QJsonDocument(json_of(report, *seed)).toJson(QJsonDocument::Compact).constData());
+        print_json(json_of(report, *seed));
     else
-        print(report);
+        show(report);
     return exit_done;
 }
 

@@ -3,6 +3,7 @@
 #include "app/cli/bench_wild.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/names_file.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/bench/face_bench.hpp"
 
@@ -15,36 +16,36 @@ namespace tp {
 
 namespace {
 
-void print(const std::vector<FaceBenchRow>& rows, const std::vector<BatchSpeed>& speeds) {
-    std::printf("%-26s %6s %6s %8s %8s %8s %9s %6s %8s %6s %6s %6s %8s %6s\n", "contender", "px", "photos",
-                "failures", "decode", "detect", "landmarks", "edges", "contours", "eyes", "outer", "inner",
-                "outline", "worst");
+void show(const std::vector<FaceBenchRow>& rows, const std::vector<BatchSpeed>& speeds) {
+    print("%-26s %6s %6s %8s %8s %8s %9s %6s %8s %6s %6s %6s %8s %6s\n", "contender", "px", "photos",
+          "failures", "decode", "detect", "landmarks", "edges", "contours", "eyes", "outer", "inner",
+          "outline", "worst");
     for (const FaceBenchRow& row : rows)
-        std::printf("%-26s %6s %6d %8d %8.1f %8.1f %9.1f %6.1f %8.1f %6.2f %6.2f %6.2f %8.2f %6.2f\n",
-                    row.contender.c_str(), row.longest_px > 0 ? std::to_string(row.longest_px).c_str() : "-",
-                    row.photos, row.failures, row.decode_ms, row.detect_ms, row.landmarks_ms, row.edges_ms,
-                    row.contours_ms, row.error_percent[0], row.error_percent[1], row.error_percent[2],
-                    row.error_percent[3], row.worst_percent);
+        print("%-26s %6s %6d %8d %8.1f %8.1f %9.1f %6.1f %8.1f %6.2f %6.2f %6.2f %8.2f %6.2f\n",
+              row.contender.c_str(), row.longest_px > 0 ? std::to_string(row.longest_px).c_str() : "-",
+              row.photos, row.failures, row.decode_ms, row.detect_ms, row.landmarks_ms, row.edges_ms,
+              row.contours_ms, row.error_percent[0], row.error_percent[1], row.error_percent[2],
+              row.error_percent[3], row.worst_percent);
     std::puts(
         "\nms: medians, one photograph at a time on one core; errors: percent of the outer inter-ocular\n"
         "distance, means; a failure is a face not found or a feature more than 5 % off.");
     for (const BatchSpeed& speed : speeds)
-        std::printf("batch on %zu thread%s: %.1f photographs a second (%.2f x)\n", speed.threads,
-                    speed.threads == 1 ? "" : "s", speed.photos_per_s,
-                    speed.photos_per_s / speeds.front().photos_per_s);
+        print("batch on %zu thread%s: %.1f photographs a second (%.2f x)\n", speed.threads,
+              speed.threads == 1 ? "" : "s", speed.photos_per_s,
+              speed.photos_per_s / speeds.front().photos_per_s);
 }
 
 /// A line for each contender in each way in which portraits were made harder.
-void print(const std::vector<HarderRow>& rows) {
+void show(const std::vector<HarderRow>& rows) {
     const auto column = [](const std::string& words) { // by letters, not bytes: ‰ and °
         return QString::fromStdString(words).leftJustified(24).toStdString();
     };
-    std::printf("\n%-24s %-18s %6s %5s %8s %4s %6s %6s %6s %8s\n", "made harder", "contender", "photos",
-                "found", "failures", "said", "eyes", "outer", "inner", "outline");
+    print("\n%-24s %-18s %6s %5s %8s %4s %6s %6s %6s %8s\n", "made harder", "contender", "photos", "found",
+          "failures", "said", "eyes", "outer", "inner", "outline");
     for (const HarderRow& row : rows)
-        std::printf("%s %-18s %6d %5d %8d %4d %6.2f %6.2f %6.2f %8.2f\n", column(row.how).c_str(),
-                    row.contender.c_str(), row.photos, row.found, row.failures, row.said,
-                    row.error_percent[0], row.error_percent[1], row.error_percent[2], row.error_percent[3]);
+        print("%s %-18s %6d %5d %8d %4d %6.2f %6.2f %6.2f %8.2f\n", column(row.how).c_str(),
+              row.contender.c_str(), row.photos, row.found, row.failures, row.said, row.error_percent[0],
+              row.error_percent[1], row.error_percent[2], row.error_percent[3]);
     std::puts(
         "\nmeans over the photographs in which every contender found a face; said: a problem or a reason\n"
         "why a contour may be wrong was told.");
@@ -61,7 +62,7 @@ std::string run_harder(const std::vector<PlacedPortrait>& portraits, const std::
         return rows.error();
     if (const auto written = write_harder_table(out, *rows); !written)
         return written.error();
-    print(*rows);
+    show(*rows);
     return {};
 }
 
@@ -99,7 +100,7 @@ std::string run(const VerbLine& line) {
     for (const auto& written : {write_face_table(out, *rows), plot_faces(out, *rows)})
         if (!written)
             return written.error();
-    print(*rows, *speeds);
+    show(*rows, *speeds);
     return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/simulated/touch_worth.hpp"
 
@@ -14,14 +15,14 @@ namespace tp {
 
 namespace {
 
-void print(const std::vector<TouchRow>& rows) {
-    std::printf("%-10s %8s %9s %8s %9s %8s %9s %6s\n", "manner", "latency", "found", "after", "followed",
-                "after", "error", "lost");
+void show(const std::vector<TouchRow>& rows) {
+    print("%-10s %8s %9s %8s %9s %8s %9s %6s\n", "manner", "latency", "found", "after", "followed", "after",
+          "error", "lost");
     for (const TouchRow& row : rows)
-        std::printf("%-10s %5.0f ms %5zu/%-3zu %6.1f s %5zu/%-3zu %6.1f s %6.2f mm %6s\n",
-                    std::string(name_of(row.manner)).c_str(), 1000.0 * row.latency_s, row.found, row.trials,
-                    row.find_s, row.followed, row.trials, row.follow_s, row.error_mm,
-                    row.manner == TouchManner::force ? "-" : cell(row.lost, 3).c_str());
+        print("%-10s %5.0f ms %5zu/%-3zu %6.1f s %5zu/%-3zu %6.1f s %6.2f mm %6s\n",
+              std::string(name_of(row.manner)).c_str(), 1000.0 * row.latency_s, row.found, row.trials,
+              row.find_s, row.followed, row.trials, row.follow_s, row.error_mm,
+              row.manner == TouchManner::force ? "-" : cell(row.lost, 3).c_str());
 }
 
 } // namespace
@@ -58,7 +59,7 @@ int bench_touch_verb(const QStringList& words) {
         touch_table(*rows).write(std::filesystem::path(line.text("out").toStdString()) / "touch.csv");
     if (!written)
         return refused(written.error());
-    print(*rows);
+    show(*rows);
     return exit_done;
 }
 

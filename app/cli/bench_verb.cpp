@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/bench/accuracy_bench.hpp"
 #include "app/figures/bench/nearest_bench.hpp"
@@ -52,35 +53,34 @@ QJsonObject json_of(const std::vector<BenchRow>& rows) {
     return {{"machine", machine()}, {"rows", list}};
 }
 
-void print(const std::vector<BenchRow>& rows) {
-    std::printf("%-5s %8s %-10s %-5s %-18s %10s %8s %10s %10s %11s %10s\n", "scene", "segments", "queries",
-                "query", "method", "ns median", "x ours", "ns p99.9", "build ms", "KiB", "error mm");
+void show(const std::vector<BenchRow>& rows) {
+    print("%-5s %8s %-10s %-5s %-18s %10s %8s %10s %10s %11s %10s\n", "scene", "segments", "queries", "query",
+          "method", "ns median", "x ours", "ns p99.9", "build ms", "KiB", "error mm");
     for (const BenchRow& row : rows) {
         // Ours for the same question.
         const std::string method = row.query == "band" ? "ours" : "ours_any_distance";
         const auto ours = std::find_if(rows.begin(), rows.end(), [&](const BenchRow& it) {
             return it.method == method && it.segments == row.segments && it.queries == row.queries;
         });
-        std::printf("%-5s %8zu %-10s %-5s %-18s %10.1f %8.2f %10.1f %10.2f %11.1f %10.2g\n",
-                    row.scene.c_str(), row.segments, row.queries.c_str(), row.query.c_str(),
-                    row.method.c_str(), row.ns_median, row.ns_median / ours->ns_median, row.ns_p999,
-                    row.build_ms, static_cast<double>(row.bytes) / 1024.0, row.max_error_mm);
+        print("%-5s %8zu %-10s %-5s %-18s %10.1f %8.2f %10.1f %10.2f %11.1f %10.2g\n", row.scene.c_str(),
+              row.segments, row.queries.c_str(), row.query.c_str(), row.method.c_str(), row.ns_median,
+              row.ns_median / ours->ns_median, row.ns_p999, row.build_ms,
+              static_cast<double>(row.bytes) / 1024.0, row.max_error_mm);
     }
-    std::printf(
-        "\nband: is there a line within the band of the default profile (8 mm), and where; the servo asks\n"
-        "this at every tick. any: the nearest line at any distance; it asks this 50 times a second where\n"
-        "nothing pulls. x ours compares with ours for the same question. One core, one run; %s.\n",
-        qPrintable(machine()));
+    print("\nband: is there a line within the band of the default profile (8 mm), and where; the servo asks\n"
+          "this at every tick. any: the nearest line at any distance; it asks this 50 times a second where\n"
+          "nothing pulls. x ours compares with ours for the same question. One core, one run; %s.\n",
+          qPrintable(machine()));
 }
 
-void print(const std::vector<AccuracyRow>& rows) {
-    std::printf("%-11s %-15s %-16s %10s %6s %8s %10s %11s %11s %11s\n", "scene", "law", "index", "tolerance",
-                "facet", "segments", "ns median", "mean N", "p99 N", "max N");
+void show(const std::vector<AccuracyRow>& rows) {
+    print("%-11s %-15s %-16s %10s %6s %8s %10s %11s %11s %11s\n", "scene", "law", "index", "tolerance",
+          "facet", "segments", "ns median", "mean N", "p99 N", "max N");
     for (const AccuracyRow& row : rows)
-        std::printf("%-11s %-15s %-16s %7.3f mm %5.0f° %8zu %10.1f %11.2e %11.2e %11.2e\n", row.scene.c_str(),
-                    row.law.c_str(), row.index.c_str(), row.tolerance_mm, row.facet_degrees, row.segments,
-                    row.ns_median, row.mean_error_n, row.p99_error_n, row.max_error_n);
-    std::printf("\nOne core, one run; %s.\n", qPrintable(machine()));
+        print("%-11s %-15s %-16s %7.3f mm %5.0f° %8zu %10.1f %11.2e %11.2e %11.2e\n", row.scene.c_str(),
+              row.law.c_str(), row.index.c_str(), row.tolerance_mm, row.facet_degrees, row.segments,
+              row.ns_median, row.mean_error_n, row.p99_error_n, row.max_error_n);
+    print("\nOne core, one run; %s.\n", qPrintable(machine()));
 }
 
 QJsonObject json_of(const std::vector<AccuracyRow>& rows, const std::vector<DeliveredRow>& delivered,
@@ -118,14 +118,14 @@ QJsonObject json_of(const std::vector<AccuracyRow>& rows, const std::vector<Deli
             {"delivered_without_damping", list(undamped)}};
 }
 
-void print(const std::vector<DeliveredRow>& rows) {
-    std::printf("\nDelivered to a moving finger on the face, mN from the exact force:\n%-14s %10s %8s %8s "
-                "%8s %8s %12s %8s\n",
-                "device", "speed", "mean", "p99", "law", "law p99", "with jumps", "p99");
+void show(const std::vector<DeliveredRow>& rows) {
+    print("\nDelivered to a moving finger on the face, mN from the exact force:\n%-14s %10s %8s %8s "
+          "%8s %8s %12s %8s\n",
+          "device", "speed", "mean", "p99", "law", "law p99", "with jumps", "p99");
     for (const DeliveredRow& row : rows)
-        std::printf("%5.2f N·s/m     %5.0f mm/s %8.1f %8.1f %8.1f %8.1f %12.1f %8.0f\n", row.damping_ns_per_m,
-                    row.speed_mm_s, 1e3 * row.mean_n, 1e3 * row.p99_n, 1e3 * row.law_mean_n,
-                    1e3 * row.law_p99_n, 1e3 * row.with_jumps_mean_n, 1e3 * row.with_jumps_p99_n);
+        print("%5.2f N·s/m     %5.0f mm/s %8.1f %8.1f %8.1f %8.1f %12.1f %8.0f\n", row.damping_ns_per_m,
+              row.speed_mm_s, 1e3 * row.mean_n, 1e3 * row.p99_n, 1e3 * row.law_mean_n, 1e3 * row.law_p99_n,
+              1e3 * row.with_jumps_mean_n, 1e3 * row.with_jumps_p99_n);
 }
 
 int bench_guidance(const QStringList& words) {
@@ -138,7 +138,7 @@ int bench_guidance(const QStringList& words) {
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
     const auto rows = run_nearest_bench(line.has("quick") ? BenchPlan::quick() : BenchPlan::whole(), say_step);
-    print(rows);
+    show(rows);
     if (!line.has("json"))
         return exit_done;
     const std::string figures = QJsonDocument(json_of(rows)).toJson().toStdString();
@@ -193,8 +193,8 @@ int bench_accuracy(const QStringList& words) {
             say_problem(written.error());
             return exit_bad_input;
         }
-    print(rows);
-    print(both);
+    show(rows);
+    show(both);
     if (!line.has("json"))
         return exit_done;
     const std::string figures = QJsonDocument(json_of(rows, delivered, undamped)).toJson().toStdString();

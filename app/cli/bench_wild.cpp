@@ -6,6 +6,7 @@
 #include "app/cli/long_work.hpp"
 #include "app/cli/names_file.hpp"
 #include "app/cli/photographs_in.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/figures/bench/wild_bench.hpp"
 #include "core/files/whole_file.hpp"
 
@@ -57,69 +58,67 @@ Result<WildLabels> labels_in(const fs::path& file) {
 }
 
 void print_names(const char* what, const std::vector<std::string>& names) {
-    std::printf("%s: %zu%s\n", what, names.size(), names.empty() ? "" : ":");
+    print("%s: %zu%s\n", what, names.size(), names.empty() ? "" : ":");
     for (std::size_t i = 0; i < std::min(names.size(), names_shown); ++i)
-        std::printf("  %s\n", names[i].c_str());
+        print("  %s\n", names[i].c_str());
     if (names.size() > names_shown)
-        std::printf("  and %zu more, in wild.csv\n", names.size() - names_shown);
+        print("  and %zu more, in wild.csv\n", names.size() - names_shown);
 }
 
 void print_agreement(const WildSummary& all) {
-    std::printf("\n%-18s %9s %7s %6s %9s\n", "from the mesh", "contours", "mean", "95 %", "over 5 %");
+    print("\n%-18s %9s %7s %6s %9s\n", "from the mesh", "contours", "mean", "95 %", "over 5 %");
     for (const WildAgreement& one : all.agreement)
-        std::printf("%-18s %9d %7.2f %6.2f %9d\n", one.name, one.contours, one.mean_percent, one.p95_percent,
-                    one.much_off);
+        print("%-18s %9d %7.2f %6.2f %9d\n", one.name, one.contours, one.mean_percent, one.p95_percent,
+              one.much_off);
     std::puts(
         "percent of the distance between the eyes' outer corners; each eye is one contour. The mesh is\n"
         "no truth: where both differ, worst.png shows which is right.");
 }
 
 void print_said(const WildSummary& all) {
-    std::printf("\n%-18s %9s %8s %9s %9s %7s\n", "said of contours", "right eye", "left eye", "outer lip",
-                "inner lip", "outline");
+    print("\n%-18s %9s %8s %9s %9s %7s\n", "said of contours", "right eye", "left eye", "outer lip",
+          "inner lip", "outline");
     for (const auto& [reason, of] : all.reasons)
-        std::printf("%-18s %9d %8d %9d %9d %7d\n", reason.c_str(), of[0], of[1], of[2], of[3], of[4]);
-    std::printf("the largest face of each photograph, %d in all\n", all.largest_faces);
-    std::printf("\n%7s %5s  %s\n", "largest", "all", "said of faces (N: a number)");
+        print("%-18s %9d %8d %9d %9d %7d\n", reason.c_str(), of[0], of[1], of[2], of[3], of[4]);
+    print("the largest face of each photograph, %d in all\n", all.largest_faces);
+    print("\n%7s %5s  %s\n", "largest", "all", "said of faces (N: a number)");
     for (const auto& [sentence, said] : all.sentences)
-        std::printf("%7d %5d  %s\n", said.largest, said.all, sentence.c_str());
+        print("%7d %5d  %s\n", said.largest, said.all, sentence.c_str());
     if (all.sentences.empty())
-        std::printf("%7d %5d  nothing\n", 0, 0);
+        print("%7d %5d  nothing\n", 0, 0);
 }
 
 void print_covers(const WildCovers& covers) {
-    std::printf("\n%-18s %5s %28s\n", "beside the labels", "all", "said that it may be covered");
+    print("\n%-18s %5s %28s\n", "beside the labels", "all", "said that it may be covered");
     const auto row = [](const char* what, const WildCovers::Count& one) {
-        std::printf("%-18s %5d %28d\n", what, one.all, one.said);
+        print("%-18s %5d %28d\n", what, one.all, one.said);
     };
     row("eyes not covered", covers.clear_eyes);
     row("mouths not covered", covers.clear_mouths);
     row("eyes covered", covers.covered_eyes);
     row("mouths covered", covers.covered_mouths);
-    std::printf(
-        "the largest face of each labelled photograph, %d in all; said falsely in %d of them (%.1f %%)\n",
-        covers.photos, covers.photos_falsely,
-        covers.photos > 0 ? 100.0 * covers.photos_falsely / covers.photos : 0.0);
+    print("the largest face of each labelled photograph, %d in all; said falsely in %d of them (%.1f %%)\n",
+          covers.photos, covers.photos_falsely,
+          covers.photos > 0 ? 100.0 * covers.photos_falsely / covers.photos : 0.0);
     print_names("said falsely", covers.falsely);
-    std::printf("labelled as without a face of 40 px, not counted above: %d; a face found in %d\n",
-                covers.without_face.all, covers.without_face.said);
+    print("labelled as without a face of 40 px, not counted above: %d; a face found in %d\n",
+          covers.without_face.all, covers.without_face.said);
     if (covers.unlabelled > 0)
-        std::printf("photographs without a label: %d\n", covers.unlabelled);
+        print("photographs without a label: %d\n", covers.unlabelled);
 }
 
-void print(const WildSummary& all) {
-    std::printf("photographs: %d\n", all.photos);
+void show(const WildSummary& all) {
+    print("photographs: %d\n", all.photos);
     print_names("could not be read", all.unread);
     print_names("no face found by ours", all.not_found);
     print_names("no face found by the mesh", all.not_found_by_mesh);
     print_names("our largest face not found by the mesh", all.apart);
-    std::printf("faces: %d by ours, %d by the mesh, %d by both\n", all.faces, all.mesh_faces,
-                all.common_faces);
+    print("faces: %d by ours, %d by the mesh, %d by both\n", all.faces, all.mesh_faces, all.common_faces);
     print_agreement(all);
     print_said(all);
-    std::printf("\n%-22s %8s %7s\n", "ms a photograph", "median", "95 %");
-    std::printf("%-22s %8.1f %7.1f\n", "decoding", all.decode_ms, all.decode_p95_ms);
-    std::printf("%-22s %8.1f %7.1f\n", "detection to contours", all.rest_ms, all.rest_p95_ms);
+    print("\n%-22s %8s %7s\n", "ms a photograph", "median", "95 %");
+    print("%-22s %8.1f %7.1f\n", "decoding", all.decode_ms, all.decode_p95_ms);
+    print("%-22s %8.1f %7.1f\n", "detection to contours", all.rest_ms, all.rest_p95_ms);
     if (all.covers)
         print_covers(*all.covers);
 }
@@ -172,7 +171,7 @@ void write_so_far(const fs::path& out, const WildSoFar& so_far, const std::optio
     const WildSummary summary = summary_of(photos, known(labels));
     if (const std::string problem = write_figures(out, photos, summary, known(labels)); !problem.empty())
         return say_problem(problem);
-    print(summary);
+    show(summary);
     std::fflush(stdout); // the end that follows does not
     say("Stopped after " + std::to_string(photos.size()) + " of " + std::to_string(all) +
         "; the figures are of these.");
@@ -216,7 +215,7 @@ int bench_wild(const VerbLine& line) {
             return refused(sheet.error());
     }
     const WildSummary summary = summary_of(so_far.photos(), known(labels));
-    print(summary);
+    show(summary);
     return summary.unread.empty() ? exit_done : exit_bad_input;
 }
 

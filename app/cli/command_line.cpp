@@ -2,6 +2,8 @@
 #include "app/cli/command_line.hpp"
 
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
+#include "core/files/file_words.hpp"
 
 #include <QDir>
 
@@ -11,7 +13,7 @@
 namespace tp {
 
 void say_problem(const std::string& sentence, const std::string& about) {
-    say(about.empty() ? sentence : about + ": " + sentence);
+    say(about.empty() ? sentence : readable(about) + ": " + sentence);
 }
 
 int refused(const std::string& sentence) {
@@ -20,7 +22,7 @@ int refused(const std::string& sentence) {
 }
 
 void say(const std::string& line) {
-    std::fprintf(stderr, "%s\n", line.c_str());
+    print_to(stderr, "%s\n", line.c_str());
     LongWork::said();
 }
 

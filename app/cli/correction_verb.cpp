@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/report/field_difference.hpp"
 #include "app/photo/picture/field_picture.hpp"
 #include "app/photo/picture/picture_file.hpp"
 #include "app/photo/scene/corrections.hpp"
 #include "app/photo/scene/scene_builder.hpp"
+#include "core/files/file_words.hpp"
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/extract/face_extractor.hpp"
 
@@ -26,7 +28,7 @@ std::string percent(const std::optional<double>& value) {
 
 void print_features(const Extraction& found, const Extraction& mended,
                     const std::optional<Extraction>& truth) {
-    std::printf("feature,moved_percent,error_before_percent,error_after_percent\n");
+    print("feature,moved_percent,error_before_percent,error_after_percent\n");
     for (std::size_t i = 0; i < mended.faces.size(); ++i) {
         const Face& after = mended.faces[i];
         const Face* before = nullptr; // the face of the program that lies in the same place
@@ -39,9 +41,10 @@ void print_features(const Extraction& found, const Extraction& mended,
             return right ? contour_error_percent(*right, of, name) : std::nullopt;
         };
         for (const std::string& name : after.mended)
-            std::printf(
+            print(
                 "%s%s,%s,%s,%s\n",
-                mended.faces.size() > 1 ? ("face " + std::to_string(i + 1) + " ").c_str() : "", name.c_str(),
+                mended.faces.size() > 1 ? ("face " + std::to_string(i + 1) + " ").c_str() : "",
+                readable(name).c_str(),
                 percent(before ? contour_error_percent(after.contours, before->contours, name) : std::nullopt)
                     .c_str(),
                 percent(before ? error(before->contours, name) : std::nullopt).c_str(),

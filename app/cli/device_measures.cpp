@@ -4,6 +4,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/input_line.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/parts/devices/calibration_steps.hpp"
 #include "app/parts/devices/joystick_measuring.hpp"
@@ -181,7 +182,8 @@ int calibrate_device(const QStringList& words) {
     const std::string key = can->serial_number.empty() ? name : can->serial_number;
     if (const std::string why = keep_calibration(file, key, *found); !why.empty())
         return refused(why);
-    std::printf("residual    %.2f mm\nsamples     %zu\nkept for    %s\n", found->residual_mm, found->used, key.c_str());
+    print("residual    %.2f mm\nsamples     %zu\nkept for    %s\n", found->residual_mm, found->used,
+          key.c_str());
     return exit_done;
 }
 
@@ -218,8 +220,8 @@ int measure_joystick(const QStringList& words) {
         line.has("file") ? std::filesystem::path(line.text("file").toStdU16String()) : joystick_scale_file();
     if (const std::string why = keep_joystick_scale(file, listed->scale_key, *found); !why.empty())
         return refused(why);
-    std::printf("whole force %.2f N\nsigns       %+g %+g\nkept for    %s\n", found->newtons_at_full, found->sign.x,
-                found->sign.y, listed->scale_key.c_str());
+    print("whole force %.2f N\nsigns       %+g %+g\nkept for    %s\n", found->newtons_at_full, found->sign.x,
+          found->sign.y, listed->scale_key.c_str());
     return exit_done;
 }
 

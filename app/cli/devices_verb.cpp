@@ -2,6 +2,7 @@
 #include "app/cli/device_measures.hpp"
 #include "app/cli/guidance_options.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/touch_trial.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/parts/feedbackd/touch_outputs.hpp"
@@ -12,7 +13,6 @@
 #include "device/recording/replay_device.hpp"
 #include "device/registry.hpp"
 
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <chrono>
@@ -28,10 +28,6 @@ namespace {
 
 constexpr std::size_t largest_recording = std::size_t{1} << 30;
 
-void print(const QJsonObject& object) {
-    std::printf("%s\n", QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
-}
-
 int list(const QStringList& words) {
     VerbLine line("devices",
                   "Lists the force devices that can be used now, then what a bare finger can feel. See also\n"
@@ -41,24 +37,24 @@ int list(const QStringList& words) {
         return *ended;
     for (const ListedDevice& device : list_devices())
         if (line.has("json"))
-            print({{"name", QString::fromStdString(device.name)},
-                   {"about", QString::fromStdString(device.about)},
-                   {"serial_number", QString::fromStdString(device.serial_number)},
-                   {"interface", QString::fromStdString(device.interface)},
-                   {"means", "force"},
-                   {"pad", false}});
+            print_json({{"name", QString::fromStdString(device.name)},
+                        {"about", QString::fromStdString(device.about)},
+                        {"serial_number", QString::fromStdString(device.serial_number)},
+                        {"interface", QString::fromStdString(device.interface)},
+                        {"means", "force"},
+                        {"pad", false}});
         else
-            std::printf("%-20s %s\n", device.name.c_str(), device.about.c_str());
+            print("%-20s %s\n", device.name.c_str(), device.about.c_str());
     for (const ListedTouchOutput& output : touch_outputs_here())
         if (line.has("json"))
-            print({{"name", QString::fromStdString(output.name)},
-                   {"about", QString::fromStdString(output.about)},
-                   {"serial_number", QString::fromStdString(output.serial_number)},
-                   {"interface", ""},
-                   {"means", word_of(output.means)},
-                   {"pad", output.is_pad}});
+            print_json({{"name", QString::fromStdString(output.name)},
+                        {"about", QString::fromStdString(output.about)},
+                        {"serial_number", QString::fromStdString(output.serial_number)},
+                        {"interface", ""},
+                        {"means", word_of(output.means)},
+                        {"pad", output.is_pad}});
         else
-            std::printf("%-20s %s (%s)\n", output.name.c_str(), output.about.c_str(), word_of(output.means));
+            print("%-20s %s (%s)\n", output.name.c_str(), output.about.c_str(), word_of(output.means));
     return exit_done;
 }
 
@@ -97,10 +93,10 @@ int test(const QStringList& words) {
     const auto can = device->open();
     if (!can)
         return refused(can.error());
-    std::printf("device      %s\nserial      %s\nforce       %g N, continuous %g N\nresolution  %g mm\nrate  "
-                "      %g Hz\n",
-                can->name.c_str(), can->serial_number.c_str(), can->max_force, can->continuous_force,
-                can->resolution, can->rate);
+    print("device      %s\nserial      %s\nforce       %g N, continuous %g N\nresolution  %g mm\nrate  "
+          "      %g Hz\n",
+          can->name.c_str(), can->serial_number.c_str(), can->max_force, can->continuous_force,
+          can->resolution, can->rate);
     SteadyClock clock;
     ServoSettings settings;
     settings.rate = can->rate;
@@ -110,10 +106,10 @@ int test(const QStringList& words) {
     const auto* const pad = dynamic_cast<const ForcePad*>(device.get());
     const std::set<Fault> faults = run_for(*seconds, loop, [&] { complaint = device->complaint(); });
     const ServoSnapshot last = loop.snapshot();
-    std::printf("ticks       %llu\nplace       %.2f %.2f mm\n", static_cast<unsigned long long>(last.ticks),
-                last.x, last.y);
+    print("ticks       %llu\nplace       %.2f %.2f mm\n", static_cast<unsigned long long>(last.ticks), last.x,
+          last.y);
     if (pad != nullptr)
-        std::printf("bad frames  %llu\n", static_cast<unsigned long long>(pad->bad_frames()));
+        print("bad frames  %llu\n", static_cast<unsigned long long>(pad->bad_frames()));
     for (const Fault fault : faults)
         say_problem(fault == Fault::motors_off && !complaint.empty() ? complaint : sentence(fault));
     if (LongWork::stop_asked())
@@ -222,9 +218,9 @@ int replay_verb(const QStringList& words) {
         for (const RecordedTick& tick : recording->ticks) {
             if (LongWork::stop_asked())
                 return LongWork::stop_code();
-            std::printf("%.6f,%d,%.6f,%.6f,%.6f,%.6f,%d,%d,%d\n", tick.now, tick.fresh,
-                        tick.reading.position.x, tick.reading.position.y, tick.force.x, tick.force.y,
-                        tick.lost, tick.motors_off, tick.refused);
+            print("%.6f,%d,%.6f,%.6f,%.6f,%.6f,%d,%d,%d\n", tick.now, tick.fresh, tick.reading.position.x,
+                  tick.reading.position.y, tick.force.x, tick.force.y, tick.lost, tick.motors_off,
+                  tick.refused);
         }
         return exit_done;
     }
@@ -243,7 +239,7 @@ int replay_verb(const QStringList& words) {
     loop.engage();
     LongWork::step("replaying");
     replay(*recording, loop, clock);
-    std::printf("ticks %zu, greatest difference %.9f N\n", device.ticks(), device.greatest_difference());
+    print("ticks %zu, greatest difference %.9f N\n", device.ticks(), device.greatest_difference());
     return exit_done;
 }
 

@@ -2,10 +2,11 @@
 #include "app/cli/expression_report.hpp"
 
 #include "app/cli/json_number.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/figures/report/csv_table.hpp"
+#include "core/files/file_words.hpp"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <algorithm>
@@ -112,7 +113,8 @@ std::string words_for(const ExpressionShares& shares) {
 }
 
 std::string line_about(const JudgedFace& face) {
-    std::string line = face.photo + (face.number > 1 ? " face " + std::to_string(face.number) : "") + ": " +
+    std::string line = readable(face.photo) +
+                       (face.number > 1 ? " face " + std::to_string(face.number) : "") + ": " +
                        words_for(face.exact) + "; felt: " + words_for(face.felt) + ";";
     for (std::size_t i = 0; i < cue_count; ++i)
         line += formatted("%s %s %.1f", i > 0 ? "," : "", cue_kinds[i].name, face.cues[i]);
@@ -132,7 +134,7 @@ QByteArray json_line(const JudgedFace& face, const ExpressionChoices& choices) {
         {"exact", json(face.exact, choices)},
         {"felt", json(face.felt, choices)},
         {"cues", cues}};
-    return QJsonDocument(line).toJson(QJsonDocument::Compact);
+    return compact_json(line);
 }
 
 std::string words_for(const ExpressionTable& table, const ExpressionChoices& choices,

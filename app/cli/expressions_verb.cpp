@@ -4,6 +4,7 @@
 #include "app/cli/expression_labels.hpp"
 #include "app/cli/expression_report.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/study/expression_trial.hpp"
@@ -157,17 +158,17 @@ private:
     std::string tell() const {
         for (const JudgedFace& face : report_.faces)
             if (line_.has("json"))
-                std::printf("%s\n", json_line(face, report_.choices).constData());
+                print("%s\n", json_line(face, report_.choices).constData());
             else
-                std::printf("%s\n", line_about(face).c_str());
+                print("%s\n", line_about(face).c_str());
         const bool labelled = std::any_of(report_.faces.begin(), report_.faces.end(),
                                           [](const JudgedFace& face) { return face.shown.has_value(); });
         if (labelled) {
             char felt[64];
             std::snprintf(felt, sizeof felt, "felt to %g mm, %%", touch_.noise_mm);
-            std::fprintf(line_.has("json") ? stderr : stdout, "\n%s\n%s",
-                         words_for(report_.exact, report_.choices, "exact, %").c_str(),
-                         words_for(report_.felt, report_.choices, felt).c_str());
+            print_to(line_.has("json") ? stderr : stdout, "\n%s\n%s",
+                     words_for(report_.exact, report_.choices, "exact, %").c_str(),
+                     words_for(report_.felt, report_.choices, felt).c_str());
         }
         if (!line_.has("out"))
             return {};

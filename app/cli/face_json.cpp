@@ -2,10 +2,10 @@
 #include "app/cli/face_json.hpp"
 
 #include "app/cli/json_number.hpp"
+#include "app/cli/terminal.hpp"
 #include "core/geometry/flatten.hpp"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <algorithm>
@@ -80,7 +80,7 @@ QByteArray json_line(const std::string& photo, const Extraction& extraction) {
                                                         {"contours", in_thousandths(ms.contours)}}},
                            {"faces", faces},
                            {"problem", text_or_null(extraction.problem)}};
-    return QJsonDocument(line).toJson(QJsonDocument::Compact);
+    return compact_json(line);
 }
 
 } // namespace tp

@@ -4,11 +4,13 @@
 #include "app/cli/face_json.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/results_file.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/photo/picture/overlay.hpp"
 #include "app/photo/picture/picture_file.hpp"
 #include "app/photo/scene/corrections.hpp"
 #include "app/photo/scene/extra_features.hpp"
+#include "core/files/file_words.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/extract/batch.hpp"
 #include "faces/extract/face_extractor.hpp"
@@ -182,10 +184,10 @@ private:
         if (results_)
             problem_ = results_->append(name, json_line(name, found));
         else if (line_.has("json"))
-            std::printf("%s\n", json_line(name, found).constData());
+            print("%s\n", json_line(name, found).constData());
         else
-            std::printf("%s: %zu face%s\n", name.c_str(), found.faces.size(),
-                        found.faces.size() == 1 ? "" : "s");
+            print("%s: %zu face%s\n", readable(name).c_str(), found.faces.size(),
+                  found.faces.size() == 1 ? "" : "s");
         std::fflush(stdout);
         return good;
     }

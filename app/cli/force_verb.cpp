@@ -2,7 +2,9 @@
 #include "app/cli/guidance_options.hpp"
 #include "app/cli/input_line.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
+#include "core/files/file_words.hpp"
 
 #include <charconv>
 #include <cstdio>
@@ -31,7 +33,7 @@ std::optional<Vec2> parse_place(const std::string& text) {
     for (double& number : numbers) {
         while (at != end && is_blank(*at))
             ++at;
-        if (at != end && *at == '+')
+        if (at != end && *at == '+' && at + 1 != end && at[1] != '-')
             ++at;
         const auto [next, error] = std::from_chars(at, end, number);
         if (error != std::errc{})
@@ -99,9 +101,9 @@ int force_verb(const QStringList& words) {
         }
         const Guidance at = haptic.law->at(*place);
         const std::string name =
-            at.contour < 0 ? "-" : haptic.flat.names[static_cast<std::size_t>(at.contour)];
-        std::printf("%s %s %s %s\n", exact_text(at.force.x).c_str(), exact_text(at.force.y).c_str(),
-                    exact_text(at.distance).c_str(), name.c_str());
+            at.contour < 0 ? "-" : readable(haptic.flat.names[static_cast<std::size_t>(at.contour)]);
+        print("%s %s %s %s\n", exact_text(at.force.x).c_str(), exact_text(at.force.y).c_str(),
+              exact_text(at.distance).c_str(), name.c_str());
     }
     return exit_done;
 }

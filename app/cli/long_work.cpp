@@ -3,6 +3,7 @@
 
 #include "app/cli/batch_progress.hpp"
 #include "app/cli/stop_signal.hpp"
+#include "app/cli/terminal.hpp"
 #include "core/files/new_file.hpp"
 
 #include <chrono>
@@ -133,7 +134,7 @@ private:
                 return;
             }
             if (const auto line = how_far.due())
-                std::fprintf(stderr, "… %s\n", line->c_str());
+                print_to(stderr, "… %s\n", line->c_str());
         }
     }
     bool over_within(std::chrono::milliseconds time) {

@@ -3,6 +3,7 @@
 #include "app/cli/input_line.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/model_fetch.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "faces/extract/face_extractor.hpp"
 #include "faces/models/model_catalog.hpp"
@@ -29,29 +30,28 @@ int list_models(const QStringList& words) {
         return *ended;
     std::puts("Inside the program:");
     for (const EmbeddedModelFacts& model : embedded_models())
-        std::printf("  %-9s %s, %zu bytes, %s\n", model.name, model.purpose, model.bytes, model.licence);
+        print("  %-9s %s, %zu bytes, %s\n", model.name, model.purpose, model.bytes, model.licence);
     std::puts("\nCan be plugged in:");
     for (const PluggableModel* model : pluggable_models) {
-        std::printf("  %-9s %s for %s %s, %ju bytes, %s\n", model->name, model->description,
-                    option_of(*model), model->name, static_cast<std::uintmax_t>(model->bytes),
-                    model->licence);
+        print("  %-9s %s for %s %s, %ju bytes, %s\n", model->name, model->description, option_of(*model),
+              model->name, static_cast<std::uintmax_t>(model->bytes), model->licence);
         const auto file = installed_file(*model);
         if (file)
-            std::printf("            installed: %s\n", file->c_str());
+            print("            installed: %s\n", file->c_str());
         else if (model->inside)
-            std::printf("            inside the program; a file %s in a folder below takes its place\n",
-                        model->file);
+            print("            inside the program; a file %s in a folder below takes its place\n",
+                  model->file);
         else if (*model->address)
-            std::printf("            not installed: touchphoto-lab models fetch %s, or put a file %s into a "
-                        "folder below\n",
-                        model->name, model->file);
+            print("            not installed: touchphoto-lab models fetch %s, or put a file %s into a "
+                  "folder below\n",
+                  model->name, model->file);
         else
-            std::printf("            not installed: put a file %s into a folder below. %s\n", model->file,
-                        model->origin);
+            print("            not installed: put a file %s into a folder below. %s\n", model->file,
+                  model->origin);
     }
     std::puts("\nLooked for in:");
     for (const std::filesystem::path& folder : model_folders())
-        std::printf("  %s\n", folder.c_str());
+        print("  %s\n", folder.c_str());
     return exit_done;
 }
 
@@ -64,8 +64,8 @@ int check_models(const QStringList& words) {
         return *ended;
     int result = exit_done;
     const auto judge = [&](const std::string& name, const std::string& about, const std::string& problem) {
-        std::printf("%s: %s%s\n", name.c_str(), about.c_str(),
-                    problem.empty() ? "loads and gives what the program expects" : "cannot be used");
+        print("%s: %s%s\n", name.c_str(), about.c_str(),
+              problem.empty() ? "loads and gives what the program expects" : "cannot be used");
         std::fflush(stdout);
         if (problem.empty())
             return;
@@ -76,7 +76,7 @@ int check_models(const QStringList& words) {
     for (const PluggableModel* model : pluggable_models) {
         const auto file = installed_file(*model);
         if (!file) {
-            std::printf("%s: %s\n", model->name, model->inside ? "inside the program" : "not installed");
+            print("%s: %s\n", model->name, model->inside ? "inside the program" : "not installed");
             continue;
         }
         LongWork::step("checking " + std::string(model->name));

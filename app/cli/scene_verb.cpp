@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/photo/scene/corrections.hpp"
 #include "app/photo/scene/extra_features.hpp"
 #include "app/photo/scene/scene_builder.hpp"
+#include "core/files/file_words.hpp"
 #include "core/guidance/spacing.hpp"
 #include "core/svg/contour_sheet.hpp"
 #include "faces/extract/face_extractor.hpp"
@@ -20,13 +22,13 @@ constexpr double largest_surface_mm = 2000.0;
 
 void print_spacing(const Scene& scene) {
     const FlatScene flat = flatten(scene);
-    std::printf("gap_mm,peak_n,tellable,first,second\n");
+    print("gap_mm,peak_n,tellable,first,second\n");
     const TentProfile profile;
     const std::vector<Closeness> pairs = closeness(flat, profile);
     for (const Closeness& pair : pairs)
-        std::printf("%.3f,%.3f,%d,%s,%s\n", pair.gap, pair.peak, pair.tellable ? 1 : 0,
-                    flat.names[static_cast<std::size_t>(pair.first)].c_str(),
-                    flat.names[static_cast<std::size_t>(pair.second)].c_str());
+        print("%.3f,%.3f,%d,%s,%s\n", pair.gap, pair.peak, pair.tellable ? 1 : 0,
+              readable(flat.names[static_cast<std::size_t>(pair.first)]).c_str(),
+              readable(flat.names[static_cast<std::size_t>(pair.second)]).c_str());
     if (const auto better = proposed_profile(pairs, profile)) {
         char sentence[160];
         std::snprintf(sentence, sizeof sentence,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/guidance_options.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/report/test_scenes.hpp"
 #include "core/servo/servo_loop.hpp"
@@ -46,8 +47,8 @@ private:
 };
 
 void print_row(const char* name, const TimingStatistics& statistics) {
-    std::printf("%-9s %10.1f %10.1f %10.1f %10.1f\n", name, 1e6 * statistics.quantile(0.5),
-                1e6 * statistics.quantile(0.99), 1e6 * statistics.quantile(0.999), 1e6 * statistics.max());
+    print("%-9s %10.1f %10.1f %10.1f %10.1f\n", name, 1e6 * statistics.quantile(0.5),
+          1e6 * statistics.quantile(0.99), 1e6 * statistics.quantile(0.999), 1e6 * statistics.max());
 }
 
 } // namespace
@@ -89,14 +90,13 @@ int servo_verb(const QStringList& words) {
         }
         loop.stop();
     }
-    std::printf("%-9s %10s %10s %10s %10s\n", "us", "p50", "p99", "p99.9", "max");
+    print("%-9s %10s %10s %10s %10s\n", "us", "p50", "p99", "p99.9", "max");
     print_row("lateness", loop.lateness());
     print_row("compute", loop.compute());
-    std::printf("ticks %llu, missed periods %llu, real-time priority %s, memory %s\n",
-                static_cast<unsigned long long>(loop.compute().count()),
-                static_cast<unsigned long long>(loop.missed_periods()),
-                loop.real_time() ? "obtained" : "not obtained",
-                loop.memory_locked() ? "locked" : "not locked");
+    print("ticks %llu, missed periods %llu, real-time priority %s, memory %s\n",
+          static_cast<unsigned long long>(loop.compute().count()),
+          static_cast<unsigned long long>(loop.missed_periods()),
+          loop.real_time() ? "obtained" : "not obtained", loop.memory_locked() ? "locked" : "not locked");
     if (!loop.real_time())
         say("The system gave no real-time priority; to allow it, give this user an rtprio limit of 21 or "
             "more in /etc/security/limits.d.");

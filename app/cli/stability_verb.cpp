@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/report/continuity_cost.hpp"
 #include "app/figures/report/csv_table.hpp"
@@ -140,27 +141,26 @@ void print_handles(const char* which, const std::vector<std::pair<HandleCase, Ha
             swing += result.swings ? 1 : 0;
             farther += result.farthest_mm > result.start_mm + 0.5 * handle.quantum ? 1 : 0;
         }
-    std::printf("released handles %s: %d of %d settle, %d swing on, %d go farther than they began\n", which,
-                settled, all, swing, farther);
+    print("released handles %s: %d of %d settle, %d swing on, %d go farther than they began\n", which,
+          settled, all, swing, farther);
 }
 
 void print_summary(const std::vector<LoopWork>& loops, const std::vector<ContinuityCost>& continuity,
                    const std::vector<std::pair<HandleCase, HandleResult>>& handles,
                    const std::vector<PassivityRow>& passivity, const std::vector<HardVerdict>& verdicts) {
-    std::printf("%-10s %10s %10s %12s %12s %12s %12s %12s\n", "law", "spacing", "wrong", "of pulled",
-                "worst error", "p99 loop", "worst loop", "force step");
+    print("%-10s %10s %10s %12s %12s %12s %12s %12s\n", "law", "spacing", "wrong", "of pulled", "worst error",
+          "p99 loop", "worst loop", "force step");
     for (const LoopWork& row : loops)
-        std::printf("%-10s %7.1f mm %8.3f %% %10.3f %% %10.3f N %9.2g mJ %9.2g mJ %10.3f N\n",
-                    row.law.c_str(), row.vertex_spacing_mm, 100.0 * row.wrong_fraction,
-                    100.0 * row.wrong_of_pulled, row.max_force_error_n, row.p99_loop_work_mj,
-                    row.max_loop_work_mj, row.max_force_step_n);
-    std::printf("%-21s %8s %9s %9s %9s %8s %8s %10s %12s %10s\n", "continuity", "width", "mean", "p99", "max",
-                "wrong", "step", "clicks/m", "tremor", "work");
+        print("%-10s %7.1f mm %8.3f %% %10.3f %% %10.3f N %9.2g mJ %9.2g mJ %10.3f N\n", row.law.c_str(),
+              row.vertex_spacing_mm, 100.0 * row.wrong_fraction, 100.0 * row.wrong_of_pulled,
+              row.max_force_error_n, row.p99_loop_work_mj, row.max_loop_work_mj, row.max_force_step_n);
+    print("%-21s %8s %9s %9s %9s %8s %8s %10s %12s %10s\n", "continuity", "width", "mean", "p99", "max",
+          "wrong", "step", "clicks/m", "tremor", "work");
     for (const ContinuityCost& row : continuity)
-        std::printf("%-21s %5.1f mm %7.4f N %7.4f N %7.3f N %6.2f %% %6.3f N %10.1f %7.1f a s %7.4f mJ\n",
-                    row.manner.c_str(), row.width_mm, row.mean_error_n, row.p99_error_n, row.max_error_n,
-                    100.0 * row.wrong_fraction, row.largest_step_n, row.clicks_per_m, row.tremor_clicks_per_s,
-                    row.work_given_mj);
+        print("%-21s %5.1f mm %7.4f N %7.4f N %7.3f N %6.2f %% %6.3f N %10.1f %7.1f a s %7.4f mJ\n",
+              row.manner.c_str(), row.width_mm, row.mean_error_n, row.p99_error_n, row.max_error_n,
+              100.0 * row.wrong_fraction, row.largest_step_n, row.clicks_per_m, row.tremor_clicks_per_s,
+              row.work_given_mj);
     for (const bool remedies : {false, true})
         print_handles(remedies ? "with observer and damping" : "without", handles,
                       [&](const HandleCase& handle) {
@@ -179,9 +179,9 @@ void print_summary(const std::vector<LoopWork>& loops, const std::vector<Continu
                     most_own = std::max(most_own, row.own_mj);
                     most = std::max(most, row.work_mj);
                 }
-            std::printf("driven at 1 to 100 Hz, %.0f ms, %-12s: at most %+.5f mJ in a cycle, %+.5f beyond "
-                        "the bare law\n",
-                        delay_ms, part, most, most_own);
+            print("driven at 1 to 100 Hz, %.0f ms, %-12s: at most %+.5f mJ in a cycle, %+.5f beyond "
+                  "the bare law\n",
+                  delay_ms, part, most, most_own);
         }
     for (const char* law : {"exact", "published"}) {
         int right = 0;
@@ -190,7 +190,7 @@ void print_summary(const std::vector<LoopWork>& loops, const std::vector<Continu
         for (const HardVerdict& verdict : verdicts)
             if (verdict.law == law)
                 ++(verdict.verdict == "right" ? right : verdict.verdict == "wrong" ? wrong : unsafe);
-        std::printf("hard cases, %s law: %d right, %d wrong, %d unsafe\n", law, right, wrong, unsafe);
+        print("hard cases, %s law: %d right, %d wrong, %d unsafe\n", law, right, wrong, unsafe);
     }
 }
 

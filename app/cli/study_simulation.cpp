@@ -3,6 +3,7 @@
 
 #include "app/cli/expression_labels.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/figures/simulated/simulated_kinds.hpp"
 #include "app/figures/simulated/simulated_study.hpp"
 #include "app/figures/study/own_experiments.hpp"
@@ -17,7 +18,6 @@
 #include "core/version/version.hpp"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <algorithm>
@@ -151,10 +151,10 @@ void tell(const VerbLine& line, const Experiment& experiment, int participants, 
     for (const std::string& remark : study.remarks)
         say(remark);
     if (!line.has("json")) {
-        std::printf("%d participants, %zu trials, %zu done again, %.0f s at the device\n", participants,
-                    study.trials, study.repeated, study.simulated_s);
+        print("%d participants, %zu trials, %zu done again, %.0f s at the device\n", participants,
+              study.trials, study.repeated, study.simulated_s);
         if (study.led_s > 0.0)
-            std::printf("%.0f s led to the starts\n", study.led_s);
+            print("%.0f s led to the starts\n", study.led_s);
         return;
     }
     QJsonArray remarks;
@@ -167,7 +167,7 @@ void tell(const VerbLine& line, const Experiment& experiment, int participants, 
                              {"seconds", study.simulated_s},
                              {"led_seconds", study.led_s},
                              {"remarks", remarks}};
-    std::printf("%s\n", QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
+    print_json(object);
 }
 
 } // namespace
@@ -336,18 +336,17 @@ int replicate_study_verb(const VerbLine& line, const std::filesystem::path& file
         return refused(problem);
     const auto compared = compared_results(reports);
     if (line.has("json"))
-        std::printf("%s\n",
-                    QJsonDocument(QJsonObject{{"experiment", QString::fromStdString(order.experiment.name)},
-                                              {"studies", *seeds},
-                                              {"participants", order.participants},
-                                              {"published", json_of(compared)}})
-                        .toJson(QJsonDocument::Compact)
-                        .constData());
+        print("%s\n", QJsonDocument(QJsonObject{{"experiment", QString::fromStdString(order.experiment.name)},
+                                                {"studies", *seeds},
+                                                {"participants", order.participants},
+                                                {"published", json_of(compared)}})
+                          .toJson(QJsonDocument::Compact)
+                          .constData());
     else
         for (const ComparedResult& result : compared)
-            std::printf("%s: published %s; here %s; %s\n", subject_words(result.published).c_str(),
-                        published_words(result.published).c_str(), our_words(result).c_str(),
-                        result.alike ? "alike" : "not alike");
+            print("%s: published %s; here %s; %s\n", subject_words(result.published).c_str(),
+                  published_words(result.published).c_str(), our_words(result).c_str(),
+                  result.alike ? "alike" : "not alike");
     return exit_done;
 }
 

@@ -2,6 +2,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/study_simulation.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/study/published_results.hpp"
 #include "app/figures/study/study_report.hpp"
@@ -10,7 +11,6 @@
 #include "core/study_folder/study_export.hpp"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <cstddef>
@@ -67,25 +67,24 @@ QJsonObject json_of(const StudyReport& report) {
             {"remarks", remarks}};
 }
 
-void print(const StudyReport& report) {
-    std::printf("%zu participants, %zu trials, %zu done again\n", report.participants, report.trials,
-                report.repeated);
+void show(const StudyReport& report) {
+    print("%zu participants, %zu trials, %zu done again\n", report.participants, report.trials,
+          report.repeated);
     for (const StudyMeasure& measure : report.measures) {
-        std::printf("\n%s\n", measure.axis.c_str());
+        print("\n%s\n", measure.axis.c_str());
         for (const WithinEffect& effect : measure.anova.effects) {
             const std::string words = // × is two bytes
                 text_of(words_for(effect, measure.means.factors)).leftJustified(32).toStdString();
             if (effect.f)
-                std::printf("  %s F(%.0f, %.0f) = %7.2f, p = %.3g, after Greenhouse and Geisser %.3g\n",
-                            words.c_str(), effect.df, effect.error_df, *effect.f, *effect.p,
-                            *effect.p_spherical);
+                print("  %s F(%.0f, %.0f) = %7.2f, p = %.3g, after Greenhouse and Geisser %.3g\n",
+                      words.c_str(), effect.df, effect.error_df, *effect.f, *effect.p, *effect.p_spherical);
             else
-                std::printf("  %s no F\n", words.c_str());
+                print("  %s no F\n", words.c_str());
         }
     }
     for (const Confusion& confusion : report.confusions)
-        std::printf("%s%s: %.1f %% named rightly\n", &confusion == &report.confusions.front() ? "\n" : "",
-                    confusion.where.empty() ? "all" : confusion.where.c_str(), 100.0 * confusion.right());
+        print("%s%s: %.1f %% named rightly\n", &confusion == &report.confusions.front() ? "\n" : "",
+              confusion.where.empty() ? "all" : confusion.where.c_str(), 100.0 * confusion.right());
 }
 
 int report_verb(const VerbLine& line, const std::filesystem::path& folder) {
@@ -107,9 +106,9 @@ int report_verb(const VerbLine& line, const std::filesystem::path& folder) {
     for (const std::string& remark : report->remarks)
         say(remark);
     if (line.has("json"))
-        std::printf("%s\n", QJsonDocument(json_of(*report)).toJson(QJsonDocument::Compact).constData());
+        print_json(json_of(*report));
     else
-        print(*report);
+        show(*report);
     return exit_done;
 }
 
@@ -129,11 +128,11 @@ int check_verb(const std::filesystem::path& folder) {
     if (found.running)
         say("A program is running this study now; this is how far it has come.");
     for (const std::string& sentence : study_progress(*study))
-        std::printf("%s\n", sentence.c_str());
+        print("%s\n", sentence.c_str());
     if (study->records.empty())
-        std::printf("There are no trials yet.\n");
+        print("There are no trials yet.\n");
     for (const std::string& fault : found.faults)
-        std::printf("%s\n", fault.c_str());
+        print("%s\n", fault.c_str());
     return found.faults.empty() ? exit_done : exit_bad_input;
 }
 
@@ -147,7 +146,7 @@ int export_verb(const VerbLine& line, const std::filesystem::path& folder) {
         return refused(done.error());
     for (const std::string& remark : done->remarks)
         say(remark);
-    std::printf("%zu participants, %zu trials, %zu paths\n", done->participants, done->trials, done->paths);
+    print("%zu participants, %zu trials, %zu paths\n", done->participants, done->trials, done->paths);
     return exit_done;
 }
 
@@ -162,7 +161,7 @@ int plan_verb(const VerbLine& line, const std::filesystem::path& file) {
     std::string columns = "trial,repetition,training";
     for (const StudyFactor& factor : experiment->factors)
         columns += "," + std::string(kind_of(factor.parameter).name);
-    std::printf("%s,seed\n", columns.c_str());
+    print("%s,seed\n", columns.c_str());
     const Experiment in_training = experiment->in_training();
     int number = 0;
     for (const PlannedTrial& trial :
@@ -173,7 +172,7 @@ int plan_verb(const VerbLine& line, const std::filesystem::path& file) {
         const auto levels = from.levels_of(trial.condition);
         for (std::size_t i = 0; i < levels.size(); ++i)
             row += "," + from.factors[i].levels[levels[i]];
-        std::printf("%s,%llu\n", row.c_str(), static_cast<unsigned long long>(trial.seed));
+        print("%s,%llu\n", row.c_str(), static_cast<unsigned long long>(trial.seed));
     }
     return exit_done;
 }

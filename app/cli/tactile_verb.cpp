@@ -3,6 +3,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/json_number.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/photo/people/face_names.hpp"
 #include "app/photo/scene/corrections.hpp"
@@ -10,7 +11,6 @@
 #include "faces/extract/face_extractor.hpp"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ void print_sheet(const TactileSheet& sheet) {
                              {"lines", lines},
                              {"labels", labels},
                              {"notes", notes}};
-    std::printf("%s\n", QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
+    print_json(object);
 }
 
 } // namespace

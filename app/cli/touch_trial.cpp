@@ -3,6 +3,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/parts/feedbackd/touch_outputs.hpp"
 
 #include <chrono>
@@ -21,10 +22,10 @@ using Seconds = std::chrono::duration<double>;
 constexpr double rest_s = 0.4; ///< from one tick to the next
 
 void tell(const TouchCapabilities& can) {
-    std::printf("output      %s\nserial      %s\nmeans       %s\ndelay       %g s\nrate        %g "
-                "Hz\nshortest    %g s\n",
-                can.name.c_str(), can.serial_number.c_str(), word_of(can.means), can.delay, can.rate,
-                can.shortest_s);
+    print("output      %s\nserial      %s\nmeans       %s\ndelay       %g s\nrate        %g "
+          "Hz\nshortest    %g s\n",
+          can.name.c_str(), can.serial_number.c_str(), word_of(can.means), can.delay, can.rate,
+          can.shortest_s);
 }
 
 /// One tick, or as long a friction, and a rest; friction is told again as often as it must be. False where it was not delivered.

@@ -3,6 +3,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/version/program_version.hpp"
 
 #include <array>
@@ -41,7 +42,7 @@ constexpr std::array<Verb, 17> verbs{{
 void list_verbs(FILE* where) {
     std::fputs("touchphoto-lab VERB [options] …\n\n", where);
     for (const Verb& verb : verbs)
-        std::fprintf(where, "  %-11s %s\n", verb.name, verb.about);
+        print_to(where, "  %-11s %s\n", verb.name, verb.about);
     std::fputs(
         "\ntouchphoto-lab VERB --help says more about one. Results go to stdout, everything else to stderr.\n"
         "What takes long says on stderr how far it is. Exit codes: 0 done, 1 bad input, 2 wrong usage,\n"

@@ -3,6 +3,7 @@
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QJsonArray>
@@ -18,7 +19,7 @@ void print_as_json(const CheckReport& report) {
     QJsonArray findings;
     for (const Finding& finding : report.findings)
         findings.append(to_json(finding));
-    print_line({{"photos", static_cast<qint64>(report.photos)},
+    print_json({{"photos", static_cast<qint64>(report.photos)},
                 {"recordings", static_cast<qint64>(report.recordings)},
                 {"findings", findings},
                 {"told", json_texts(report.told)},
@@ -26,18 +27,18 @@ void print_as_json(const CheckReport& report) {
 }
 
 void print_for_a_person(const CheckReport& report, bool mend) {
-    std::printf("%zu photographs, %zu recordings\n", report.photos, report.recordings);
+    print("%zu photographs, %zu recordings\n", report.photos, report.recordings);
     for (const Finding& finding : report.findings) {
-        std::printf("%s", finding.sentence.c_str());
+        print("%s", finding.sentence.c_str());
         if (!finding.mend.empty())
-            std::printf(" %s%s", mend ? finding.mended ? "Mended: " : "Not mended: " : "With --mend: ",
-                        finding.problem.empty() ? finding.mend.c_str() : finding.problem.c_str());
-        std::printf("\n");
+            print(" %s%s", mend ? finding.mended ? "Mended: " : "Not mended: " : "With --mend: ",
+                  finding.problem.empty() ? finding.mend.c_str() : finding.problem.c_str());
+        print("\n");
     }
     for (const std::string& sentence : report.told)
-        std::printf("%s\n", sentence.c_str());
+        print("%s\n", sentence.c_str());
     if (report.findings.empty() && !report.stopped)
-        std::printf("Everything is as it should be.\n");
+        print("Everything is as it should be.\n");
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "core/files/file_words.hpp"
 
 #include <algorithm>
@@ -21,15 +22,15 @@ using Fate = ImportedPhoto::Fate;
 
 void print_photo(const ImportedPhoto& photo, bool json) {
     if (json)
-        return print_line(to_json(photo));
+        return print_json(to_json(photo));
     const std::string name = quoted(photo.source.filename());
     if (photo.fate == Fate::imported)
-        std::printf("%s is now %s.\n", name.c_str(), quoted(photo.place).c_str());
+        print("%s is now %s.\n", name.c_str(), quoted(photo.place).c_str());
     else if (photo.fate == Fate::duplicate)
-        std::printf("%s is already in the album, as %s.\n", name.c_str(), quoted(photo.place).c_str());
+        print("%s is already in the album, as %s.\n", name.c_str(), quoted(photo.place).c_str());
     if (photo.sound)
-        std::printf("The sound around it is now its recording %s.\n",
-                    quoted(fs::path(photo.sound->recording)).c_str());
+        print("The sound around it is now its recording %s.\n",
+              quoted(fs::path(photo.sound->recording)).c_str());
     std::fflush(stdout);
     if (!photo.problem.empty())
         say_problem(photo.problem);

@@ -6,6 +6,7 @@
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QJsonArray>
@@ -52,15 +53,15 @@ QJsonObject to_json(const ScanReport& report, const FollowedMoves& moves) {
 }
 
 void print_for_a_person(const ScanReport& report, const FollowedMoves& moves) {
-    std::printf("%zu photographs, %zu of them new or changed, %zu gone.\n", report.found, report.read,
-                report.missing);
+    print("%zu photographs, %zu of them new or changed, %zu gone.\n", report.found, report.read,
+          report.missing);
     for (const Move& move : report.moves) {
         const bool followed = std::find(moves.followed.begin(), moves.followed.end(), move) != moves.followed.end();
-        std::printf("%s is now %s%s.\n", quoted(move.from).c_str(), quoted(move.to).c_str(),
-                    followed ? "; what belongs to it was moved too" : "");
+        print("%s is now %s%s.\n", quoted(move.from).c_str(), quoted(move.to).c_str(),
+              followed ? "; what belongs to it was moved too" : "");
     }
     for (const auto& group : report.duplicates)
-        std::printf("%s is there %zu times.\n", quoted(group.front()).c_str(), group.size());
+        print("%s is there %zu times.\n", quoted(group.front()).c_str(), group.size());
 }
 
 /// What belongs to moved photographs goes along, and the index learns where it is now.
@@ -102,7 +103,7 @@ int scan(const VerbLine& line, bool following) {
     if (following && !report->stopped)
         moves = follow(*index, *report);
     if (line.has("json"))
-        print_line(to_json(*report, moves));
+        print_json(to_json(*report, moves));
     else
         print_for_a_person(*report, moves);
     report->problems.insert(report->problems.end(), moves.problems.begin(), moves.problems.end());

@@ -5,7 +5,6 @@
 #include "app/photo/seen/seen_names.hpp"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 
 #include <array>
 #include <cstdio>
@@ -133,12 +132,6 @@ QJsonObject to_json(const TrashEntry& entry) {
             {"what", json_text(entry.what)},
             {"deleted", json_text(entry.deleted)},
             {"files", files}};
-}
-
-void print_line(const QJsonObject& object) {
-    const QByteArray line = QJsonDocument(object).toJson(QJsonDocument::Compact) + '\n';
-    std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stdout);
-    std::fflush(stdout);
 }
 
 } // namespace tp

@@ -28,7 +28,4 @@ QJsonObject to_json(const ImportedPhoto& photo);
 QJsonObject to_json(const Finding& finding);
 QJsonObject to_json(const TrashEntry& entry);
 
-/// One object on one line of stdout, at once.
-void print_line(const QJsonObject& object);
-
 } // namespace tp

@@ -5,6 +5,7 @@
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
+#include "app/cli/terminal.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QStringList>
@@ -20,10 +21,10 @@ constexpr int most_lines = 10'000'000;
 void print_entries(const std::vector<PhotoEntry>& entries, bool json) {
     for (const PhotoEntry& entry : entries)
         if (json)
-            print_line({{"photo", path_text(entry.path)}, {"taken", json_text(entry.taken)}});
+            print_json({{"photo", path_text(entry.path)}, {"taken", json_text(entry.taken)}});
         else
-            std::printf("%s\t%s\n", entry.taken.empty() ? "-" : readable(entry.taken).c_str(),
-                        readable(entry.path.string()).c_str());
+            print("%s\t%s\n", entry.taken.empty() ? "-" : readable(entry.taken).c_str(),
+                  readable(entry.path.string()).c_str());
 }
 
 VerbLine& add_list_options(VerbLine& line) {

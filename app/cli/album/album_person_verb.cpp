@@ -9,6 +9,7 @@
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "core/files/file_words.hpp"
 
 #include <array>
@@ -44,17 +45,17 @@ int person_list(const QStringList& words) {
         const auto spoken = keeper.name_recording(person.name);
         const auto language = languages.of(person.name);
         if (!language)
-            std::fprintf(stderr, "%s\n", language.error().c_str());
+            print_to(stderr, "%s\n", language.error().c_str());
         const std::string tag = language ? *language : std::string{};
         if (line.has("json"))
-            print_line(
+            print_json(
                 {{"person", json_text(person.name)},
                  {"photos", static_cast<qint64>(person.photos)},
                  {"recording", spoken ? QJsonValue(path_text(*spoken)) : QJsonValue(QJsonValue::Null)},
                  {"language", tag.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(json_text(tag))}});
         else
-            std::printf("%s\t%zu%s%s\n", readable(person.name).c_str(), person.photos,
-                        spoken ? "\tname recorded" : "", tag.empty() ? "" : ("\tread as " + tag).c_str());
+            print("%s\t%zu%s%s\n", readable(person.name).c_str(), person.photos,
+                  spoken ? "\tname recorded" : "", tag.empty() ? "" : ("\tread as " + tag).c_str());
     }
     return exit_done;
 }
@@ -98,7 +99,7 @@ int person_rename(const QStringList& words) {
         if (!problem.empty())
             return refused(problem);
     }
-    std::printf("%zu photographs changed.\n", *changed);
+    print("%zu photographs changed.\n", *changed);
     return *changed > 0 ? exit_done : refused("Nobody named " + quoted(fs::path(from)) + " is on them.");
 }
 
@@ -161,7 +162,7 @@ int person_language(const QStringList& words) {
     if (!language)
         return refused(language.error());
     if (!language->empty())
-        std::printf("%s\n", language->c_str());
+        print("%s\n", language->c_str());
     return exit_done;
 }
 

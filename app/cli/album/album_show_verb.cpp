@@ -3,6 +3,7 @@
 #include "app/cli/album/album_json.hpp"
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
+#include "app/cli/terminal.hpp"
 #include "app/photo/sight/photo_look.hpp"
 #include "app/photo/words/description.hpp"
 #include "core/files/file_words.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 void print_line_of(const char* what, const std::string& text) {
     if (!text.empty())
-        std::printf("%-12s %s\n", what, readable(text).c_str());
+        print("%-12s %s\n", what, readable(text).c_str());
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -29,7 +30,7 @@ void print_for_a_person(const PhotoRecord& record) {
     print_line_of("taken", record.taken);
     print_line_of("place", record.place_name);
     if (record.place)
-        std::printf("%-12s %.5f, %.5f\n", "", record.place->latitude, record.place->longitude);
+        print("%-12s %.5f, %.5f\n", "", record.place->latitude, record.place->longitude);
     print_line_of("persons", joined(record.persons));
     print_line_of("keywords", joined(record.keywords));
     for (const auto& [language, text] : record.alt_text)
@@ -37,13 +38,13 @@ void print_for_a_person(const PhotoRecord& record) {
     for (const auto& [language, text] : record.description)
         print_line_of("description", text);
     for (const FaceRegion& face : record.faces)
-        std::printf("%-12s %s at %.3f, %.3f\n", "face",
-                    face.name.empty() ? "of nobody named" : readable(face.name).c_str(), face.x, face.y);
+        print("%-12s %s at %.3f, %.3f\n", "face",
+              face.name.empty() ? "of nobody named" : readable(face.name).c_str(), face.x, face.y);
     for (const Tag& tag : record.tags) {
         const auto kind = name_of(tag.label.kind);
-        std::printf("%-12s %.*s, %.1f s, %s%s%s\n", "recording", static_cast<int>(kind.size()), kind.data(),
-                    tag.duration_s, readable(tag.file).c_str(),
-                    tag.label.speaker.empty() ? "" : ", spoken by ", readable(tag.label.speaker).c_str());
+        print("%-12s %.*s, %.1f s, %s%s%s\n", "recording", static_cast<int>(kind.size()), kind.data(),
+              tag.duration_s, readable(tag.file).c_str(), tag.label.speaker.empty() ? "" : ", spoken by ",
+              readable(tag.label.speaker).c_str());
     }
 }
 
@@ -75,7 +76,7 @@ int album_show(const QStringList& words) {
         QJsonObject known = to_json(photo, *record);
         known["seen"] = seen.width > 0 ? QJsonValue(to_json(seen)) : QJsonValue(QJsonValue::Null);
         known["words"] = in_words(seen, *record);
-        print_line(known);
+        print_json(known);
     } else {
         print_for_a_person(*record);
         print_line_of(

@@ -6,6 +6,7 @@
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "audio/recordings/recording_file.hpp"
 #include "core/files/file_words.hpp"
 
@@ -48,11 +49,11 @@ Result<RecordingLabel> labelled(const VerbLine& line, RecordingLabel label) {
 
 void print_tag(const Tag& tag, bool json) {
     if (json)
-        return print_line(to_json(tag));
+        return print_json(to_json(tag));
     const auto kind = name_of(tag.label.kind);
-    std::printf("%s\t%.*s\t%.1f s\t%s\t%s\n", readable(tag.file).c_str(), static_cast<int>(kind.size()),
-                kind.data(), tag.duration_s, readable(tag.label.person).c_str(),
-                readable(tag.label.speaker).c_str());
+    print("%s\t%.*s\t%.1f s\t%s\t%s\n", readable(tag.file).c_str(), static_cast<int>(kind.size()),
+          kind.data(), tag.duration_s, readable(tag.label.person).c_str(),
+          readable(tag.label.speaker).c_str());
 }
 
 std::filesystem::path photo_given(const VerbLine& line) { return path_given(line.arguments().first()); }

@@ -4,6 +4,7 @@
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/album/album_words.hpp"
 #include "app/cli/long_work.hpp"
+#include "app/cli/terminal.hpp"
 #include "core/files/file_words.hpp"
 
 #include <array>
@@ -22,10 +23,9 @@ int trash_list(const QStringList& words) {
     std::vector<std::string> problems;
     for (const TrashEntry& entry : Trash(path_given(line.arguments().first())).entries(&problems))
         if (line.has("json"))
-            print_line(to_json(entry));
+            print_json(to_json(entry));
         else
-            std::printf("%s\t%s\t%s\n", entry.id.c_str(), entry.deleted.c_str(),
-                        readable(entry.what).c_str());
+            print("%s\t%s\t%s\n", entry.id.c_str(), entry.deleted.c_str(), readable(entry.what).c_str());
     for (const std::string& problem : problems)
         say_problem(problem);
     return problems.empty() ? exit_done : exit_bad_input;

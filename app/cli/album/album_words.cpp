@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/album/album_words.hpp"
 
+#include "app/cli/terminal.hpp"
+
 #include <QFile>
 
 #include <cstdio>
@@ -26,10 +28,10 @@ int run_sub_verb(const char* verb, std::span<const SubVerb> verbs, const QString
         return wrong_usage(QString::fromLatin1(verb),
                            "There is no \"" + words.first().toStdString() + "\" in it.");
     std::FILE* where = help ? stdout : stderr;
-    std::fprintf(where, "touchphoto-lab %s VERB [options] …\n\n", verb);
+    print_to(where, "touchphoto-lab %s VERB [options] …\n\n", verb);
     for (const SubVerb& one : verbs)
-        std::fprintf(where, "  %-9s %s\n", one.name, one.about);
-    std::fprintf(where, "\ntouchphoto-lab %s VERB --help says more about one.\n", verb);
+        print_to(where, "  %-9s %s\n", one.name, one.about);
+    print_to(where, "\ntouchphoto-lab %s VERB --help says more about one.\n", verb);
     return help ? exit_done : exit_usage;
 }
 

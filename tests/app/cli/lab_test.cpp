@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // touchphoto-lab as a shell sees it.
+#include "core/files/file_words.hpp"
 #include "core/guidance/exact_law.hpp"
 #include "core/svg/contour_sheet.hpp"
 #include "lab_process.hpp"
@@ -37,8 +38,76 @@ class LabTest : public QObject {
             "<path id='line' d='M 10 30 L 90 30'/><circle id='ring' cx='50' cy='30' r='20'/></svg>");
     }
 
+    QString hostile_scene() const {
+        return write(
+            "hostile.svg",
+            "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='60mm' viewBox='0 0 100 60'>"
+            "<path id='l&#x9b;31m&#x202e;x' d='M 10 30 L 90 30'/>"
+            "<path id='m&#x9b;&#x2066;' d='M 10 33 L 90 33'/></svg>");
+    }
+
 private slots:
     void initTestCase() { QVERIFY(folder_.isValid()); }
+
+    /// A name that clears the screen, colours it in another way, turns the direction of writing and ends the line.
+    static QString hostile_name() {
+        return QString::fromUtf8("a\x1b[2Jb\xc2\x9b"
+                                 "31mc\xe2\x80\xae"
+                                 "d\xe2\x81\xa6.jpg");
+    }
+    static bool obeys_nobody(const QByteArray& shown) {
+        for (const QChar unit : QString::fromUtf8(shown))
+            if (unit != '\n' && unit != '\t' && tp::is_unwelcome(unit.unicode()))
+                return false;
+        return true;
+    }
+
+    void what_strangers_wrote_does_not_reach_the_terminal_data() {
+        QTest::addColumn<QStringList>("words");
+        const QString name = path(hostile_name());
+        QTest::newRow("verb") << QStringList{hostile_name()};
+        QTest::newRow("option") << QStringList{"faces", "--" + hostile_name()};
+        QTest::newRow("too many") << QStringList{"field", "--scene", scene(), hostile_name()};
+        QTest::newRow("faces") << QStringList{"faces", name};
+        QTest::newRow("faces as JSON") << QStringList{"faces", "--json", name};
+        QTest::newRow("expressions") << QStringList{"expressions", name};
+        QTest::newRow("expressions as JSON") << QStringList{"expressions", "--json", name};
+        QTest::newRow("correction") << QStringList{"correction", name};
+        QTest::newRow("scene") << QStringList{"scene", name, "--out", path("hostile.svg")};
+        QTest::newRow("scene, written")
+            << QStringList{"scene", sample, "--out", path("none/" + hostile_name())};
+        QTest::newRow("tactile") << QStringList{"tactile", name, path("hostile.pdf")};
+        QTest::newRow("tactile, written") << QStringList{"tactile", sample, path("none/" + hostile_name())};
+        for (const char* verb : {"field", "friction", "force", "trace"})
+            QTest::newRow(verb) << QStringList{verb, "--scene", path("none/" + hostile_name()), "--out",
+                                               path("o.png")};
+        QTest::newRow("force") << QStringList{"force", "--scene", hostile_scene()};
+        for (const char* verb : {"show", "list", "check", "scan"})
+            QTest::newRow(qPrintable(QString("album ") + verb)) << QStringList{"album", verb, name};
+        QTest::newRow("a verb of the album") << QStringList{"album", hostile_name()};
+        QTest::newRow("an import") << QStringList{"album", "import", folder_.filePath("hostile"), name};
+        QTest::newRow("a study") << QStringList{"study", "check", name};
+        QTest::newRow("an experiment") << QStringList{"study", "plan", hostile_name(), "--participant", "1"};
+        QTest::newRow("a device") << QStringList{"devices", "test", hostile_name()};
+        QTest::newRow("a model") << QStringList{"models", "fetch", hostile_name()};
+    }
+    void what_strangers_wrote_does_not_reach_the_terminal() {
+        QFETCH(QStringList, words);
+        QVERIFY(QDir(folder_.path()).mkpath("hostile"));
+        if (!QFile::exists(path(hostile_name())))
+            QVERIFY(QFile::copy(sample, path(hostile_name())));
+        const Run run = lab(words, "1 2\n");
+        QVERIFY2(obeys_nobody(run.out), run.out.toPercentEncoding());
+        QVERIFY2(obeys_nobody(run.err), run.err.toPercentEncoding());
+    }
+
+    void nothing_of_a_hostile_name_is_lost_in_json() {
+        if (!QFile::exists(path(hostile_name())))
+            QVERIFY(QFile::copy(sample, path(hostile_name())));
+        const Run run = lab({"faces", "--json", path(hostile_name())});
+        QCOMPARE(run.code, 0);
+        QCOMPARE(QJsonDocument::fromJson(run.out).object()["photo"].toString(), path(hostile_name()));
+    }
 
     void usage_is_code_2_with_a_sentence_data() {
         QTest::addColumn<QStringList>("words");
@@ -289,6 +358,7 @@ private slots:
     }
 
     void force_says_which_line_it_cannot_read() {
+        QCOMPARE(lab({"force", "--scene", scene()}, "1 +-2\n").code, 1);
         const Run run = lab({"force", "--scene", scene()}, "1 2\n3 four\n5 6\n");
         QCOMPARE(run.code, 1);
         QVERIFY(run.err.contains("Line 2"));

@@ -336,12 +336,10 @@ int replicate_study_verb(const VerbLine& line, const std::filesystem::path& file
         return refused(problem);
     const auto compared = compared_results(reports);
     if (line.has("json"))
-        print("%s\n", QJsonDocument(QJsonObject{{"experiment", QString::fromStdString(order.experiment.name)},
-                                                {"studies", *seeds},
-                                                {"participants", order.participants},
-                                                {"published", json_of(compared)}})
-                          .toJson(QJsonDocument::Compact)
-                          .constData());
+        print_json({{"experiment", QString::fromStdString(order.experiment.name)},
+                    {"studies", *seeds},
+                    {"participants", order.participants},
+                    {"published", json_of(compared)}});
     else
         for (const ComparedResult& result : compared)
             print("%s: published %s; here %s; %s\n", subject_words(result.published).c_str(),

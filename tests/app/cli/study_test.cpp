@@ -40,7 +40,8 @@ class StudyVerbTest : public QObject {
 
     QString path(const QString& name) const { return folder_.filePath(name); }
 
-    /// Three people who have named shapes, as `plan` has planned it; radius 20 mm is hard.
+    /// Three people who have named shapes, as `plan` has planned it; radius 20 mm is hard. In training,
+    /// whose lines are no answers, nobody was asked.
     void make_study(const QString& name) {
         QVERIFY(QDir(folder_.path()).mkpath(name));
         QVERIFY(QFile::copy(shipped("primitives"), path(name + "/protocol.study")));
@@ -55,12 +56,16 @@ class StudyVerbTest : public QObject {
             for (const QByteArray& line : lines.mid(1)) {
                 const QList<QByteArray> cells =
                     line.split(','); // trial, repetition, training, shape, radius, seed
+                const bool asked = cells[2] == "no";
                 const bool hard = cells[4] == "20" && (cells[0].toInt() + participant) % 2 == 0;
-                const QByteArray answer = hard ? "circle" : cells[3];
+                const QByteArray answer = !asked ? "" : hard ? "circle" : cells[3];
                 csv += "primitives," + QByteArray::number(participant) + "," + cells[0] + "," + cells[1] +
                        "," + cells[2] + "," + cells[3] + "," + cells[4] + ",," +
                        QByteArray::number(8 + participant) + "." + cells[0] + "," + answer + "," +
-                       (answer == cells[3] ? "yes" : "no") + ",no," + cells[5] + "\n";
+                       (!asked               ? ""
+                        : answer == cells[3] ? "yes"
+                                             : "no") +
+                       ",no," + cells[5] + "\n";
             }
             write(path(name + QString("/participant-00%1.csv").arg(participant)), csv);
         }
@@ -104,7 +109,7 @@ private slots:
         const Run check = lab({"study", "check", path("one")});
         QCOMPARE(check.code, 1); // no fingers' paths are in it
         QVERIFY(check.out.startsWith("Participant 1: 45 trials of 45.\nParticipant 2:"));
-        QVERIFY(check.out.contains("Participant 2: the finger's path is missing in these trials: 1–50.\n"));
+        QVERIFY(check.out.contains("Participant 2: the finger's path is missing in these trials: 1–48.\n"));
         const Run run = lab({"study", "report", path("one"), "--out", path("out"), "--json"});
         QCOMPARE(run.err, QByteArray());
         QCOMPARE(run.code, 0);
@@ -125,6 +130,25 @@ private slots:
         const Run words = lab({"study", "report", path("one"), "--out", path("out")});
         QVERIFY(words.out.contains("radius 20 mm: ") &&
                 words.out.contains("radius 80 mm: 100.0 % named rightly"));
+    }
+    void an_answer_where_nobody_was_asked_is_refused() {
+        make_study("asked");
+        const QString table = path("asked/participant-002.csv");
+        QFile file(table);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QByteArray csv = file.readAll();
+        file.close();
+        const qsizetype training = csv.indexOf(",,,no,"); // an answer, and whether it was right
+        QVERIFY(training > 0);
+        write(table, csv.insert(training + 1, "curve"));
+        for (const QStringList& words : {QStringList{"study", "check", path("asked")},
+                                         {"study", "report", path("asked"), "--out", path("asked-out")}}) {
+            const Run run = lab(words);
+            QCOMPARE(run.code, 1);
+            QVERIFY2(run.err.contains("participant-002.csv\": Line 2 of the table of trials has an answer "
+                                      "that nobody could give."),
+                     run.err.constData());
+        }
     }
     void a_study_that_runs_is_checked_as_far_as_it_has_come() {
         auto writer = run_study("running");

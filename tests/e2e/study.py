@@ -21,7 +21,7 @@ from album import preferences
 
 LANGUAGES = ("en", "de", "ko")
 CATALOGUES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "translations")
-TRAINING, TRIALS, BREAK_AFTER = 5, 45, 15  # of resources/studies/primitives.study
+TRAINING, TRIALS, BREAK_AFTER = 3, 45, 15  # of resources/studies/primitives.study
 SHAPES = ["circle", "triangle", "square", "pentagon", "hexagon"]
 STOPPED_AFTER = 7  # trials; the rest is another day's
 BORDER = 24  # px of the surface that its frame and its focus ring may have
@@ -124,7 +124,16 @@ class Sitting:
     def awaits_trial(self, number, training=False):
         words = self.words
         which = words("Training %1 of %2", number, TRAINING) if training else words("Trial %1 of %2", number, TRIALS)
-        self.listener.await_words(words("%1. %2 Press Space to start.", which, words("Feel the shape.")))
+        what = words("Feel the line; nothing is asked.") if training else words("Feel the shape.")
+        self.listener.await_words(words("%1. %2 Press Space to start.", which, what))
+
+    def feels_in_training(self):
+        """A line, after which nothing is asked."""
+        before = len(self.rows())
+        self.page.keys("space", "Right", "Down", "space")
+        desk.awaited(lambda: len(self.rows()) == before + 1)
+        row = self.rows()[-1]
+        assert (row["training"], row["answer"], row["correct"]) == ("yes", "", ""), row
 
     def feels_and_names(self, answer):
         before = len(self.rows())
@@ -184,7 +193,7 @@ def journey(program, lab, folder, language, listener, screen):
         sitting.agrees(1)
         for number in range(1, TRAINING + 1):
             sitting.awaits_trial(number, training=True)
-            sitting.feels_and_names(number)
+            sitting.feels_in_training()
         sitting.awaits_trial(1)
         nothing_is_seen(sitting, screen, keep and os.path.join(keep, f"study-{language}.png"))
         for number in range(1, STOPPED_AFTER + 1):

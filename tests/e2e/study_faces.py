@@ -93,7 +93,7 @@ def inner(program, lab, draw):
         assert all(row["correct"] == ("yes" if row["answer"] == row["expression"] else "no") for row in counted), counted
         for verb in (["check", sitting.study], ["report", sitting.study, "--out", os.path.join(folder, "report")]):
             done = subprocess.run([lab, "study", *verb], capture_output=True, text=True)
-            assert done.returncode == 0, f"study {verb[0]}: {done.stderr}"
+            assert done.returncode == 0, f"study {verb[0]}: {done.stdout}{done.stderr}"
             print(done.stdout)
 
 

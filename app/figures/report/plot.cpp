@@ -4,6 +4,7 @@
 #include "core/files/durable_file.hpp"
 
 #include <QBuffer>
+#include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
 #include <QSvgGenerator>
@@ -94,10 +95,14 @@ private:
         return values;
     }
 
+    /// Words that are too wide for their place are written smaller, so that none is cut off.
     void text(const QRectF& where, int align, const QString& words, int pixels, bool bold = false) {
+        constexpr int smallest = 8;
         QFont font = painter_.font();
         font.setPixelSize(pixels);
         font.setBold(bold);
+        while (pixels > smallest && QFontMetricsF(font).size(0, words).width() > where.width())
+            font.setPixelSize(--pixels);
         painter_.setFont(font);
         painter_.setPen(ink);
         painter_.drawText(where, align, words);

@@ -3,11 +3,13 @@
 
 #include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <cerrno>
 #include <cstdint>
 #include <optional>
-#include <system_error>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tp {
@@ -66,15 +68,16 @@ std::string move_file(const fs::path& from, const fs::path& to) {
 }
 
 std::string make_folder(const fs::path& folder, Readers readers) {
-    std::error_code error;
-    if (folder.empty() || fs::is_directory(folder, error))
+    if (folder.empty() || folder_there(folder))
         return {};
     if (!folder.has_relative_path()) // a disk that is not there
         return reason_of(ENOENT);
+    if (const auto link = link_on_the_way(folder))
+        return left_alone(*link);
     if (std::string reason = make_folder(folder.parent_path(), readers); !reason.empty())
         return reason;
     const int made = make_directory(folder, readers);
-    if (made != 0 && !(made == EEXIST && fs::is_directory(folder, error)))
+    if (made != 0 && !(made == EEXIST && folder_there(folder)))
         return reason_of(made);
     return sync_folder(folder.parent_path());
 }
@@ -84,9 +87,77 @@ std::string sync_folder(const fs::path& folder) {
     return error == 0 ? std::string{} : reason_of(error);
 }
 
-bool name_taken(const fs::path& file) {
-    std::error_code error;
-    return fs::exists(fs::symlink_status(file, error));
+std::string remove_file(const fs::path& file) {
+    const int error = remove_name(file);
+    if (error == ELOOP)
+        return reason_of(ELOOP);
+    return error == 0 || error == ENOENT ? sync_folder(file.parent_path()) : reason_of(error);
+}
+
+std::string remove_tree(const fs::path& folder) {
+    const auto is = facts_of_name(folder);
+    if (!is)
+        return errno == ENOENT || errno == ENOTDIR ? std::string{} : reason_of(errno);
+    if (is->kind == FileFacts::Kind::link)
+        return left_alone(folder);
+    if (is->kind != FileFacts::Kind::folder) {
+        const int error = remove_name(folder);
+        return error == 0 || error == ENOENT ? std::string{} : reason_of(error);
+    }
+    std::string first;
+    const auto note = [&](std::string problem) {
+        if (first.empty())
+            first = std::move(problem);
+    };
+    int error = 0;
+    const OpenFolder opened(folder);
+    if (!opened.ok())
+        return reason_of(errno);
+    for (const FolderEntry& entry : opened.entries([](std::string_view) { return true; }, error))
+        note(entry.link ? left_alone(folder / entry.name) : remove_tree(folder / entry.name));
+    if (error != 0)
+        note(reason_of(error));
+    if (!first.empty())
+        return first;
+    error = remove_directory(folder);
+    return error == 0 || error == ENOENT ? std::string{} : reason_of(error);
+}
+
+bool name_taken(const fs::path& file) { return facts_of_name(file).has_value(); }
+
+bool file_there(const fs::path& file) {
+    const auto facts = facts_of(file);
+    return facts && facts->kind == FileFacts::Kind::file;
+}
+
+bool folder_there(const fs::path& folder) {
+    const auto facts = facts_of(folder);
+    return facts && facts->kind == FileFacts::Kind::folder;
+}
+
+bool link_there(const fs::path& file) {
+    const auto facts = facts_of_name(file);
+    return facts && facts->kind == FileFacts::Kind::link;
+}
+
+bool photo_there(const fs::path& photo) {
+    const auto facts = facts_of_photo(photo);
+    return facts && facts->kind == FileFacts::Kind::file;
+}
+
+std::vector<FolderEntry> entries_of(const fs::path& folder, int* error) {
+    int problem = 0;
+    std::vector<FolderEntry> entries;
+    if (const OpenFolder opened(folder.empty() ? fs::path(".") : folder);
+        opened.ok() && opened.is_of_kernel())
+        problem = ENXIO;
+    else if (opened.ok())
+        entries = opened.entries([](std::string_view) { return true; }, problem, true);
+    else
+        problem = errno;
+    if (error)
+        *error = problem;
+    return entries;
 }
 
 } // namespace tp

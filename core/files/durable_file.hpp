@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/files/new_file.hpp"
+#include "core/files/open_folder.hpp"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tp {
 
@@ -31,7 +33,24 @@ std::string make_folder(const std::filesystem::path& folder, Readers readers = R
 /// path: the working folder.
 std::string sync_folder(const std::filesystem::path& folder);
 
+/// Removes a file; done where there is none.
+std::string remove_file(const std::filesystem::path& file);
+
+/// Removes a folder and all that is in it, or a file; done where there is none. A link is left alone, and so are the folders that
+/// it lies in: the reason then names it.
+std::string remove_tree(const std::filesystem::path& folder);
+
 /// Whether something has this name, be it a link to nothing.
 bool name_taken(const std::filesystem::path& file);
+
+// What a name is. In a ForeignFolder a link is none of these but a link, and what lies behind one is nothing.
+bool file_there(const std::filesystem::path& file);
+bool folder_there(const std::filesystem::path& folder);
+bool link_there(const std::filesystem::path& file);
+/// A photograph, which may be a link itself in a ForeignFolder too: it may be looked at.
+bool photo_there(const std::filesystem::path& photo);
+
+/// What is in a folder, by name; nothing, and the system's number, where it cannot be opened or is the kernel's. Empty path: the working folder.
+std::vector<FolderEntry> entries_of(const std::filesystem::path& folder, int* error = nullptr);
 
 } // namespace tp

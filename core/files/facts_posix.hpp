@@ -3,9 +3,15 @@
 
 #include "core/files/open_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <ctime>
 #include <sys/stat.h>
+#if defined(__linux__)
+#include <linux/magic.h>
+#include <sys/vfs.h>
+#endif
 
 namespace tp {
 
@@ -30,6 +36,23 @@ inline FileFacts facts_from(const struct stat& about) {
 #endif
     facts.identity = {static_cast<std::uint64_t>(about.st_dev), static_cast<std::uint64_t>(about.st_ino)};
     return facts;
+}
+
+/// Whether an open file or folder is what the kernel shows of itself, as all in /proc and /sys is: nobody's file, and reading it may
+/// do something, or never end.
+inline bool is_kernels(int file) {
+#if defined(__linux__)
+    constexpr std::array<unsigned long, 9> kernels{PROC_SUPER_MAGIC,    SYSFS_MAGIC,      DEBUGFS_MAGIC,
+                                                   TRACEFS_MAGIC,       SECURITYFS_MAGIC, CGROUP_SUPER_MAGIC,
+                                                   CGROUP2_SUPER_MAGIC, BPF_FS_MAGIC,     PSTOREFS_MAGIC};
+    struct statfs about {};
+    return ::fstatfs(file, &about) == 0 &&
+           std::find(kernels.begin(), kernels.end(), static_cast<unsigned long>(about.f_type)) !=
+               kernels.end();
+#else
+    static_cast<void>(file);
+    return false;
+#endif
 }
 
 } // namespace tp

@@ -12,8 +12,11 @@ namespace tp {
 // What the system does with names of files, for the rest of this room and for who must tell its errors apart. What others need
 // is in durable_file.hpp and new_file.hpp. Those that return a number return 0, or the system's `errno`.
 
-/// Of what the name leads to, be it by links; none, and `errno`, where it leads to nothing.
+/// Of what the name leads to, be it by links; none, and `errno`, where it leads to nothing. Of a name in a ForeignFolder as
+/// `facts_of_name`.
 std::optional<FileFacts> facts_of(const std::filesystem::path& file);
+/// Of a photograph, which may be a link itself in a ForeignFolder too.
+std::optional<FileFacts> facts_of_photo(const std::filesystem::path& file);
 /// Of what has the name, be it a link.
 std::optional<FileFacts> facts_of_name(const std::filesystem::path& file);
 
@@ -26,6 +29,14 @@ int move_to_free(const std::filesystem::path& from, const std::filesystem::path&
 /// Each file has the other's name from then on; EINVAL or ENOSYS where that cannot be done in one step.
 int swap_names(const std::filesystem::path& one, const std::filesystem::path& other);
 int remove_name(const std::filesystem::path& file) noexcept;
+/// Removes an empty folder.
+int remove_directory(const std::filesystem::path& folder);
+
+/// Whether others than its owner may do anything with a file or folder; false of a link.
+bool open_to_others(const std::filesystem::path& file);
+/// From then on its owner may read and write a file, and look into a folder, and nobody else; EMLINK of a file that has other
+/// names, which may be somebody's who knows why.
+int only_for_owner(const std::filesystem::path& file);
 
 /// EEXIST where something has the name.
 int make_directory(const std::filesystem::path& folder, Readers readers);

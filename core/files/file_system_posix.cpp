@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/facts_posix.hpp"
 #include "core/files/file_system.hpp"
+#include "core/files/way_posix.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,18 +32,25 @@ namespace {
 enum class Rename { to_free, swap };
 
 /// 0, or the system's error: EINVAL or ENOSYS where it, or the file system, knows no such renaming.
-int renamed(const fs::path& from, const fs::path& to, Rename how) {
+int renamed(const Way& from, const Way& to, Rename how) {
 #if defined(__linux__)
     const unsigned flag = how == Rename::swap ? RENAME_EXCHANGE : RENAME_NOREPLACE;
-    return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), flag) == 0 ? 0 : errno;
+    return ::renameat2(from.folder(), from.name(), to.folder(), to.name(), flag) == 0 ? 0 : errno;
 #elif defined(__APPLE__)
     const unsigned flag = how == Rename::swap ? RENAME_SWAP : RENAME_EXCL;
-    const int error = ::renamex_np(from.c_str(), to.c_str(), flag) == 0 ? 0 : errno;
+    const int error =
+        ::renameatx_np(from.folder(), from.name(), to.folder(), to.name(), flag) == 0 ? 0 : errno;
     return error == ENOTSUP ? ENOSYS : error;
 #else
     static_cast<void>(from), static_cast<void>(to), static_cast<void>(how);
     return ENOSYS;
 #endif
+}
+
+/// 0, or why a name is not given, or not taken: foreign links stay what they are.
+int refused(const Way& from, const Way& to) {
+    const int error = from.refused();
+    return error != 0 ? error : to.refused();
 }
 
 #if defined(TP_CAN_LEAVE_PROCESS)
@@ -81,43 +89,108 @@ bool unknown(int error) { return error == EINVAL || error == ENOSYS; }
 } // namespace
 
 std::optional<FileFacts> facts_of(const fs::path& file) {
+    const Way way(file);
     struct stat about {};
-    if (::stat(file.c_str(), &about) != 0)
+    if (way.error() != 0)
+        errno = way.error();
+    if (way.error() != 0 || ::fstatat(way.folder(), way.name(), &about, way.no_links()) != 0)
         return std::nullopt;
     return facts_from(about);
 }
 
 std::optional<FileFacts> facts_of_name(const fs::path& file) {
+    const auto about = Way(file).stat_of_name();
+    return about ? std::optional(facts_from(*about)) : std::nullopt;
+}
+
+std::optional<FileFacts> facts_of_photo(const fs::path& file) {
+    const Way way(file);
     struct stat about {};
-    if (::lstat(file.c_str(), &about) != 0)
+    if (way.error() != 0)
+        errno = way.error();
+    if (way.error() != 0 || ::fstatat(way.folder(), way.name(), &about, 0) != 0)
         return std::nullopt;
     return facts_from(about);
 }
 
 int rename_over(const fs::path& from, const fs::path& to) {
-    return ::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+    const Way one(from), other(to);
+    if (const int error = refused(one, other); error != 0)
+        return error;
+    return ::renameat(one.folder(), one.name(), other.folder(), other.name()) == 0 ? 0 : errno;
 }
 
 int rename_to_free(const fs::path& from, const fs::path& to) {
-    const int error = renamed(from, to, Rename::to_free);
+    const Way one(from), other(to);
+    if (const int error = one.refused(); error != 0)
+        return error;
+    if (other.error() != 0)
+        return other.error();
+    const int error = renamed(one, other, Rename::to_free);
     if (!unknown(error))
         return error;
-    if (::link(from.c_str(), to.c_str()) != 0)
+    if (::linkat(one.folder(), one.name(), other.folder(), other.name(), 0) != 0)
         return errno;
-    ::unlink(from.c_str());
+    ::unlinkat(one.folder(), one.name(), 0);
     return 0;
 }
 
 int move_to_free(const fs::path& from, const fs::path& to) {
-    const int error = renamed(from, to, Rename::to_free);
+    const Way one(from), other(to);
+    if (const int error = one.refused(); error != 0)
+        return error;
+    if (other.error() != 0)
+        return other.error();
+    const int error = renamed(one, other, Rename::to_free);
     if (!unknown(error))
         return error;
     return facts_of_name(to) ? EEXIST : rename_over(from, to);
 }
 
-int swap_names(const fs::path& one, const fs::path& other) { return renamed(one, other, Rename::swap); }
+int swap_names(const fs::path& one, const fs::path& other) {
+    const Way first(one), second(other);
+    const int error = refused(first, second);
+    return error != 0 ? error : renamed(first, second, Rename::swap);
+}
 
-int remove_name(const fs::path& file) noexcept { return ::unlink(file.c_str()) == 0 ? 0 : errno; }
+int remove_name(const fs::path& file) noexcept try {
+    const Way way(file);
+    if (const int error = way.refused(); error != 0)
+        return error;
+    return ::unlinkat(way.folder(), way.name(), 0) == 0 ? 0 : errno;
+} catch (...) { // no memory for its name
+    return ENOMEM;
+}
+
+int remove_directory(const fs::path& folder) {
+    const Way way(folder);
+    if (const int error = way.refused(); error != 0)
+        return error;
+    return ::unlinkat(way.folder(), way.name(), AT_REMOVEDIR) == 0 ? 0 : errno;
+}
+
+int only_for_owner(const fs::path& file) {
+    const Way way(file);
+    const int error = way.refused();
+    const OpenFile opened(error != 0 ? -1
+                                     : ::openat(way.folder(), way.name(),
+                                                O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | O_NOFOLLOW));
+    struct stat about {};
+    if (error != 0 || !opened.ok() || ::fstat(opened.number(), &about) != 0)
+        return error != 0 ? error : errno;
+    if (S_ISDIR(about.st_mode))
+        return ::fchmod(opened.number(), 0700) == 0 ? 0 : errno;
+    if (!S_ISREG(about.st_mode))
+        return ENXIO;
+    if (about.st_nlink > 1)
+        return EMLINK;
+    return ::fchmod(opened.number(), 0600) == 0 ? 0 : errno;
+}
+
+bool open_to_others(const fs::path& file) {
+    const auto about = Way(file).stat_of_name();
+    return about && !S_ISLNK(about->st_mode) && (about->st_mode & 077U) != 0;
+}
 
 HeldElsewhere::HeldElsewhere(const std::vector<fs::path>& files) {
 #if defined(TP_CAN_LEAVE_PROCESS)
@@ -149,12 +222,18 @@ HeldElsewhere::~HeldElsewhere() {
 }
 
 int make_directory(const fs::path& folder, Readers readers) {
-    return ::mkdir(folder.c_str(), readers == Readers::owner_only ? 0700 : 0777) == 0 ? 0 : errno;
+    const Way way(folder);
+    if (way.error() != 0)
+        return way.error();
+    return ::mkdirat(way.folder(), way.name(), readers == Readers::owner_only ? 0700 : 0777) == 0 ? 0 : errno;
 }
 
 int names_to_disk(const fs::path& folder) {
-    const OpenFile directory(
-        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const Way way(folder.empty() ? fs::path(".") : folder);
+    if (way.error() != 0)
+        return way.error();
+    const OpenFile directory(::openat(way.folder(), way.name(),
+                                      O_RDONLY | O_DIRECTORY | O_CLOEXEC | (way.foreign() ? O_NOFOLLOW : 0)));
     if (!directory.ok()) // one that may be written to and not read
         return errno == EACCES ? 0 : errno;
     const int error = directory.to_disk();
@@ -170,7 +249,10 @@ int copy_times(const OpenFile& from, const fs::path& to) {
 #else
     const std::array<timespec, 2> times{about.st_atim, about.st_mtim};
 #endif
-    return ::utimensat(AT_FDCWD, to.c_str(), times.data(), 0) == 0 ? 0 : errno;
+    const Way way(to);
+    if (way.error() != 0)
+        return way.error();
+    return ::utimensat(way.folder(), way.name(), times.data(), way.no_links()) == 0 ? 0 : errno;
 }
 
 long this_process() { return ::getpid(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/files/facts_windows.hpp"
 #include "core/files/file_system.hpp"
+#include "core/files/way_windows.hpp"
 
 #include <cerrno>
 #include <windows.h>
@@ -11,8 +11,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::optional<FileFacts> facts_by_name(const fs::path& file, DWORD links) {
-    const SystemFile opened(CreateFileW(file.c_str(), FILE_READ_ATTRIBUTES, shared_with_all, nullptr,
+std::optional<FileFacts> facts_by_name(const Way& way, DWORD links) {
+    if (way.error() != 0) {
+        errno = way.error();
+        return std::nullopt;
+    }
+    const SystemFile opened(CreateFileW(way.path().c_str(), FILE_READ_ATTRIBUTES, shared_with_all, nullptr,
                                         OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS | links, nullptr));
     if (!opened.ok()) {
         errno_of_last();
@@ -22,16 +26,28 @@ std::optional<FileFacts> facts_by_name(const fs::path& file, DWORD links) {
 }
 
 int moved(const fs::path& from, const fs::path& to, DWORD how) {
-    return MoveFileExW(from.c_str(), to.c_str(), how | MOVEFILE_WRITE_THROUGH) != 0 ? 0 : errno_of_last();
+    const Way one(from), other(to);
+    if (const int error = one.refused(); error != 0)
+        return error;
+    if (const int error = how == MOVEFILE_REPLACE_EXISTING ? other.refused() : other.error(); error != 0)
+        return error;
+    return MoveFileExW(one.path().c_str(), other.path().c_str(), how | MOVEFILE_WRITE_THROUGH) != 0
+               ? 0
+               : errno_of_last();
 }
 
 } // namespace
 
-std::optional<FileFacts> facts_of(const fs::path& file) { return facts_by_name(file, 0); }
+std::optional<FileFacts> facts_of(const fs::path& file) {
+    const Way way(file);
+    return facts_by_name(way, way.no_links());
+}
 
 std::optional<FileFacts> facts_of_name(const fs::path& file) {
-    return facts_by_name(file, FILE_FLAG_OPEN_REPARSE_POINT);
+    return facts_by_name(Way(file), FILE_FLAG_OPEN_REPARSE_POINT);
 }
+
+std::optional<FileFacts> facts_of_photo(const fs::path& file) { return facts_by_name(Way(file), 0); }
 
 int rename_over(const fs::path& from, const fs::path& to) {
     return moved(from, to, MOVEFILE_REPLACE_EXISTING);
@@ -47,15 +63,34 @@ int swap_names(const fs::path& one, const fs::path& other) {
     return ENOSYS;
 }
 
-int remove_name(const fs::path& file) noexcept {
-    return DeleteFileW(file.c_str()) != 0 ? 0 : errno_of_last();
+int remove_name(const fs::path& file) noexcept try {
+    const Way way(file);
+    if (const int error = way.refused(); error != 0)
+        return error;
+    return DeleteFileW(way.path().c_str()) != 0 ? 0 : errno_of_last();
+} catch (...) { // no memory for its name
+    return ENOMEM;
 }
+
+int remove_directory(const fs::path& folder) {
+    const Way way(folder);
+    if (const int error = way.refused(); error != 0)
+        return error;
+    return RemoveDirectoryW(way.path().c_str()) != 0 ? 0 : errno_of_last();
+}
+
+// Who may read a file follows from its folder: a person's own are theirs alone.
+bool open_to_others(const fs::path&) { return false; }
+int only_for_owner(const fs::path&) { return 0; }
 
 HeldElsewhere::HeldElsewhere(const std::vector<fs::path>&) {}
 HeldElsewhere::~HeldElsewhere() = default;
 
 int make_directory(const fs::path& folder, Readers) {
-    return CreateDirectoryW(folder.c_str(), nullptr) != 0 ? 0 : errno_of_last();
+    const Way way(folder);
+    if (way.error() != 0)
+        return way.error();
+    return CreateDirectoryW(way.path().c_str(), nullptr) != 0 ? 0 : errno_of_last();
 }
 
 int names_to_disk(const fs::path&) {
@@ -66,8 +101,11 @@ int copy_times(const OpenFile& from, const fs::path& to) {
     const auto facts = from.facts();
     if (!facts)
         return errno;
-    const SystemFile file(
-        CreateFileW(to.c_str(), FILE_WRITE_ATTRIBUTES, shared_with_all, nullptr, OPEN_EXISTING, 0, nullptr));
+    const Way way(to);
+    if (way.error() != 0)
+        return way.error();
+    const SystemFile file(CreateFileW(way.path().c_str(), FILE_WRITE_ATTRIBUTES, shared_with_all, nullptr,
+                                      OPEN_EXISTING, way.no_links(), nullptr));
     if (!file.ok())
         return errno_of_last();
     const FILETIME written = time_of(facts->written_ns);

@@ -60,6 +60,12 @@ std::string reason_of(int error) {
         return "its folder is gone.";
     case EEXIST:
         return "there is a file of that name already.";
+    case ELOOP:
+        return "it is a link; it is left alone.";
+    case EMLINK:
+        return "it has another name too, and is not written into.";
+    case ENXIO:
+        return "it is not a file.";
     default:
         return std::generic_category().message(error) + ".";
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/folder_lock.hpp"
+#include "core/files/way_posix.hpp"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -9,8 +10,10 @@
 
 namespace tp {
 
-FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::milliseconds patience)
-    : descriptor_(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+FolderLock::FolderLock(const std::filesystem::path& folder, std::chrono::milliseconds patience) {
+    if (const Way way(folder.empty() ? std::filesystem::path(".") : folder); way.error() == 0)
+        descriptor_ = ::openat(way.folder(), way.name(),
+                               O_RDONLY | O_DIRECTORY | O_CLOEXEC | (way.foreign() ? O_NOFOLLOW : 0));
     if (descriptor_ < 0) { // a folder that may be written to and not read, or none: writing will tell
         held_ = true;
         return;

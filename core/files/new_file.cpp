@@ -4,6 +4,7 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -72,16 +73,22 @@ private:
 } // namespace
 
 Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
-    std::error_code error;
-    if (!place.has_filename() || fs::is_directory(place, error))
+    const auto there = place.has_filename() ? facts_of(place) : std::nullopt;
+    if (!place.has_filename() || (there && there->kind == FileFacts::Kind::folder))
         return Error{quoted(place) + " is a folder."};
-    const auto linked = end_of_links(place);
+    if (there && there->kind != FileFacts::Kind::file)
+        return Error{reason_of(there->kind == FileFacts::Kind::link ? ELOOP : ENXIO)};
+    const auto linked = foreign_place(place) ? Result<fs::path>(place) : end_of_links(place);
     if (!linked)
         return Error{linked.error()};
     const fs::path& target = *linked;
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, error) && error != std::errc::permission_denied)
+    const auto above = facts_of(folder);
+    if ((above && above->kind != FileFacts::Kind::folder) || (!above && errno != EACCES)) {
+        if (const auto link = link_on_the_way(folder))
+            return Error{left_alone(*link)};
         return Error{"there is no folder " + quoted(folder) + "."};
+    }
 
     for (int tries = 0; tries < most_tries; ++tries) {
         fs::path temporary = temporary_beside(target);

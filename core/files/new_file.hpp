@@ -25,7 +25,8 @@ enum class Existing {
 class NewFile {
 public:
     /// A link stays a link: what it points to is replaced, or made where nothing is there; where its folder
-    /// is away, as a disk that is not plugged in, that is an error. An error ends in the system's reason.
+    /// is away, as a disk that is not plugged in, that is an error. In a ForeignFolder a link is an error, and everywhere what is
+    /// no file, such as a device. An error ends in the system's reason.
     static Result<NewFile> beside(const std::filesystem::path& place, Readers readers = Readers::as_usual);
     NewFile(NewFile&& other) noexcept;
     NewFile& operator=(NewFile&&) = delete;

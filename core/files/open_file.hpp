@@ -27,7 +27,9 @@ struct OpenMode {
     bool only_new = false;               ///< EEXIST where something has it; with `make`
     bool emptied = false;                ///< what it held is gone
     bool at_end = false;                 ///< each write goes behind what is there
-    bool follow_link = true;             ///< else ELOOP where the name is a link
+    bool follow_link = true; ///< else ELOOP where the name is a link; in a ForeignFolder none is followed
+    bool looked_at =
+        false; ///< a photograph: read through a link that is its own name, in a ForeignFolder too
     Readers readers = Readers::as_usual; ///< of one that is made
 };
 
@@ -71,6 +73,9 @@ public:
     void close();
 
     std::optional<FileFacts> facts() const;
+    /// A path by which a library that opens files by name, in this process, gets this one, whatever has its name by then; empty
+    /// where the system has none such.
+    std::filesystem::path name_of_opened() const;
     /// Fills `to` from where it stands; how many bytes there were, fewer at the file's end. −1: a fault.
     std::int64_t read(std::span<char> to);
     /// Fills `to` from the byte `at` on; how many bytes there were before the file's end, or a fault.

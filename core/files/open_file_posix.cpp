@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/facts_posix.hpp"
 #include "core/files/open_file.hpp"
+#include "core/files/way_posix.hpp"
 
 #include <cerrno>
 #include <fcntl.h>
+#include <string>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -53,10 +55,52 @@ Written all_written(std::size_t size, const Some& some) {
     return written;
 }
 
+/// Before a foreign name is opened, which alone may do something to a device. 0: it may be.
+int why_not_opened(const Way& way, bool links, bool make) {
+    struct stat about {};
+    if (::fstatat(way.folder(), way.name(), &about, links ? 0 : AT_SYMLINK_NOFOLLOW) != 0)
+        return errno == ENOENT && make ? 0 : errno;
+    if (S_ISLNK(about.st_mode))
+        return ELOOP;
+    return S_ISREG(about.st_mode) || S_ISDIR(about.st_mode) ? 0 : ENXIO;
+}
+
+/// Of a foreign name that was opened, which somebody may have changed at that moment. 0: it may be used.
+int why_not_used(int file, const OpenMode& how) {
+    struct stat about {};
+    if (::fstat(file, &about) != 0)
+        return errno;
+    if (!S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode))
+        return ENXIO;
+    if (is_kernels(file))
+        return ENXIO;
+    if (how.write && S_ISREG(about.st_mode) && about.st_nlink > 1)
+        return EMLINK;
+    return how.emptied && ::ftruncate(file, 0) != 0 ? errno : 0;
+}
+
 } // namespace
 
-OpenFile::OpenFile(const std::filesystem::path& file, const OpenMode& how)
-    : number_(::open(file.c_str(), flags_of(how), how.readers == Readers::owner_only ? 0600 : 0666)) {}
+OpenFile::OpenFile(const std::filesystem::path& file, const OpenMode& how) {
+    const Way way(file);
+    const bool links = how.follow_link && (!way.foreign() || (how.looked_at && !how.write));
+    int error = way.error();
+    if (error == 0 && way.foreign())
+        error = why_not_opened(way, links, how.make);
+    if (error != 0) {
+        errno = error;
+        return;
+    }
+    const int flags = flags_of(how) & ~(way.foreign() ? O_TRUNC : 0); // emptied when it is known to be ours
+    number_ = ::openat(way.folder(), way.name(), flags | (links ? 0 : O_NOFOLLOW),
+                       how.readers == Readers::owner_only ? 0600 : 0666);
+    if (ok() && way.foreign())
+        error = why_not_used(number_, how);
+    if (error != 0) {
+        close();
+        errno = error;
+    }
+}
 
 OpenFile& OpenFile::operator=(OpenFile&& other) noexcept {
     close();
@@ -76,6 +120,15 @@ std::optional<FileFacts> OpenFile::facts() const {
     if (::fstat(number_, &about) != 0)
         return std::nullopt;
     return facts_from(about);
+}
+
+std::filesystem::path OpenFile::name_of_opened() const {
+#if defined(__linux__)
+    const std::string name = "/proc/self/fd/" + std::to_string(number_);
+    if (ok() && ::access(name.c_str(), R_OK) == 0) // a system without /proc
+        return name;
+#endif
+    return {};
 }
 
 std::int64_t OpenFile::read(std::span<char> to) {
@@ -129,8 +182,10 @@ int OpenFile::bytes_out_of_memory() const {
 }
 
 void OpenFile::give_readers_of(const std::filesystem::path& other) const {
+    const Way way(other);
     struct stat about {};
-    if (::stat(other.c_str(), &about) == 0) // where that cannot be kept, the file is still worth writing
+    if (way.error() == 0 && ::fstatat(way.folder(), way.name(), &about, way.no_links()) == 0 &&
+        !S_ISLNK(about.st_mode)) // where that cannot be kept, the file is still worth writing
         static_cast<void>(::fchmod(number_, about.st_mode & 0777u));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/files/facts_windows.hpp"
 #include "core/files/open_file.hpp"
+#include "core/files/way_windows.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -86,14 +86,20 @@ bool locked(int number, DWORD how) {
 
 // Who may read a file that is made follows from its folder: a person's own are theirs alone.
 OpenFile::OpenFile(const std::filesystem::path& file, const OpenMode& how) {
+    const Way way(file);
+    if (way.error() != 0) {
+        errno = way.error();
+        return;
+    }
+    const bool follows = how.follow_link && (!way.foreign() || (how.looked_at && !how.write));
     const DWORD access = (how.read ? GENERIC_READ : FILE_READ_ATTRIBUTES) | (how.write ? GENERIC_WRITE : 0U);
-    const DWORD links = how.follow_link ? 0 : FILE_FLAG_OPEN_REPARSE_POINT;
+    const DWORD links = follows ? 0 : FILE_FLAG_OPEN_REPARSE_POINT;
     const DWORD folders = how.write ? 0 : FILE_FLAG_BACKUP_SEMANTICS; // to be looked at, as on other systems
-    SystemFile opened(CreateFileW(file.c_str(), access, shared_with_all, nullptr, disposition_of(how),
+    SystemFile opened(CreateFileW(way.path().c_str(), access, shared_with_all, nullptr, disposition_of(how),
                                   FILE_ATTRIBUTE_NORMAL | links | folders, nullptr));
     if (!opened.ok()) {
         const int error = errno_of_last();
-        const DWORD attributes = GetFileAttributesW(file.c_str());
+        const DWORD attributes = GetFileAttributesW(way.path().c_str());
         if (error == EACCES && attributes != INVALID_FILE_ATTRIBUTES &&
             (attributes & FILE_ATTRIBUTE_DIRECTORY) != 0)
             errno = EISDIR;
@@ -101,10 +107,19 @@ OpenFile::OpenFile(const std::filesystem::path& file, const OpenMode& how) {
             errno = error;
         return;
     }
-    if (!how.follow_link) {
+    if (!follows) {
         const auto facts = facts_of_handle(opened.get());
         if (!facts || facts->kind == FileFacts::Kind::link) {
             errno = ELOOP;
+            return;
+        }
+    }
+    if (way.foreign()) {
+        BY_HANDLE_FILE_INFORMATION about{};
+        const bool known = GetFileType(opened.get()) == FILE_TYPE_DISK &&
+                           GetFileInformationByHandle(opened.get(), &about) != 0;
+        if (!known || (how.write && about.nNumberOfLinks > 1)) {
+            errno = known ? EMLINK : ENXIO;
             return;
         }
     }
@@ -139,6 +154,8 @@ Descriptor OpenFile::handed_over() {
 }
 
 std::optional<FileFacts> OpenFile::facts() const { return facts_of_handle(handle_of(number_)); }
+
+std::filesystem::path OpenFile::name_of_opened() const { return {}; }
 
 std::int64_t OpenFile::read(std::span<char> to) {
     std::size_t done = 0;

@@ -18,7 +18,7 @@ namespace tp {
 struct FolderEntry {
     std::string name;
     FileFacts facts; ///< of what it leads to
-    bool link = false;
+    bool link = false; ///< in a ForeignFolder the facts are the link's own then
 };
 
 /// A folder held open, so that all that is asked is asked of the same one. It closes itself.
@@ -31,10 +31,13 @@ public:
 
     bool ok() const { return system_ != nullptr; }
     std::optional<FileFacts> facts() const;
-    /// Those whose name is `wanted`, in the order of their names' bytes; not what has just gone, nor links to nothing. Where
+    /// Whether it is what the kernel shows of itself, as all in /proc and /sys is.
+    bool is_of_kernel() const;
+    /// Those whose name is `wanted`, in the order of their names' bytes; not what has just gone, nor links to nothing,
+    /// but in a ForeignFolder or where `all_links` are wanted. Where
     /// the system would not tell all, its number is in `error`, else 0. To be called once.
-    std::vector<FolderEntry> entries(const std::function<bool(std::string_view name)>& wanted,
-                                     int& error) const;
+    std::vector<FolderEntry> entries(const std::function<bool(std::string_view name)>& wanted, int& error,
+                                     bool all_links = false) const;
 
 private:
     struct System;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/whole_file.hpp"
 
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
+#include "core/files/open_file.hpp"
 
 #include <array>
-#include <fstream>
+#include <cerrno>
+#include <cstdint>
 #include <new>
-#include <system_error>
 
 namespace tp {
 
@@ -26,29 +29,33 @@ Error too_large(const fs::path& file, std::size_t most_bytes) {
 } // namespace
 
 Result<std::string> read_whole(const fs::path& file, std::size_t most_bytes) try {
-    std::error_code error;
-    const fs::file_status status = fs::status(file, error);
-    if (error == std::errc::permission_denied)
+    OpenFile opened(file, {});
+    const int error = opened.ok() ? 0 : errno;
+    if (error == EACCES && !facts_of_name(file) && errno == EACCES)
         return Error{"The file " + quoted(file) + " is in a folder that you are not allowed to open."};
-    if (!fs::exists(status))
+    if (error == ELOOP)
+        if (const auto link = link_on_the_way(file))
+            return Error{left_alone(*link)};
+    if (error == ENOENT || error == ENOTDIR || error == ELOOP)
         return Error{"There is no file " + quoted(file) + "."};
-    if (!fs::is_regular_file(status))
-        return Error{quoted(file) +
-                     (fs::is_directory(status) ? " is a folder, not a file." : " is not a file.")};
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
+    const auto facts = opened.ok() ? opened.facts() : facts_of(file);
+    if (facts && facts->kind != FileFacts::Kind::file)
+        return Error{quoted(file) + (facts->kind == FileFacts::Kind::folder ? " is a folder, not a file."
+                                                                            : " is not a file.")};
+    if (!opened.ok())
         return Error{"The file " + quoted(file) + " cannot be opened; you may not be allowed to read it."};
     std::string bytes;
     std::array<char, 65536> block{};
-    while (stream) {
-        stream.read(block.data(), block.size());
-        bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    while (true) {
+        const std::int64_t count = opened.read(block);
+        if (count < 0)
+            return Error{"The file " + quoted(file) + " cannot be read to its end."};
+        if (count == 0)
+            return bytes;
+        bytes.append(block.data(), static_cast<std::size_t>(count));
         if (bytes.size() > most_bytes)
             return too_large(file, most_bytes);
     }
-    if (stream.bad())
-        return Error{"The file " + quoted(file) + " cannot be read to its end."};
-    return bytes;
 } catch (const std::bad_alloc&) {
     return Error{"The file " + quoted(file) + " could not be read: there is not enough memory for it."};
 }

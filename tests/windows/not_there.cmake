@@ -8,6 +8,7 @@ set(not_there
   core.files.open_file         # asks POSIX for pipes, times and what programs inherit
   core.files.names             # asks POSIX for links and processes
   core.files.held_elsewhere    # asks POSIX for processes and what they have open
+  core.files.foreign_folder    # asks POSIX for links; files_test.cpp beside this has those of Windows
   core.libraries               # names libraries as Linux does
   core.processes.helper_on_linux # asks Linux what is refused; processes_test.cpp beside this is Windows's own
   core.guidance.hostile_scenes # reads SVG: core/svg needs lib2geom

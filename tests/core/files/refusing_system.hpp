@@ -21,7 +21,7 @@ inline std::vector<std::string> asked;
 inline int file_sync_error = 0;             ///< errno of every fsync of a file; 0: none
 inline int folder_sync_error = 0;           ///< of a folder
 inline int flag_error = 0;                  ///< of renameat2
-inline int rename_error = 0;                ///< of rename
+inline int rename_error = 0;                ///< of renameat
 inline int read_error = 0;                  ///< of every read of a file
 inline int lock_error = 0;                  ///< of every lock
 inline int time_error = 0;                  ///< where a file is given its time
@@ -67,11 +67,11 @@ extern "C" int renameat2(int old_folder, const char* from, int new_folder, const
     return static_cast<int>(::syscall(SYS_renameat2, old_folder, from, new_folder, to, flags));
 }
 
-extern "C" int rename(const char* from, const char* to) noexcept {
+extern "C" int renameat(int old_folder, const char* from, int new_folder, const char* to) noexcept {
     asked.emplace_back("name");
     if (rename_error != 0)
         return refused(rename_error);
-    return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
+    return static_cast<int>(::syscall(SYS_renameat2, old_folder, from, new_folder, to, 0));
 }
 
 extern "C" ssize_t read(int descriptor, void* bytes, std::size_t count) {
@@ -118,7 +118,7 @@ extern "C" int utimensat(int folder, const char* file, const timespec* times, in
     return static_cast<int>(::syscall(SYS_utimensat, folder, file, times, flags));
 }
 
-extern "C" int mkdir(const char* folder, mode_t mode) noexcept {
-    const long made = ::syscall(SYS_mkdirat, AT_FDCWD, folder, mode);
+extern "C" int mkdirat(int above, const char* folder, mode_t mode) noexcept {
+    const long made = ::syscall(SYS_mkdirat, above, folder, mode);
     return made == 0 && somebody_is_sooner ? refused(EEXIST) : static_cast<int>(made);
 }

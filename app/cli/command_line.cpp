@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/command_line.hpp"
 
+#include "app/album/keeper/photo_files.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/terminal.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
-#include <QDir>
+#include <QFile>
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 namespace tp {
 
@@ -76,8 +80,16 @@ std::optional<int> VerbLine::parse(const QStringList& words, int least, int most
 }
 
 std::string VerbLine::make_folder(const QString& name) const {
-    return QDir().mkpath(text(name)) ? std::string()
-                                     : "The folder " + text(name).toStdString() + " cannot be created.";
+    const std::filesystem::path folder(QFile::encodeName(text(name)).toStdString());
+    const ForeignFolder held = held_around(text(name) + "/name");
+    const std::string reason = tp::make_folder(folder);
+    return reason.empty() ? reason : "The folder " + quoted(folder) + " cannot be created: " + reason;
+}
+
+ForeignFolder held_around(const QString& output) {
+    std::error_code error;
+    const std::filesystem::path place(QFile::encodeName(output).toStdString());
+    return ForeignFolder(album_around(std::filesystem::absolute(place, error).lexically_normal()));
 }
 
 Result<double> VerbLine::positive(const QString& name) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <QCommandLineParser>
 #include <QStringList>
@@ -56,6 +57,9 @@ private:
     QString verb_;
     QCommandLineParser parser_;
 };
+
+/// While it lives, what a verb writes to this path goes through no link that lies beside it or in the album around it.
+ForeignFolder held_around(const QString& output);
 
 /// Says what is wrong with the usage, on stderr; returns exit_usage.
 int wrong_usage(const QString& verb, const std::string& sentence);

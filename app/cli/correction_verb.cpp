@@ -142,6 +142,7 @@ private:
         drawn.flat = (*after)->flat;
         drawn.profile = (*after)->profile;
         drawn.law = difference_law(*(*before)->law, *(*after)->law);
+        const ForeignFolder held = held_around(line_.text("out"));
         return write_image(line_.text("out").toStdString(), draw_force_field(drawn, area)).error();
     }
 

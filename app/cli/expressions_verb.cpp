@@ -108,6 +108,7 @@ private:
         const auto observer = ExpressionObserver::learned_from(examples());
         if (!observer)
             return observer.error();
+        const ForeignFolder held = held_around(name);
         const std::string reason = replace_file(name.toStdString(), rows_of(observer->model()).toStdString());
         return reason.empty() ? reason : "What was learned cannot be written to " + name.toStdString() + ": " + reason;
     }
@@ -172,6 +173,7 @@ private:
         }
         if (!line_.has("out"))
             return {};
+        const ForeignFolder held = held_around(line_.text("out") + "/name");
         return write_expressions(line_.text("out").toStdString(), report_).error();
     }
 

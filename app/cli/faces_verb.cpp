@@ -167,6 +167,7 @@ private:
         if (line_.has("svg") && !found.faces.empty()) {
             const std::string sheet =
                 (line_.text("svg") + "/" + photo.output + ".contours.svg").toStdString();
+            const ForeignFolder held = held_around(QString::fromStdString(sheet));
             good = (is_correction(sheet, name) ? told(sheet + " holds what a person mended and is kept.")
                                                : told(write_sheet(sheet, sheet_of(shown)).error())) &&
                    good;
@@ -174,6 +175,7 @@ private:
         if (line_.has("overlay") && found.width > 0) {
             const auto picture = read_picture(name);
             if (picture) {
+                const ForeignFolder held = held_around(line_.text("overlay") + "/name");
                 const auto written =
                     write_image((line_.text("overlay") + "/" + photo.output + ".overlay.png").toStdString(),
                                 draw_overlay(turned(*picture, found.turned_degrees), shown));

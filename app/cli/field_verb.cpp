@@ -32,6 +32,7 @@ int field_verb(const QStringList& words) {
     const QImage drawn = draw_force_field(*loaded->haptic, loaded->scene.surface(), *scale, {},
                                           LongWork::stop_token(), LongWork::share);
     LongWork::step("writing the picture");
+    const ForeignFolder held = held_around(line.text("out"));
     const auto written = write_image(line.text("out").toStdString(), drawn);
     return written ? int{exit_done} : refused(written.error());
 }

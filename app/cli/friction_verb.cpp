@@ -99,6 +99,7 @@ int friction_verb(const QStringList& words) {
     if (!drawn)
         return refused(drawn.error());
     LongWork::step("writing the picture");
+    const ForeignFolder held = held_around(line.text("out"));
     const auto written = write_image(line.text("out").toStdString(), *drawn);
     return written ? int{exit_done} : refused(written.error());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/results_file.hpp"
 
+#include "app/cli/command_line.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QFile>
@@ -24,6 +25,7 @@ bool is_cut_line(const QByteArray& text) { return text == "{" || text.startsWith
 } // namespace
 
 Result<ResultsFile> ResultsFile::open(const std::filesystem::path& file) {
+    const ForeignFolder held = held_around(QFile::decodeName(file.c_str()));
     OpenFile opened(file, {.write = true, .make = true, .at_end = true});
     if (!opened.ok())
         return Error{"The results cannot be written to \"" + file.string() + "\": " + reason_of(errno)};

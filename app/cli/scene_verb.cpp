@@ -104,6 +104,7 @@ int scene_verb(const QStringList& words) {
     }
     if (!found.problem.empty())
         say_problem(found.problem, photo);
+    const ForeignFolder held = held_around(line.text("out"));
     const auto written = write_sheet(line.text("out").toStdString(), sheet_from_scene(built->scene));
     if (!written) {
         say_problem(written.error());

@@ -96,6 +96,7 @@ int tactile_verb(const QStringList& words) {
         say_problem(sheet.error(), photo);
         return exit_bad_input;
     }
+    const ForeignFolder held = held_around(out);
     const auto written = write_tactile(out.toStdString(), *sheet);
     if (!written)
         return refused(written.error());

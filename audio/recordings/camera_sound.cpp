@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/recordings/camera_sound.hpp"
 
+#include "core/files/durable_file.hpp"
+
 #include <algorithm>
-#include <system_error>
 #include <utility>
 
 namespace tp {
@@ -21,13 +22,11 @@ std::string lower(std::string text) {
 } // namespace
 
 CameraSounds::CameraSounds(const fs::path& folder, const std::vector<std::string>& ends) {
-    std::error_code error;
-    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        std::error_code unknown;
-        const std::string extension = lower(entry->path().extension().string());
-        if (std::find(ends.begin(), ends.end(), extension) != ends.end() && entry->is_regular_file(unknown))
-            sounds_.emplace(lower(entry->path().stem().string()), folder / entry->path().filename());
+    for (const FolderEntry& entry : entries_of(folder)) {
+        const fs::path name = entry.name;
+        if (!entry.link && entry.facts.kind == FileFacts::Kind::file &&
+            std::find(ends.begin(), ends.end(), lower(name.extension().string())) != ends.end())
+            sounds_.emplace(lower(name.stem().string()), folder / name);
     }
 }
 

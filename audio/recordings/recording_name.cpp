@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/recordings/recording_name.hpp"
 
+#include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
 #include <cerrno>
-#include <system_error>
 
 namespace tp {
 
@@ -47,10 +47,7 @@ std::string recording_stem(const RecordingLabel& label) {
     return (when.empty() ? "undated" : when) + "-" + std::string(name_of(label.kind));
 }
 
-bool is_taken(const fs::path& name) {
-    std::error_code error;
-    return fs::exists(fs::symlink_status(name, error));
-}
+bool is_taken(const fs::path& name) { return name_taken(name); }
 
 fs::path numbered_name(const fs::path& folder, std::string_view stem, std::string_view end, int number) {
     std::string name(cut(stem, most_stem_bytes));

@@ -3,10 +3,10 @@
 
 #include "audio/recordings/part_lock.hpp"
 #include "audio/recordings/recording_file.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
-#include <algorithm>
-#include <system_error>
+#include <vector>
 
 namespace tp {
 
@@ -38,14 +38,13 @@ RepairedPart repaired(const fs::path& part) {
 } // namespace
 
 Result<std::vector<RepairedPart>> repair_folder(const fs::path& folder) {
-    std::error_code error;
+    int error = 0;
     std::vector<fs::path> parts;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (entry->path().filename().string().ends_with(wav_part_end))
-            parts.push_back(entry->path());
-    if (error)
-        return Error{"The folder " + quoted(folder) + " cannot be read: " + reason_of(error.value())};
-    std::sort(parts.begin(), parts.end());
+    for (const FolderEntry& entry : entries_of(folder, &error))
+        if (entry.name.ends_with(wav_part_end))
+            parts.push_back(folder / entry.name);
+    if (error != 0)
+        return Error{"The folder " + quoted(folder) + " cannot be read: " + reason_of(error)};
     std::vector<RepairedPart> result;
     for (const fs::path& part : parts)
         result.push_back(repaired(part));

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/decode/picture_file.hpp"
 
+#include "core/files/file_system.hpp"
 #include "core/files/open_file.hpp"
 #include "faces/decode/raw_file.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
-#include <fstream>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace tp {
@@ -18,24 +18,27 @@ constexpr std::uintmax_t most_bytes = std::uintmax_t{2} << 30;
 
 Error cannot_be_read() { return {"The file cannot be read."}; }
 
-/// Of a file that may be read as a picture, in bytes.
-Result<std::uintmax_t> size_to_read(const std::filesystem::path& file) {
-    std::error_code failure;
-    const std::filesystem::file_status status = std::filesystem::status(file, failure);
-    if (status.type() == std::filesystem::file_type::not_found)
-        return Error{"There is no such file."};
-    if (std::filesystem::is_directory(status))
+struct OpenedPicture {
+    OpenFile file;
+    std::uintmax_t size = 0; ///< bytes
+};
+
+/// A photograph may be a link, wherever it lies: it is only looked at.
+Result<OpenedPicture> opened_picture(const std::filesystem::path& file) {
+    OpenFile opened(file, {.looked_at = true});
+    const int error = opened.ok() ? 0 : errno;
+    const auto facts = opened.ok() ? opened.facts() : facts_of_photo(file);
+    if (!facts)
+        return error == ENOENT || error == ENOTDIR ? Error{"There is no such file."} : cannot_be_read();
+    if (facts->kind == FileFacts::Kind::folder)
         return Error{"This is a folder, not a picture."};
-    if (failure || !std::filesystem::is_regular_file(status))
+    if (!opened.ok() || facts->kind != FileFacts::Kind::file)
         return cannot_be_read();
-    const std::uintmax_t size = std::filesystem::file_size(file, failure);
-    if (failure)
-        return cannot_be_read();
-    if (size == 0)
+    if (facts->bytes == 0)
         return Error{"The file is empty."};
-    if (size > most_bytes)
+    if (facts->bytes > most_bytes)
         return Error{"The file is too large to be a photograph: more than 2 gigabytes."};
-    return size;
+    return OpenedPicture{std::move(opened), facts->bytes};
 }
 
 } // namespace
@@ -76,33 +79,30 @@ PictureKind kind_of(const Bytes& bytes) {
 }
 
 Bytes first_bytes(const std::filesystem::path& file) {
-    std::error_code failure;
-    if (!std::filesystem::is_regular_file(file, failure)) // a pipe would not answer
+    const auto opened = opened_picture(file);
+    if (!opened)
         return {};
     Bytes bytes(64);
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(stream.gcount()));
+    bytes.resize(opened->file.read_at(0, {reinterpret_cast<char*>(bytes.data()), bytes.size()}));
     return bytes;
 }
 
 Result<PictureFile> open_picture_file(const std::filesystem::path& file) {
-    const Result<std::uintmax_t> size = size_to_read(file);
-    if (!size)
-        return Error{size.error()};
-    Descriptor descriptor = OpenFile(file, {}).handed_over();
+    auto opened = opened_picture(file);
+    if (!opened)
+        return Error{opened.error()};
+    Descriptor descriptor = opened->file.handed_over();
     if (!descriptor.ok())
         return cannot_be_read();
-    return PictureFile{std::move(descriptor), *size};
+    return PictureFile{std::move(descriptor), opened->size};
 }
 
 Result<Bytes> read_bytes(const std::filesystem::path& file) {
-    const Result<std::uintmax_t> size = size_to_read(file);
-    if (!size)
-        return Error{size.error()};
-    Bytes bytes(static_cast<std::size_t>(*size));
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || !stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(*size)))
+    const auto opened = opened_picture(file);
+    if (!opened)
+        return Error{opened.error()};
+    Bytes bytes(static_cast<std::size_t>(opened->size));
+    if (opened->file.read_at(0, {reinterpret_cast<char*>(bytes.data()), bytes.size()}) != bytes.size())
         return cannot_be_read();
     return bytes;
 }

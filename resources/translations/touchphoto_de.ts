@@ -2257,8 +2257,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>„%1“ ist ein Ordner.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is a link; it is left alone.</source>
+        <translation>„%1“ ist eine Verknüpfung und bleibt unangetastet.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is not a file.</source>
         <translation>„%1“ ist keine Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a file; it is left alone.</source>
+        <translation>„%1“ ist keine Datei und bleibt unangetastet.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a folder in the album.</source>
@@ -2727,6 +2735,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The folder &quot;%1&quot; is missing.</source>
         <translation>Der Ordner „%1“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; leads to the whole computer; it is left alone.</source>
+        <translation>Der Ordner „%1“ führt zum ganzen Computer und bleibt unangetastet.</translation>
     </message>
     <message>
         <source>The folder &quot;%1&quot; cannot be opened: you are not allowed to.</source>
@@ -3265,6 +3277,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>Die Datei hat %1 Kanäle; höchstens %2 können gelesen werden.</translation>
     </message>
     <message>
+        <source>it has another name too, and is not written into.</source>
+        <translation>Die Datei hat noch einen anderen Namen; in sie wird nicht geschrieben.</translation>
+    </message>
+    <message>
         <source>it has more entries than any program writes.</source>
         <translation>Die Datei hat mehr Einträge, als ein Programm schreibt.</translation>
     </message>
@@ -3299,6 +3315,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>it holds no sound.</source>
         <translation>Es ist kein Ton darin.</translation>
+    </message>
+    <message>
+        <source>it is a link; it is left alone.</source>
+        <translation>Das ist eine Verknüpfung; sie bleibt unangetastet.</translation>
     </message>
     <message>
         <source>it is damaged there.</source>
@@ -3781,6 +3801,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>„%1“ sagt, wie der Name von %2 gelesen wird, liegt aber nicht an seinem Platz.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; says what to import, but this computer did not note it; it is left alone. Import the photographs themselves again; nothing comes twice.</source>
+        <translation>„%1“ sagt, was zu importieren ist, aber dieser Computer hat das nicht notiert; es bleibt unangetastet. Importieren Sie die Fotos selbst noch einmal; nichts kommt doppelt.</translation>
+    </message>
+    <message>
         <source>A person needs a name before its language can be chosen.</source>
         <translation>Eine Person braucht einen Namen, bevor dessen Sprache gewählt werden kann.</translation>
     </message>
@@ -3919,6 +3943,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>What was measured of the stick could not be saved: %1</source>
         <translation>Was am Kraftstick gemessen wurde, konnte nicht gespeichert werden: %1</translation>
+    </message>
+    <message>
+        <source>What was unpacked for the import cannot be removed: %1</source>
+        <translation>Was für den Import entpackt wurde, kann nicht entfernt werden: %1</translation>
     </message>
     <message>
         <source>the stick has no name to keep it by.</source>
@@ -6761,6 +6789,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
 </context>
 <context>
     <name>tp::ImportCare</name>
+    <message>
+        <source>From %1 into %2.</source>
+        <translation>Aus %1 nach %2.</translation>
+    </message>
     <message>
         <source>Looking for photographs…</source>
         <translation>Fotos werden gesucht…</translation>

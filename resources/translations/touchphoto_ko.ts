@@ -2234,8 +2234,16 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>“%1”: 폴더입니다.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; is a link; it is left alone.</source>
+        <translation>“%1”: 링크이므로 건드리지 않습니다.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; is not a file.</source>
         <translation>“%1”: 파일이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a file; it is left alone.</source>
+        <translation>“%1”: 파일이 아니므로 건드리지 않습니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a folder in the album.</source>
@@ -2704,6 +2712,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The folder &quot;%1&quot; is missing.</source>
         <translation>폴더 “%1”: 없습니다.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; leads to the whole computer; it is left alone.</source>
+        <translation>폴더 “%1”: 컴퓨터 전체로 이어지므로 건드리지 않습니다.</translation>
     </message>
     <message>
         <source>The folder &quot;%1&quot; cannot be opened: you are not allowed to.</source>
@@ -3242,6 +3254,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>채널이 %1개입니다. %2개까지 읽을 수 있습니다.</translation>
     </message>
     <message>
+        <source>it has another name too, and is not written into.</source>
+        <translation>다른 이름도 있는 파일이므로 쓰지 않습니다.</translation>
+    </message>
+    <message>
         <source>it has more entries than any program writes.</source>
         <translation>어떤 프로그램이 쓰는 것보다 항목이 많습니다.</translation>
     </message>
@@ -3276,6 +3292,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>it holds no sound.</source>
         <translation>소리가 들어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>it is a link; it is left alone.</source>
+        <translation>링크이므로 건드리지 않습니다.</translation>
     </message>
     <message>
         <source>it is damaged there.</source>
@@ -3758,6 +3778,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>“%1”: %2의 이름을 읽는 언어가 들어 있지만 제자리에 있지 않습니다.</translation>
     </message>
     <message>
+        <source>&quot;%1&quot; says what to import, but this computer did not note it; it is left alone. Import the photographs themselves again; nothing comes twice.</source>
+        <translation>“%1”: 가져올 것을 적어 놓았지만 이 컴퓨터가 적은 것이 아니므로 건드리지 않습니다. 사진을 다시 가져오십시오. 두 번 들어오는 것은 없습니다.</translation>
+    </message>
+    <message>
         <source>A person needs a name before its language can be chosen.</source>
         <translation>이름의 언어를 고르려면 먼저 사람의 이름이 있어야 합니다.</translation>
     </message>
@@ -3896,6 +3920,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>What was measured of the stick could not be saved: %1</source>
         <translation>스틱의 측정값을 저장할 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>What was unpacked for the import cannot be removed: %1</source>
+        <translation>가져오기를 위해 푼 것을 지울 수 없습니다. %1</translation>
     </message>
     <message>
         <source>the stick has no name to keep it by.</source>
@@ -6716,6 +6744,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
 </context>
 <context>
     <name>tp::ImportCare</name>
+    <message>
+        <source>From %1 into %2.</source>
+        <translation>%1에서 %2(으)로.</translation>
+    </message>
     <message>
         <source>Looking for photographs…</source>
         <translation>사진을 찾는 중…</translation>

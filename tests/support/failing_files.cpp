@@ -6,6 +6,8 @@
 // killed TP_FAULT=ENOSPC@N  that call and all later ones fail so (also EIO, EROFS); writes that make nothing
 // new succeed TP_FAULT_COUNT=FILE  the number of calls is written there when the program ends
 // TP_FAULT_BELOW=DIR only files below it count
+#include "named_place.hpp"
+
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -74,6 +76,9 @@ bool counts(const char* path) {
     char folder[4096];
     return getcwd(folder, sizeof folder) && std::strncmp(folder, below.c_str(), below.size()) == 0;
 }
+
+/// What is told as a name in an open folder.
+bool counts(int folder, const char* path) { return counts(tp::test::named_place(folder, path).c_str()); }
 
 bool counts(int file) {
     char link[64], path[4096];
@@ -146,13 +151,33 @@ int ftruncate(int file, off_t size) { return ftruncate64(file, size); }
 int rename(const char* from, const char* to) {
     return broken(counts(to)) ? -1 : next<int (*)(const char*, const char*)>("rename")(from, to);
 }
+int renameat(int folder, const char* from, int other, const char* to) {
+    return broken(counts(other, to))
+               ? -1
+               : next<int (*)(int, const char*, int, const char*)>("renameat")(folder, from, other, to);
+}
 int renameat2(int folder, const char* from, int other, const char* to, unsigned flags) {
-    return broken(counts(to)) ? -1
-                              : next<int (*)(int, const char*, int, const char*, unsigned)>("renameat2")(
-                                    folder, from, other, to, flags);
+    return broken(counts(other, to)) ? -1
+                                     : next<int (*)(int, const char*, int, const char*, unsigned)>(
+                                           "renameat2")(folder, from, other, to, flags);
 }
 int link(const char* from, const char* to) {
     return broken(counts(to)) ? -1 : next<int (*)(const char*, const char*)>("link")(from, to);
+}
+int linkat(int folder, const char* from, int other, const char* to, int flags) {
+    return broken(counts(other, to)) ? -1
+                                     : next<int (*)(int, const char*, int, const char*, int)>("linkat")(
+                                           folder, from, other, to, flags);
+}
+int unlinkat(int folder, const char* path, int flags) {
+    return broken(counts(folder, path))
+               ? -1
+               : next<int (*)(int, const char*, int)>("unlinkat")(folder, path, flags);
+}
+int mkdirat(int folder, const char* path, mode_t mode) {
+    return broken(counts(folder, path))
+               ? -1
+               : next<int (*)(int, const char*, mode_t)>("mkdirat")(folder, path, mode);
 }
 int unlink(const char* path) {
     return broken(counts(path)) ? -1 : next<int (*)(const char*)>("unlink")(path);
@@ -174,5 +199,19 @@ int mkdir(const char* path, mode_t mode) {
 TP_OPEN(open)
 TP_OPEN(open64)
 #undef TP_OPEN
+
+#define TP_OPENAT(name)                                                                                      \
+    int name(int folder, const char* path, int flags, ...) {                                                 \
+        va_list rest;                                                                                        \
+        va_start(rest, flags);                                                                               \
+        const mode_t mode = flags & O_CREAT ? va_arg(rest, mode_t) : 0;                                      \
+        va_end(rest);                                                                                        \
+        return broken((flags & O_CREAT) && counts(folder, path))                                             \
+                   ? -1                                                                                      \
+                   : next<int (*)(int, const char*, int, ...)>(#name)(folder, path, flags, mode);            \
+    }
+TP_OPENAT(openat)
+TP_OPENAT(openat64)
+#undef TP_OPENAT
 
 } // extern "C"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "full_disk.hpp"
 
+#include "named_place.hpp"
+
 #include <cerrno>
 #include <condition_variable>
 #include <fcntl.h>
 #include <mutex>
-#include <string_view>
+#include <string>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -16,12 +18,12 @@ std::condition_variable moved;
 std::string refused, held; ///< empty: none
 int waiting = 0, let_through = 0;
 
-bool is_of(const std::string& part, const char* path) {
-    return !part.empty() && std::string_view(path).find(part) != std::string_view::npos;
+bool is_of(const std::string& part, const std::string& path) {
+    return !part.empty() && path.find(part) != std::string::npos;
 }
 
 /// Whether a file may not get this name, which it waits for.
-bool is_refused(const char* path) {
+bool is_refused(const std::string& path) {
     std::unique_lock lock(guard);
     if (is_of(held, path)) {
         ++waiting;
@@ -48,13 +50,13 @@ void become(std::string& part, const std::string& value) {
 
 extern "C" int renameat2(int old_folder, const char* from, int new_folder, const char* to,
                          unsigned flags) noexcept {
-    return is_refused(to)
+    return is_refused(tp::test::named_place(new_folder, to))
                ? -1
                : static_cast<int>(::syscall(SYS_renameat2, old_folder, from, new_folder, to, flags));
 }
 
-extern "C" int rename(const char* from, const char* to) noexcept {
-    return ::renameat2(AT_FDCWD, from, AT_FDCWD, to, 0);
+extern "C" int renameat(int old_folder, const char* from, int new_folder, const char* to) noexcept {
+    return ::renameat2(old_folder, from, new_folder, to, 0);
 }
 
 FullDisk::FullDisk(const std::string& part) { become(refused, part); }

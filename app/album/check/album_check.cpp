@@ -12,6 +12,7 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -41,18 +42,28 @@ void half_written(const fs::path& file, Findings& findings) {
         return findings.add(Finding::Kind::half_written, file, sentence, "It goes to the trash.", [&] {
             return findings.keeper().trash().put({file}, "a sidecar that was being replaced").error();
         });
-    findings.add(Finding::Kind::half_written, file, sentence, "It is deleted.", [&] {
-        std::error_code error;
-        fs::remove(file, error);
-        return error ? reason_of(error.value()) : sync_folder(file.parent_path());
-    });
+    findings.add(Finding::Kind::half_written, file, sentence, "It is deleted.",
+                 [&] { return remove_file(file); });
+}
+
+/// With where it takes photographs from.
+std::string words_for_import(const fs::path& album, const std::string& id) {
+    std::string sources;
+    if (const auto import = unfinished_import(album, id))
+        for (const fs::path& source : import->sources)
+            sources += (sources.empty() ? "" : ", ") + quoted(source);
+    if (sources.empty())
+        return "An import was not finished; go on with it, or give it up.";
+    return "An import of " + sources + " was not finished; go on with it, or give it up.";
 }
 
 void imports_and_trash(Findings& findings) {
     for (const std::string& id : unfinished_imports(findings.album()))
-        findings.add(Finding::Kind::unfinished_import,
-                     findings.album() / ".touchphoto" / "import" / (id + ".json"),
-                     "An import was not finished; go on with it, or give it up.");
+        findings.add(Finding::Kind::unfinished_import, findings.album(),
+                     words_for_import(findings.album(), id));
+    for (const fs::path& list : import_lists_in_album(findings.album()))
+        if (!link_there(list))
+            findings.add(Finding::Kind::import_list, list, words_for_list_in_album(list));
     std::vector<std::string> problems;
     findings.keeper().trash().entries(&problems);
     for (const std::string& problem : problems)
@@ -66,6 +77,10 @@ public:
 
     CheckReport run(const std::stop_token& stop) {
         const Inventory there = inventory_of(findings_.album());
+        for (const fs::path& link : there.links)
+            findings_.add(Finding::Kind::link, link, left_alone(link));
+        for (const fs::path& file : there.no_files)
+            findings_.add(Finding::Kind::no_file, file, quoted(file) + " is not a file; it is left alone.");
         for (const fs::path& file : there.temporaries)
             half_written(file, findings_);
         for (const fs::path& folder : there.tags)

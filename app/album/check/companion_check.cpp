@@ -6,10 +6,11 @@
 #include "app/album/metadata/photo_name.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "app/album/metadata/sidecar_names.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
+#include <algorithm>
 #include <optional>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -29,11 +30,10 @@ fs::path photo_of(const fs::path& companion) {
 }
 
 bool has_photo_of_stem(const fs::path& stem) {
-    std::error_code error;
-    for (const auto& file : fs::directory_iterator(stem.parent_path(), error))
-        if (has_photo_name(file.path()) && file.path().stem() == stem.filename())
-            return true;
-    return false;
+    const std::vector<FolderEntry> files = entries_of(stem.parent_path());
+    return std::any_of(files.begin(), files.end(), [&](const FolderEntry& file) {
+        return has_photo_name(file.name) && fs::path(file.name).stem() == stem.filename();
+    });
 }
 
 class Photographs {
@@ -79,12 +79,11 @@ void check_companions(const Inventory& there, PhotosByContent known, Findings& f
     std::vector<fs::path> companions = there.tags;
     companions.insert(companions.end(), there.others.begin(), there.others.end());
     std::map<fs::path, std::vector<fs::path>> by_photo; // that is not there
-    std::error_code error;
     for (const fs::path& companion : companions) {
         const fs::path photo = photo_of(companion);
         const bool of_a_stem = companion.extension() == xmp_end && has_photo_of_stem(photo);
-        if (!fs::is_regular_file(photo, error) && !of_a_stem &&
-            !conflict_original(companion.filename().string()) && fs::exists(companion, error))
+        if (!photo_there(photo) && !of_a_stem && !conflict_original(companion.filename().string()) &&
+            name_taken(companion))
             by_photo[photo].push_back(companion);
     }
     for (const auto& [photo, files] : by_photo)

@@ -23,6 +23,9 @@ struct Finding {
         open_to_others, ///< recordings that other people on this machine may hear
         unfinished_import,
         damaged_trash,
+        link, ///< a link that somebody put there; nothing follows it
+        no_file, ///< what has the name of a photograph or of something of one's, and is no file: a pipe, a device
+        import_list,           ///< a list of what to import that lies in the album, which nobody follows
         damaged_name_language, ///< a file of a name's language that cannot be read or does not have its place
     };
     Kind kind = Kind::half_written;

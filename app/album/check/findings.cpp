@@ -7,11 +7,22 @@
 namespace tp {
 
 std::string_view name_of(Finding::Kind kind) {
-    constexpr std::array<std::string_view, 13> names{
-        "half_written",         "unfinished_recording", "unlisted_recording", "missing_recording",
-        "unreadable_recording", "unreadable_sidecar",   "left_behind",        "conflict_copy",
-        "changed_photo",        "open_to_others",       "unfinished_import",  "damaged_trash",
-        "damaged_name_language"};
+    constexpr std::array<std::string_view, 16> names{"half_written",
+                                                     "unfinished_recording",
+                                                     "unlisted_recording",
+                                                     "missing_recording",
+                                                     "unreadable_recording",
+                                                     "unreadable_sidecar",
+                                                     "left_behind",
+                                                     "conflict_copy",
+                                                     "changed_photo",
+                                                     "open_to_others",
+                                                     "unfinished_import",
+                                                     "damaged_trash",
+                                                     "link",
+                                                     "no_file",
+                                                     "import_list",
+                                                     "damaged_name_language"};
     return names[static_cast<std::size_t>(kind)];
 }
 

@@ -3,11 +3,13 @@
 
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/photo_name.hpp"
-#include "core/files/new_file.hpp"
+#include "core/files/durable_file.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <algorithm>
 #include <string>
-#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace tp {
 
@@ -23,30 +25,43 @@ bool is_kept_apart(const fs::path& below_album) {
 } // namespace
 
 Inventory inventory_of(const fs::path& album) {
+    const ForeignFolder held(album);
     Inventory found;
-    std::error_code error;
-    for (fs::recursive_directory_iterator place(album, fs::directory_options::skip_permission_denied, error),
-         end;
-         !error && place != end; place.increment(error)) {
-        const fs::path file = place->path();
-        const std::string name = file.filename().string();
-        const bool apart = is_kept_apart(file.lexically_relative(album));
-        if (place->is_directory(error)) {
-            if (name.starts_with('.') && !apart)
-                place.disable_recursion_pending();
-            else if (name.ends_with(tags_end) && !apart)
-                found.tags.push_back(file);
-        } else if (is_temporary(file)) {
-            found.temporaries.push_back(file);
-        } else if (apart) {
-            continue;
-        } else if (has_photo_name(file)) {
-            found.photos.push_back(file);
-        } else if (name.ends_with(contours_end) || name.ends_with(xmp_end)) {
-            found.others.push_back(file);
+    std::vector<fs::path> to_do{album};
+    while (!to_do.empty()) {
+        const fs::path folder = std::move(to_do.back());
+        to_do.pop_back();
+        for (const FolderEntry& entry : entries_of(folder)) {
+            const fs::path file = folder / entry.name;
+            const std::string& name = entry.name;
+            const bool apart = is_kept_apart(file.lexically_relative(album));
+            if (entry.link) {
+                if (apart || !name.starts_with('.'))
+                    found.links.push_back(file);
+                if (!apart && has_photo_name(file) && photo_there(file)) // it may be looked at
+                    found.photos.push_back(file);
+            } else if (entry.facts.kind == FileFacts::Kind::folder) {
+                if (name.starts_with('.') && !apart)
+                    continue;
+                to_do.push_back(file);
+                if (name.ends_with(tags_end) && !apart)
+                    found.tags.push_back(file);
+            } else if (entry.facts.kind == FileFacts::Kind::other) {
+                if (apart || !name.starts_with('.'))
+                    found.no_files.push_back(file);
+            } else if (is_temporary(file)) {
+                found.temporaries.push_back(file);
+            } else if (apart) {
+                continue;
+            } else if (has_photo_name(file)) {
+                found.photos.push_back(file);
+            } else if (name.ends_with(contours_end) || name.ends_with(xmp_end)) {
+                found.others.push_back(file);
+            }
         }
     }
-    for (auto* list : {&found.photos, &found.temporaries, &found.tags, &found.others})
+    for (auto* list :
+         {&found.photos, &found.temporaries, &found.tags, &found.others, &found.links, &found.no_files})
         std::sort(list->begin(), list->end());
     return found;
 }

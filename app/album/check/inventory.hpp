@@ -14,6 +14,8 @@ struct Inventory {
     std::vector<std::filesystem::path> temporaries;
     std::vector<std::filesystem::path> tags;   ///< folders of recordings
     std::vector<std::filesystem::path> others; ///< sidecars and mended contours
+    std::vector<std::filesystem::path> links;  ///< to whatever; of photographs too
+    std::vector<std::filesystem::path> no_files; ///< pipes, devices and such
 };
 
 Inventory inventory_of(const std::filesystem::path& album);

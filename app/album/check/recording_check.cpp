@@ -5,11 +5,12 @@
 #include "app/album/keeper/recording_facts.hpp"
 #include "audio/recordings/repair_folder.hpp"
 #include "audio/recordings/wav_part.hpp"
+#include "core/files/durable_file.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
-#include "core/files/new_file.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <algorithm>
-#include <system_error>
 #include <vector>
 
 namespace tp {
@@ -20,6 +21,8 @@ namespace {
 
 void missing_recording(const fs::path& photo, const Tag& tag, Findings& findings) {
     const fs::path file = tags_folder(photo) / tag.file;
+    if (link_on_the_way(file)) // which is told of already
+        return;
     const std::string sentence = quoted(file) + " is listed but not there.";
     if (AlbumKeeper keeper(album_around(photo)); keeper.is_in_trash(photo, tag.file))
         findings.add(Finding::Kind::missing_recording, file, sentence,
@@ -30,47 +33,29 @@ void missing_recording(const fs::path& photo, const Tag& tag, Findings& findings
                      sentence + " Bring it back from a copy of the album.");
 }
 
-constexpr fs::perms others = fs::perms::group_all | fs::perms::others_all;
-constexpr fs::perms owner_may_write = fs::perms::owner_read | fs::perms::owner_write;
-
-bool open_to_others(const fs::path& place) {
-    std::error_code error;
-    const fs::perms allowed = fs::status(place, error).permissions();
-    return !error && (allowed & others) != fs::perms::none;
-}
-
-/// Empty: done.
-std::string only_for_owner(const fs::path& place, fs::perms allowed) {
-    std::error_code error;
-    fs::permissions(place, allowed, error);
-    return error ? reason_of(error.value()) : std::string{};
-}
-
 } // namespace
 
 std::set<std::string> recordings_in(const fs::path& folder) {
-    std::error_code error;
     std::set<std::string> there;
-    for (const auto& file : fs::directory_iterator(folder, error))
-        if (file.is_regular_file(error) && !is_temporary(file.path()) &&
-            !file.path().filename().string().ends_with(wav_part_end))
-            there.insert(file.path().filename().string());
+    for (const FolderEntry& file : entries_of(folder))
+        if (!file.link && file.facts.kind == FileFacts::Kind::file && !is_temporary(file.name) &&
+            !file.name.ends_with(wav_part_end))
+            there.insert(file.name);
     return there;
 }
 
 void check_unfinished(const fs::path& folder, Findings& findings) {
-    std::error_code error;
-    bool any = false;
-    for (const auto& file : fs::directory_iterator(folder, error))
-        any = any || file.path().filename().string().ends_with(wav_part_end);
-    if (!any)
+    std::vector<fs::path> parts;
+    for (const FolderEntry& file : entries_of(folder))
+        if (!file.link && file.name.ends_with(wav_part_end))
+            parts.push_back(folder / file.name);
+    if (parts.empty())
         return;
     if (!findings.mends()) {
-        for (const auto& file : fs::directory_iterator(folder, error))
-            if (file.path().filename().string().ends_with(wav_part_end))
-                findings.add(Finding::Kind::unfinished_recording, file.path(),
-                             quoted(file.path()) + " was not finished, or is being recorded now.",
-                             "It is finished.", [] { return std::string{}; });
+        for (const fs::path& part : parts)
+            findings.add(Finding::Kind::unfinished_recording, part,
+                         quoted(part) + " was not finished, or is being recorded now.", "It is finished.",
+                         [] { return std::string{}; });
         return;
     }
     const auto repaired = repair_folder(folder);
@@ -121,10 +106,10 @@ void check_readers(const fs::path& folder, const std::set<std::string>& files, F
                  "Other people on this machine may listen to recordings in " + quoted(folder) + ".",
                  "Only their owner may from then on.", [&] {
                      for (const fs::path& file : open)
-                         if (const std::string reason = only_for_owner(file, owner_may_write);
-                             !reason.empty())
-                             return reason;
-                     return only_for_owner(folder, fs::perms::owner_all);
+                         if (const int error = only_for_owner(file); error != 0)
+                             return reason_of(error);
+                     const int error = only_for_owner(folder);
+                     return error != 0 ? reason_of(error) : std::string{};
                  });
 }
 

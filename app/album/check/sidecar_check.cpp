@@ -8,8 +8,6 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
-#include <system_error>
-
 namespace tp {
 
 namespace fs = std::filesystem;
@@ -25,10 +23,9 @@ std::string merge(const fs::path& photo, Findings& findings, std::vector<std::st
     if (!news)
         return news.error();
     told.insert(told.end(), news->begin(), news->end());
-    std::error_code error;
-    for (const auto& copy : fs::directory_iterator(merged, error))
+    for (const FolderEntry& copy : entries_of(merged))
         if (const auto put = findings.keeper().trash().put(
-                {copy.path()}, "another machine's sidecar of " + readable(photo.filename().string()));
+                {merged / copy.name}, "another machine's sidecar of " + readable(photo.filename().string()));
             !put)
             return put.error();
     return {};
@@ -42,8 +39,7 @@ void check_conflict_copies(const fs::path& photo, Findings& findings, std::vecto
                      quoted(copy) + " is what another machine made of the sidecar of " +
                          quoted(photo.filename()) + ".",
                      "Both are brought together, and the copy goes to the trash.", [&] {
-                         if (std::error_code error;
-                             !fs::exists(copy, error)) // an earlier one's turn took all of them
+                         if (!name_taken(copy)) // an earlier one's turn took all of them
                              return std::string{};
                          return merge(photo, findings, told);
                      });
@@ -53,6 +49,8 @@ bool check_sidecar(const fs::path& photo, Findings& findings) {
     const fs::path sidecar = sidecar_of(photo);
     if (!name_taken(sidecar) || content_hash_in(sidecar))
         return true;
+    if (link_there(sidecar)) // which is told of already
+        return false;
     findings.add(Finding::Kind::unreadable_sidecar, sidecar, quoted(sidecar) + " cannot be read.",
                  "It goes to the trash, and a new one lists the photograph's recordings.", [&] {
                      return findings.keeper()

@@ -168,7 +168,7 @@ private:
         SqlTransaction all(connection_);
         // What lies in a folder that was walked, another process saw after this one did not.
         for (const auto& [id, path] : changes_.gone)
-            if (const auto facts = facts_of(path);
+            if (const auto facts = facts_of_photo(path);
                 !facts || facts->kind != FileFacts::Kind::file || !walk_.was_walked(path.parent_path())) {
                 miss_photo(connection_, id);
                 ++report_.missing;

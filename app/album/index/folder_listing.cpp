@@ -14,7 +14,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
-#include <optional>
 #include <string_view>
 
 namespace tp {
@@ -108,18 +107,10 @@ std::string stamp_beside(const fs::path& folder, const std::vector<FolderEntry>&
     return stamp.result();
 }
 
-/// Where a folder in `folder` is walked; none where it is not.
-std::optional<fs::path> walked(const fs::path& folder, const FolderEntry& entry) {
-    if (is_recordings_folder(entry.name))
-        return std::nullopt;
-    if (!entry.link)
-        return folder / entry.name;
-    std::error_code error;
-    const fs::path target = fs::canonical(folder / entry.name, error);
-    const auto [end, rest] = std::mismatch(target.begin(), target.end(), folder.begin(), folder.end());
-    if (error || end == target.end() || target.filename().string().starts_with('.'))
-        return std::nullopt;
-    return target;
+/// Of what the name leads to; a photograph may be a link itself.
+FileFacts facts_looked_at(const fs::path& folder, const FolderEntry& entry) {
+    const bool own = !entry.link || entry.facts.kind != FileFacts::Kind::link;
+    return own ? entry.facts : facts_of_photo(folder / entry.name).value_or(entry.facts);
 }
 
 } // namespace
@@ -131,15 +122,20 @@ FolderListing list_folder(const fs::path& folder) {
         listing.error = errno;
         return listing;
     }
+    if (opened.is_of_kernel()) // nobody's photographs
+        return listing;
     if (const auto facts = opened.facts())
         listing.stamp = stamp_of(*facts);
     const std::vector<FolderEntry> entries = entries_of(opened, listing.error);
     for (const FolderEntry& entry : entries) {
-        const FileFacts& facts = entry.facts;
+        const FileFacts facts = facts_looked_at(folder, entry);
         if (facts.kind == FileFacts::Kind::folder) {
-            if (auto path = walked(folder, entry))
-                listing.folders.push_back({std::move(*path), stamp_of(facts)});
-        } else if (facts.kind == FileFacts::Kind::file && may_be_photo(entry.name)) {
+            if (entry.link)
+                listing.linked.push_back(folder / entry.name);
+            else if (!is_recordings_folder(entry.name))
+                listing.folders.push_back({folder / entry.name, stamp_of(facts)});
+        } else if (facts.kind == FileFacts::Kind::file &&
+                   (entry.link ? has_photo_name(entry.name) : may_be_photo(entry.name))) {
             listing.photos.push_back({entry.name, static_cast<std::int64_t>(facts.bytes), facts.written_ns,
                                       static_cast<std::int64_t>(facts.identity.second), stamp_of(facts),
                                       stamp_beside(folder, entries, entry.name)});
@@ -159,7 +155,7 @@ std::vector<fs::path> recordings_of(const fs::path& photo) {
     if (const OpenFolder opened(folder); opened.ok()) {
         int error = 0;
         for (const FolderEntry& entry : entries_of(opened, error))
-            if (entry.facts.kind == FileFacts::Kind::file)
+            if (!entry.link && entry.facts.kind == FileFacts::Kind::file)
                 recordings.push_back(folder / entry.name);
     }
     return recordings;

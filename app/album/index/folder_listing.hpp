@@ -31,11 +31,12 @@ struct FolderListing {
     std::string stamp;                 ///< of the folder itself
     std::vector<ListedPhoto> photos;   ///< by name
     std::vector<ListedFolder> folders; ///< by name
+    std::vector<std::filesystem::path> linked; ///< links to folders, by name; nobody walks into them
     int error = 0;                     ///< why the folder cannot be read; ENOENT: it is gone
 };
 
 /// What is in a folder. Hidden files and folders are left out (`.touchphoto` is one), so are folders of
-/// recordings (`IMG_1.jpg.tags`), and links to folders that this one lies in, which would lead round.
+/// recordings (`IMG_1.jpg.tags`), and links to folders; a photograph may be a link itself.
 FolderListing list_folder(const std::filesystem::path& folder);
 
 /// The stamp of a folder itself, as in its listing; "gone" where there is none.

@@ -41,6 +41,12 @@ void FolderWalk::walk(const fs::path& top) {
         cannot_read(fs::weakly_canonical(top, error), reason);
         return;
     }
+    if (!real.has_relative_path() && top.lexically_normal().has_relative_path()) {
+        changes_.problems.push_back("The folder " + quoted(top) +
+                                    " leads to the whole computer; it is left alone.");
+        return;
+    }
+    held_.emplace_back(real);
     std::vector<fs::path> to_do{real};
     while (!to_do.empty() && !stop_.stop_requested()) {
         const fs::path folder = std::move(to_do.back());
@@ -57,6 +63,7 @@ void FolderWalk::walk(const fs::path& top) {
             continue;
         }
         compare(folder, listing);
+        tell_links(listing);
         for (ListedFolder& below : listing.folders)
             to_do.push_back(std::move(below.path));
     }
@@ -73,14 +80,22 @@ void FolderWalk::look_into(const fs::path& top) {
         cannot_read(top, error.value());
         return;
     }
+    if (folder != top && stamp_of(top)) { // somebody put a link in its place, or in that of a folder above it
+        lose_folders(top);
+        changes_.problems.push_back(left_alone(top));
+        return;
+    }
     if (!seen_.insert(folder.native()).second)
         return;
+    if (!foreign_place(folder / "name"))
+        held_.emplace_back(folder);
     FolderListing listing = list_folder(folder);
     if (listing.error != 0) {
         cannot_read(folder, listing.error);
         return;
     }
     compare(folder, listing);
+    tell_links(listing);
     for (const auto& [id, path] : present_folders(below_begin(folder), below_end(folder))) {
         const fs::path first = folder / *std::next(path.begin(), std::distance(folder.begin(), folder.end()));
         if (std::none_of(listing.folders.begin(), listing.folders.end(),
@@ -94,6 +109,11 @@ void FolderWalk::look_into(const fs::path& top) {
         else if (below.stamp.empty() || *stamp != below.stamp)
             look_into(below.path);
     }
+}
+
+void FolderWalk::tell_links(const FolderListing& listing) {
+    for (const fs::path& link : listing.linked)
+        changes_.problems.push_back(left_alone(link));
 }
 
 /// Finds what is new, changed or gone in one folder.

@@ -4,6 +4,7 @@
 #include "app/album/index/album_index.hpp"
 #include "app/album/index/folder_listing.hpp"
 #include "app/album/index/sql_connection.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -60,6 +61,7 @@ private:
     };
 
     void compare(const std::filesystem::path& folder, FolderListing& listing);
+    void tell_links(const FolderListing& listing);
     void cannot_read(const std::filesystem::path& folder, int error);
     void lose_folder(std::int64_t id, const std::filesystem::path& folder);
     void lose_folders(const std::filesystem::path& top);
@@ -73,6 +75,7 @@ private:
     FolderChanges changes_;
     std::set<std::string> seen_; ///< folders that were walked
     std::vector<std::filesystem::path> unreadable_;
+    std::vector<ForeignFolder> held_; ///< folders that were walked
 };
 
 } // namespace tp

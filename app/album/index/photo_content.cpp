@@ -66,7 +66,7 @@ bool begins_like_photo(std::string_view bytes) {
 std::optional<PhotoContent> read_photo_content(const std::filesystem::path& file, const std::stop_token& stop,
                                                int& error) {
     error = 0;
-    OpenFile opened(file, {});
+    OpenFile opened(file, {.looked_at = true});
     if (!opened.ok()) {
         error = errno;
         return std::nullopt;

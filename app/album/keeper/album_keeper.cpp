@@ -9,7 +9,6 @@
 #include "core/files/folder_lock.hpp"
 
 #include <memory>
-#include <system_error>
 
 namespace tp {
 
@@ -28,13 +27,14 @@ fs::path free_place(const fs::path& file) {
 
 } // namespace
 
-AlbumKeeper::AlbumKeeper(fs::path album) : album_(std::move(album)), trash_(album_) {}
+AlbumKeeper::AlbumKeeper(fs::path album) : album_(std::move(album)), held_(album_), trash_(album_) {}
 
 std::string AlbumKeeper::outside(const fs::path& photo) const {
-    std::error_code error;
     if (!stays_below(photo.lexically_relative(album_)))
         return quoted(photo) + " is not in the album " + quoted(album_) + ".";
-    if (!fs::is_regular_file(photo, error))
+    if (const auto link = link_on_the_way(photo.parent_path()))
+        return left_alone(*link);
+    if (!photo_there(photo))
         return "There is no photograph " + quoted(photo) + ".";
     return {};
 }

@@ -6,6 +6,7 @@
 #include "app/album/metadata/photo_record.hpp"
 #include "app/album/metadata/write_sidecar.hpp"
 #include "core/base/result.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -154,6 +155,7 @@ private:
                             const std::string& from, const std::string& to);
 
     std::filesystem::path album_;
+    ForeignFolder held_; ///< what is in it
     Trash trash_;
     UndoHistory history_;
 };

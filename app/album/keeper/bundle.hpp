@@ -27,15 +27,16 @@ struct BundleLimits {
 using BundleProgress = std::function<void(std::uintmax_t done, std::uintmax_t total)>;
 
 /// Writes the photographs, which lie below `album`, with their companions. `bundle` appears when it is whole;
-/// an existing one is replaced. Empty when done; else why not.
+/// an existing one is replaced. Empty when done; else why not. What is a link stays out, and is named in `left`.
 std::string write_bundle(const std::filesystem::path& bundle, const std::filesystem::path& album,
                          const std::vector<std::filesystem::path>& photos, const BundleProgress& report = {},
-                         std::stop_token stop = {});
+                         std::stop_token stop = {}, std::vector<std::filesystem::path>* left = nullptr);
 
 /// The same for photographs and all photographs in folders of the album.
 std::string export_bundle(const std::filesystem::path& bundle, const std::filesystem::path& album,
                           const std::vector<std::filesystem::path>& photos_and_folders,
-                          const BundleProgress& report = {}, std::stop_token stop = {});
+                          const BundleProgress& report = {}, std::stop_token stop = {},
+                          std::vector<std::filesystem::path>* left = nullptr);
 
 /// Unpacks a bundle's photographs and what belongs to them (`BundleParts`) into an empty folder, which only
 /// the owner may read. A bundle without a photograph, beyond the limits or damaged is refused, and so is one

@@ -186,10 +186,9 @@ private:
 
 std::string unpack_bundle(const fs::path& bundle, const fs::path& folder, const BundleLimits& limits,
                           const BundleProgress& report, std::stop_token stop) {
-    std::error_code error;
     if (std::string reason = make_folder(folder, Readers::owner_only); !reason.empty())
         return "The bundle cannot be unpacked: " + reason;
-    if (!fs::is_empty(folder, error))
+    if (!entries_of(folder).empty())
         return "The bundle cannot be unpacked, because " + quoted(folder) + " is not empty.";
     const std::string reason = BundleReader(bundle, folder, limits, report, std::move(stop)).unpack();
     return reason.empty() ? reason : "The bundle " + quoted(bundle) + " cannot be used: " + reason;

@@ -3,18 +3,18 @@
 #include "app/album/keeper/import_sources.hpp"
 #include "app/album/keeper/path_text.hpp"
 #include "app/album/keeper/photo_files.hpp"
-#include "core/files/file_system.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
 #include "core/files/new_file.hpp"
 
+#include <algorithm>
 #include <archive.h>
 #include <archive_entry.h>
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <fstream>
 #include <memory>
-#include <system_error>
 
 namespace tp {
 
@@ -28,21 +28,26 @@ struct Packed {
 };
 
 /// The photograph and its companions, recordings one by one.
-std::vector<Packed> files_of(const fs::path& album, const fs::path& photo, FolderCompanions& beside) {
+std::vector<Packed> files_of(const fs::path& album, const fs::path& photo, FolderCompanions& beside,
+                             std::vector<fs::path>& links) {
     std::vector<Packed> files;
-    std::error_code error;
     const auto add = [&](const fs::path& file) {
-        if (fs::is_regular_file(file, error) && !is_temporary(file))
+        if (link_there(file))
+            links.push_back(file);
+        else if (file_there(file) && !is_temporary(file))
             files.push_back({file, file.lexically_relative(album)});
     };
-    for (const Companion& companion : beside.of(photo)) {
-        if (!fs::is_directory(companion.file, error)) {
+    std::vector<fs::path> left;
+    for (const Companion& companion : beside.of(photo, &left)) {
+        if (!folder_there(companion.file)) {
             add(companion.file);
             continue;
         }
-        for (const auto& file : fs::directory_iterator(companion.file, error))
-            add(file.path());
+        for (const FolderEntry& file : entries_of(companion.file))
+            add(companion.file / file.name);
     }
+    for (const fs::path& one : left)
+        add(one);
     add(photo);
     return files;
 }
@@ -84,10 +89,10 @@ private:
     std::string why() const { return disk_.empty() ? zip_reason(zip_.get()) : disk_; }
 
     std::string add(const Packed& one) {
-        std::ifstream stream(one.file, std::ios::binary);
-        const auto facts = facts_of(one.file);
-        if (!stream || !facts)
-            return quoted(one.file) + " cannot be read.";
+        OpenFile file(one.file, {});
+        const auto facts = file.ok() ? file.facts() : std::nullopt;
+        if (!facts || facts->kind != FileFacts::Kind::file)
+            return link_there(one.file) ? left_alone(one.file) : quoted(one.file) + " cannot be read.";
         const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(),
                                                                                   archive_entry_free);
         archive_entry_set_pathname_utf8(entry.get(), path_text(one.name).toUtf8().constData());
@@ -100,11 +105,12 @@ private:
             return why();
         std::array<char, 1 << 16> block;
         std::uintmax_t copied = 0;
-        while (stream && !stop_.stop_requested()) {
-            stream.read(block.data(), block.size());
-            const auto count = static_cast<std::size_t>(stream.gcount());
-            if (count > 0 &&
-                archive_write_data(zip_.get(), block.data(), count) != static_cast<la_ssize_t>(count))
+        while (!stop_.stop_requested()) {
+            const std::int64_t more = file.read(block);
+            const auto count = static_cast<std::size_t>(std::max<std::int64_t>(more, 0));
+            if (count == 0)
+                break;
+            if (archive_write_data(zip_.get(), block.data(), count) != static_cast<la_ssize_t>(count))
                 return why();
             copied += count;
             done_ += count;
@@ -127,18 +133,27 @@ private:
 } // namespace
 
 std::string write_bundle(const fs::path& bundle, const fs::path& album, const std::vector<fs::path>& photos,
-                         const BundleProgress& report, std::stop_token stop) {
+                         const BundleProgress& report, std::stop_token stop, std::vector<fs::path>* left) {
+    const ForeignFolder held(album);
+    std::vector<fs::path> links;
     std::vector<Packed> files;
     FolderCompanions beside;
     for (const fs::path& photo : photos) {
-        std::error_code error;
-        if (!fs::is_regular_file(photo, error))
-            return "There is no photograph " + quoted(photo) + ".";
         if (!stays_below(photo.lexically_relative(album)))
             return quoted(photo) + " is not in the album " + quoted(album) + ".";
-        for (Packed& one : files_of(album, photo, beside))
+        if (const auto link = link_on_the_way(photo)) {
+            links.push_back(*link);
+            continue;
+        }
+        if (!file_there(photo))
+            return "There is no photograph " + quoted(photo) + ".";
+        for (Packed& one : files_of(album, photo, beside, links))
             files.push_back(std::move(one));
     }
+    if (files.empty() && !links.empty())
+        return left_alone(links.front());
+    if (left)
+        *left = links;
     if (files.empty())
         return "There is no photograph to export.";
     auto file = NewFile::beside(bundle, Readers::owner_only);
@@ -150,11 +165,18 @@ std::string write_bundle(const fs::path& bundle, const fs::path& album, const st
 
 std::string export_bundle(const fs::path& bundle, const fs::path& album,
                           const std::vector<fs::path>& photos_and_folders, const BundleProgress& report,
-                          std::stop_token stop) {
-    std::vector<fs::path> photos;
-    for (const PhotoToImport& photo : photographs_in(photos_and_folders))
+                          std::stop_token stop, std::vector<fs::path>* left) {
+    const ForeignFolder held(album);
+    std::vector<fs::path> photos, links;
+    for (const PhotoToImport& photo : photographs_in(photos_and_folders, &links))
         photos.push_back(photo.file);
-    return write_bundle(bundle, album, photos, report, std::move(stop));
+    std::string problem = write_bundle(bundle, album, photos, report, std::move(stop), left);
+    if (left) { // one that lies beside a photograph is in both
+        left->insert(left->end(), links.begin(), links.end());
+        std::sort(left->begin(), left->end());
+        left->erase(std::unique(left->begin(), left->end()), left->end());
+    }
+    return problem.empty() || photos.size() > 0 || links.empty() ? problem : left_alone(links.front());
 }
 
 } // namespace tp

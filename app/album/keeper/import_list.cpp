@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/import_list.hpp"
 
+#include "app/album/keeper/own_state.hpp"
 #include "app/album/keeper/path_text.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
 #include "core/files/whole_file.hpp"
 
 #include <QDateTime>
@@ -12,7 +14,6 @@
 #include <QJsonObject>
 
 #include <algorithm>
-#include <system_error>
 
 namespace tp {
 
@@ -23,9 +24,10 @@ namespace {
 constexpr std::size_t most_bytes = 4 << 20; // 40 000 names; read it takes 75 times as much memory
 constexpr const char* extension = ".json";
 
-fs::path folder_of(const fs::path& album) { return album / ".touchphoto" / "import"; }
+/// Of the lists.
+fs::path folder_of(const fs::path& album) { return own_state_of(album) / "imports"; }
 
-fs::path file_of(const fs::path& album, const std::string& id) { return folder_of(album) / (id + extension); }
+fs::path own_part_of(const fs::path& album) { return album / ".touchphoto" / "import"; }
 
 bool is_id(const std::string& id) { return stays_below(id) && id.find('/') == std::string::npos; }
 
@@ -34,6 +36,14 @@ Error unknown(const std::string& id) {
 }
 
 } // namespace
+
+fs::path ImportList::place_of(const fs::path& album, const std::string& id) {
+    return folder_of(album) / (id + extension);
+}
+
+fs::path ImportList::unpacked_in(const fs::path& album, const std::string& id) {
+    return own_part_of(album) / id;
+}
 
 bool ImportList::makes_sense() const {
     return (into.empty() || stays_below(into)) &&
@@ -54,11 +64,10 @@ Result<std::string> ImportList::save(const fs::path& album) const {
     // Called by the time; by the next millisecond's where that is taken, so that the names are in order.
     for (QDateTime time = QDateTime::currentDateTimeUtc();; time = time.addMSecs(1)) {
         const std::string id = time.toString(QStringLiteral("yyyy-MM-ddThhmmss.zzz")).toStdString();
-        auto file = NewFile::beside(file_of(album, id), Readers::owner_only);
+        auto file = NewFile::beside(place_of(album, id), Readers::owner_only);
         std::string reason =
             file ? file->write({text.data(), static_cast<std::size_t>(text.size())}) : file.error();
-        std::error_code error;
-        if (reason.empty() && fs::exists(file_of(album, id), error))
+        if (reason.empty() && (name_taken(place_of(album, id)) || name_taken(unpacked_in(album, id))))
             continue;
         if (reason.empty())
             reason = file->take_place(Existing::kept);
@@ -67,10 +76,9 @@ Result<std::string> ImportList::save(const fs::path& album) const {
 }
 
 Result<ImportList> ImportList::read(const fs::path& album, const std::string& id) {
-    std::error_code error;
-    if (!is_id(id) || !fs::exists(file_of(album, id), error))
+    if (!is_id(id) || !name_taken(place_of(album, id)))
         return unknown(id);
-    const auto bytes = read_whole(file_of(album, id), most_bytes);
+    const auto bytes = read_whole(place_of(album, id), most_bytes);
     if (!bytes)
         return Error{bytes.error()};
     const QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(*bytes)).object();
@@ -92,21 +100,33 @@ Result<ImportList> ImportList::read(const fs::path& album, const std::string& id
 
 std::vector<std::string> ImportList::all(const fs::path& album) {
     std::vector<std::string> ids;
-    std::error_code error;
-    for (const auto& file : fs::directory_iterator(folder_of(album), error))
-        if (file.path().extension() == extension && !is_temporary(file.path()))
-            ids.push_back(file.path().stem().string());
+    for (const FolderEntry& file : entries_of(folder_of(album)))
+        if (const fs::path name = file.name; name.extension() == extension && !is_temporary(name))
+            ids.push_back(name.stem().string());
     std::sort(ids.begin(), ids.end());
     return ids;
 }
 
 std::string ImportList::remove(const fs::path& album, const std::string& id) {
-    std::error_code error;
-    if (!is_id(id) || !fs::remove(file_of(album, id), error))
-        return error ? "The import's list cannot be removed: " + reason_of(error.value())
-                     : unknown(id).sentence;
-    fs::remove_all(folder_of(album) / id, error); // what was unpacked for it
-    return sync_folder(folder_of(album));
+    if (!is_id(id) || !name_taken(place_of(album, id)))
+        return unknown(id).sentence;
+    const ForeignFolder held(album);
+    // First what was unpacked: while the list is there, that is found again.
+    if (const std::string stuck = remove_tree(unpacked_in(album, id)); !stuck.empty())
+        return "What was unpacked for the import cannot be removed: " + stuck;
+    const std::string reason = remove_file(place_of(album, id));
+    return reason.empty() ? reason : "The import's list cannot be removed: " + reason;
+}
+
+std::vector<fs::path> ImportList::in_album(const fs::path& album) {
+    const ForeignFolder held(album);
+    std::vector<fs::path> lists;
+    if (const auto link = link_on_the_way(own_part_of(album)))
+        lists.push_back(*link);
+    for (const FolderEntry& file : entries_of(own_part_of(album)))
+        if (fs::path(file.name).extension() == extension && !is_temporary(file.name))
+            lists.push_back(own_part_of(album) / file.name);
+    return lists;
 }
 
 } // namespace tp

@@ -4,12 +4,13 @@
 #include "app/album/keeper/bundle.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/photo_name.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/photo_endings.hpp"
 
 #include <algorithm>
 #include <set>
-#include <system_error>
+#include <utility>
 
 namespace tp {
 
@@ -37,25 +38,33 @@ std::string not_imported(const fs::path& source, const std::string& why) {
 
 } // namespace
 
-std::vector<PhotoToImport> photographs_in(const std::vector<fs::path>& files_and_folders) {
+std::vector<PhotoToImport> photographs_in(const std::vector<fs::path>& files_and_folders,
+                                          std::vector<fs::path>* left) {
     std::vector<PhotoToImport> photos;
     for (const fs::path& source : files_and_folders) {
-        std::error_code error;
-        if (!fs::is_directory(source, error)) {
+        if (!folder_there(source)) {
             photos.push_back({source, {}, size_or_zero(source)});
             continue;
         }
+        const ForeignFolder held(source);
         std::vector<PhotoToImport> inside;
-        for (fs::recursive_directory_iterator
-                 place(source, fs::directory_options::skip_permission_denied, error),
-             end;
-             !error && place != end; place.increment(error)) {
-            const fs::path file = place->path();
-            const fs::path folder = file.parent_path().lexically_proximate(source);
-            if (place->is_directory(error) && file.filename().string().starts_with('.'))
-                place.disable_recursion_pending();
-            else if (has_photo_name(file) && place->is_regular_file(error))
-                inside.push_back({file, folder == "." ? fs::path() : folder, size_or_zero(file)});
+        std::vector<fs::path> to_do{source};
+        while (!to_do.empty()) {
+            const fs::path here = std::move(to_do.back());
+            to_do.pop_back();
+            const fs::path folder = here.lexically_proximate(source);
+            for (const FolderEntry& entry : entries_of(here)) {
+                const fs::path file = here / entry.name;
+                const bool folder_here = entry.facts.kind == FileFacts::Kind::folder;
+                if (entry.link) {
+                    if (left && !entry.name.starts_with('.'))
+                        left->push_back(file);
+                } else if (folder_here && !entry.name.starts_with('.')) {
+                    to_do.push_back(file);
+                } else if (entry.facts.kind == FileFacts::Kind::file && has_photo_name(file)) {
+                    inside.push_back({file, folder == "." ? fs::path() : folder, entry.facts.bytes});
+                }
+            }
         }
         std::sort(inside.begin(), inside.end(),
                   [](const PhotoToImport& a, const PhotoToImport& b) { return a.file < b.file; });
@@ -67,12 +76,16 @@ std::vector<PhotoToImport> photographs_in(const std::vector<fs::path>& files_and
 ImportSources::ImportSources(const std::vector<fs::path>& sources, fs::path unpack_in, std::stop_token stop,
                              const Unpacking& unpacking)
     : unpack_in_(std::move(unpack_in)) {
-    std::error_code error;
-    fs::remove_all(unpack_in_, error); // what a kill left
+    remove_tree(unpack_in_); // what a kill left
     const std::set<fs::path> come_along = names_of_companions(sources);
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const fs::path& source = sources[i];
-        if (fs::is_directory(source, error) || has_photo_name(source))
+        if (folder_there(source)) {
+            held_.emplace_back(source);
+            add(source);
+        } else if (link_there(source))
+            problems_.push_back({source, left_alone(source)});
+        else if (has_photo_name(source))
             add(source);
         else if (is_bundle_name(source))
             unpack(source, unpack_in_ / std::to_string(i), stop, unpacking);
@@ -85,10 +98,7 @@ ImportSources::ImportSources(const std::vector<fs::path>& sources, fs::path unpa
             problems_.push_back({source, not_imported(source, "it holds no photograph.")});
 }
 
-ImportSources::~ImportSources() {
-    std::error_code error;
-    fs::remove_all(unpack_in_, error);
-}
+ImportSources::~ImportSources() { remove_tree(unpack_in_); }
 
 void ImportSources::unpack(const fs::path& bundle, const fs::path& folder, const std::stop_token& stop,
                            const Unpacking& unpacking) {
@@ -105,8 +115,13 @@ void ImportSources::unpack(const fs::path& bundle, const fs::path& folder, const
 }
 
 void ImportSources::add(const fs::path& file_or_folder) {
-    const std::vector<PhotoToImport> found = photographs_in({file_or_folder});
+    std::vector<fs::path> links;
+    const std::vector<PhotoToImport> found = photographs_in({file_or_folder}, &links);
     photos_.insert(photos_.end(), found.begin(), found.end());
+    for (const fs::path& link : links) // that may have been named itself too
+        if (std::none_of(problems_.begin(), problems_.end(),
+                         [&](const Problem& problem) { return problem.source == link; }))
+            problems_.push_back({link, left_alone(link)});
 }
 
 } // namespace tp

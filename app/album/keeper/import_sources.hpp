@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -20,8 +21,9 @@ struct PhotoToImport {
 };
 
 /// The photographs that files and folders hold, in their order and by name within a folder. Hidden folders
-/// are passed over.
-std::vector<PhotoToImport> photographs_in(const std::vector<std::filesystem::path>& files_and_folders);
+/// are passed over; what is a link in a folder is left alone, and named in `left`.
+std::vector<PhotoToImport> photographs_in(const std::vector<std::filesystem::path>& files_and_folders,
+                                          std::vector<std::filesystem::path>* left = nullptr);
 
 /// Told while a bundle is unpacked: how much of it is, 0 to 1.
 using Unpacking = std::function<void(const std::filesystem::path& bundle, double share)>;
@@ -57,6 +59,7 @@ private:
                 const std::stop_token& stop, const Unpacking& unpacking);
 
     std::filesystem::path unpack_in_;
+    std::vector<ForeignFolder> held_; ///< folders that photographs come from
     std::vector<PhotoToImport> photos_;
     std::vector<Problem> problems_;
 };

@@ -10,6 +10,7 @@
 #include "audio/recordings/camera_sound.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,8 +51,8 @@ public:
     }
 
     ImportReport run() {
-        const ImportSources sources(list_.sources, album_ / ".touchphoto" / "import" / report_.id,
-                                    tools_.stop, tools_.unpacking);
+        const ImportSources sources(list_.sources, ImportList::unpacked_in(album_, report_.id), tools_.stop,
+                                    tools_.unpacking);
         for (const ImportSources::Problem& problem : sources.problems()) {
             add({problem.source, {}, Fate::failed, problem.sentence});
             another_try_ |= problem.may_pass;
@@ -109,14 +110,21 @@ private:
             ImportedPhoto photo{source.file, *place, Fate::duplicate, {}};
             return goes_on_ ? with_sound(std::move(photo)) : photo;
         }
+        std::vector<fs::path> left;
         const auto copied =
-            copy_photo(source.file, beside_.of(source.file), album_ / list_.into / source.folder);
+            copy_photo(source.file, beside_.of(source.file, &left), album_ / list_.into / source.folder);
         if (!copied)
             return {
                 source.file, {}, Fate::failed, quoted(source.file) + " was not imported: " + copied.error()};
         this_time_[*hash] = copied->place;
-        return with_sound(
+        ImportedPhoto photo = with_sound(
             {source.file, copied->place, copied->was_there ? Fate::duplicate : Fate::imported, {}});
+        for (const fs::path& one : left) {
+            const std::string told =
+                link_there(one) ? left_alone(one) : quoted(one) + " is not a file; it is left alone.";
+            photo.problem = photo.problem.empty() ? told : photo.problem + " " + told;
+        }
+        return photo;
     }
 
     /// With the sound that a camera recorded with the photograph, or why it did not come along.
@@ -145,10 +153,9 @@ private:
 
     /// Whole ones: what a kill left half-written is none.
     static bool has_recordings(const fs::path& photo) {
-        std::error_code error;
-        const fs::directory_iterator files(tags_folder(photo), error);
-        return std::any_of(fs::begin(files), fs::end(files),
-                           [](const fs::directory_entry& file) { return !is_temporary(file.path()); });
+        const std::vector<FolderEntry> files = entries_of(tags_folder(photo));
+        return std::any_of(files.begin(), files.end(),
+                           [](const FolderEntry& file) { return !is_temporary(file.name); });
     }
 
     static std::optional<VideoPlace> video_in(const fs::path& photo) {
@@ -183,6 +190,7 @@ std::size_t ImportReport::count(Fate fate) const {
 
 Result<ImportReport> import_photos(const fs::path& album, const fs::path& into,
                                    const std::vector<fs::path>& sources, const ImportTools& tools) {
+    const ForeignFolder held(album);
     std::error_code error;
     ImportList list{into.lexically_normal(), {}};
     for (const fs::path& source : sources) {
@@ -203,6 +211,20 @@ Result<ImportReport> import_photos(const fs::path& album, const fs::path& into,
 Result<ImportReport> go_on_importing(const fs::path& album, const std::string& id, const ImportTools& tools) {
     const auto list = ImportList::read(album, id);
     return list ? Result<ImportReport>(Import(album, id, *list, tools, true).run()) : Error{list.error()};
+}
+
+Result<UnfinishedImport> unfinished_import(const fs::path& album, const std::string& id) {
+    const auto list = ImportList::read(album, id);
+    return list ? Result<UnfinishedImport>(UnfinishedImport{list->sources, album / list->into})
+                : Error{list.error()};
+}
+
+std::vector<fs::path> import_lists_in_album(const fs::path& album) { return ImportList::in_album(album); }
+
+std::string words_for_list_in_album(const fs::path& list) {
+    return quoted(list) +
+           " says what to import, but this computer did not note it; it is left alone. Import the "
+           "photographs themselves again; nothing comes twice.";
 }
 
 std::vector<std::string> unfinished_imports(const fs::path& album) { return ImportList::all(album); }

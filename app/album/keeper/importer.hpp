@@ -75,9 +75,9 @@ struct ImportTools {
 // (IMG_1.WAV) becomes its ambient recording, and so does the sound of a motion photo's or a Live Photo's
 // video.
 //
-// What is to be imported is on the disk before the first byte is copied, so that an import that was stopped,
-// killed or cut off goes on where it was. A photograph is copied after its companions: where it is,
-// everything of it is. The sources are only read.
+// What is to be imported is on the disk before the first byte is copied, so that an import that was stopped, killed or cut off goes
+// on where it was. Links are left alone, in the sources too. A photograph is copied after its companions: where it is, everything of
+// it is. The sources are only read.
 
 /// `into` is a folder relative to the album's; empty: the album's own. An error only where nothing could be
 /// begun.
@@ -89,10 +89,23 @@ Result<ImportReport> import_photos(const std::filesystem::path& album, const std
 Result<ImportReport> go_on_importing(const std::filesystem::path& album, const std::string& id,
                                      const ImportTools& tools);
 
-/// The imports that were not finished, oldest first.
+/// Where an import that was not finished takes photographs from, and the folder of the album that they go to: to be told before it
+/// goes on.
+struct UnfinishedImport {
+    std::vector<std::filesystem::path> sources;
+    std::filesystem::path into; ///< absolute
+};
+Result<UnfinishedImport> unfinished_import(const std::filesystem::path& album, const std::string& id);
+
+/// The lists of imports that lie in the album itself: an older program's, or somebody else's, whose import would bring this person's
+/// photographs into that somebody's album. None is followed.
+std::vector<std::filesystem::path> import_lists_in_album(const std::filesystem::path& album);
+std::string words_for_list_in_album(const std::filesystem::path& list);
+
+/// The imports that were not finished, oldest first, as this person's own state folder knows them.
 std::vector<std::string> unfinished_imports(const std::filesystem::path& album);
 
-/// Gives one up; what it brought stays.
+/// Gives one up; what it brought stays, what was unpacked for it goes.
 std::string give_up_import(const std::filesystem::path& album, const std::string& id);
 
 } // namespace tp

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <system_error>
 #include <utility>
 
 namespace tp {
@@ -264,8 +263,7 @@ fs::path AlbumKeeper::place_of_name(const std::string& person) const { return na
 
 std::optional<fs::path> AlbumKeeper::name_recording(const std::string& person) const {
     const fs::path file = place_of_name(person);
-    std::error_code error;
-    return fs::is_regular_file(file, error) ? std::optional(file) : std::nullopt;
+    return file_there(file) ? std::optional(file) : std::nullopt;
 }
 
 std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs::path& sound) {
@@ -289,8 +287,7 @@ std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs
     if (problem.empty())
         problem = move_file(taken_in->file, file);
     if (!problem.empty()) {
-        std::error_code error;
-        fs::remove(taken_in->file, error);
+        remove_file(taken_in->file);
         if (const std::string stuck = earlier->empty() ? std::string{} : trash_.restore(*earlier);
             !stuck.empty())
             problem += " " + stuck;

@@ -19,7 +19,10 @@ namespace {
 constexpr int most_names = 10'000;
 
 /// Neither a photograph nor anything that would be its own has that name.
-bool is_free(const fs::path& place) { return !name_taken(place) && companions_of(place).empty(); }
+bool is_free(const fs::path& place) {
+    std::vector<fs::path> left;
+    return !name_taken(place) && companions_of(place, &left).empty() && left.empty();
+}
 
 /// Writes the bytes under the first free name; where they lie now, or the end of a sentence.
 Result<fs::path> placed(const fs::path& wanted, std::string_view bytes) {

@@ -6,12 +6,14 @@
 #include "app/album/keeper/tag_note.hpp"
 #include "app/album/metadata/motion_photo.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "app/album/metadata/sidecar_names.hpp"
 #include "audio/recordings/import_sound.hpp"
 #include "audio/recordings/recording_file.hpp"
 #include "audio/recordings/trim.hpp"
 #include "audio/video/sound_of_video.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <QDateTime>
 #include <QFile>
@@ -21,7 +23,6 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <system_error>
 
 namespace tp {
 
@@ -58,6 +59,12 @@ std::string time_of(const fs::path& file) {
     const QDateTime time = QFileInfo(QFile::decodeName(file.c_str())).lastModified();
     return time.isValid() ? time.toOffsetFromUtc(time.offsetFromUtc()).toString(Qt::ISODate).toStdString()
                           : std::string{};
+}
+
+/// Why a recording could not be listed, before it is stored.
+std::string unlistable(const fs::path& photo) {
+    const fs::path sidecar = sidecar_of(photo);
+    return link_there(sidecar) ? left_alone(sidecar) : std::string{};
 }
 
 Error unknown(const fs::path& photo, const std::string& file) {
@@ -116,6 +123,8 @@ Result<AlbumKeeper::Added> AlbumKeeper::add_recording(const fs::path& photo, con
                                                       const RecordingLabel& label) {
     if (std::string problem = outside(photo); !problem.empty())
         return Error{problem};
+    if (std::string problem = unlistable(photo); !problem.empty())
+        return Error{problem};
     RecordingNotes notes{label, {}};
     if (const auto about = about_recording(sound))
         notes.chapters = about->notes.chapters;
@@ -131,6 +140,8 @@ Result<AlbumKeeper::Added> AlbumKeeper::add_video_sound(const fs::path& photo, c
                                                         const VideoPlace& video,
                                                         const RecordingLabel& label) {
     if (std::string problem = outside(photo); !problem.empty())
+        return Error{problem};
+    if (std::string problem = unlistable(photo); !problem.empty())
         return Error{problem};
     RecordingNotes notes{label, {}};
     if (notes.label.recorded.empty())
@@ -288,8 +299,7 @@ Result<Tag> AlbumKeeper::trim_recording(const fs::path& photo, const std::string
     if (!part)
         return Error{quoted(tags_folder(photo) / file) + " cannot be trimmed: " + part.error()};
     const auto left_whole = [&](const std::string& problem) { // the part is of no use beside the whole one
-        std::error_code error;
-        fs::remove(*part, error);
+        remove_file(*part);
         return Error{problem};
     };
     auto tag = recording_facts(*part);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <system_error>
 
 namespace tp {
 
@@ -39,9 +38,7 @@ std::string put_language(const fs::path& file, const NameLanguage& name) {
         if (reason.empty())
             reason = replace_file(file, name_language_text(name), Readers::owner_only);
     } else if (name_taken(file)) {
-        std::error_code error;
-        fs::remove(file, error);
-        reason = error ? reason_of(error.value()) : sync_folder(file.parent_path());
+        reason = remove_file(file);
     }
     return reason.empty() ? reason : "The language of the name cannot be saved: " + reason;
 }
@@ -105,12 +102,10 @@ Result<std::string> NameLanguages::of(const std::string& person) const {
 
 std::vector<NameLanguage> NameLanguages::all(std::vector<std::string>* problems) const {
     std::vector<fs::path> files;
-    std::error_code error;
-    for (fs::directory_iterator place(place_of("a").parent_path(), error), end; !error && place != end;
-         place.increment(error))
-        if (place->path().extension() == file_end)
-            files.push_back(place->path());
-    std::sort(files.begin(), files.end());
+    const fs::path folder = place_of("a").parent_path();
+    for (const FolderEntry& entry : entries_of(folder))
+        if (fs::path(entry.name).extension() == file_end)
+            files.push_back(folder / entry.name);
     std::vector<NameLanguage> names;
     for (const fs::path& file : files) {
         auto name = read_in_place(file, *this);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace tp {
@@ -20,7 +19,7 @@ constexpr int most_names = 10'000;
 
 /// The same bytes, or one of the files cannot be read.
 bool same_bytes(const fs::path& a, const fs::path& b) {
-    if (size_or_zero(a) != size_or_zero(b))
+    if (link_there(a) || link_there(b) || size_or_zero(a) != size_or_zero(b))
         return false;
     const auto first = content_hash(a), second = content_hash(b);
     return first && second && *first == *second;
@@ -28,27 +27,28 @@ bool same_bytes(const fs::path& a, const fs::path& b) {
 
 /// Whether something else than these bytes has the place of a file, or of a file in a folder.
 bool is_taken(const fs::path& from, const fs::path& to) {
-    std::error_code error;
     if (!name_taken(to))
         return false;
-    if (!fs::is_directory(from, error))
+    if (!folder_there(from))
         return !same_bytes(from, to);
-    for (const auto& file : fs::directory_iterator(from, error))
-        if (is_taken(file.path(), to / file.path().filename()))
-            return true;
-    return false;
+    if (!folder_there(to))
+        return true;
+    const std::vector<FolderEntry> files = entries_of(from);
+    return std::any_of(files.begin(), files.end(), [&](const FolderEntry& file) {
+        return !file.link && is_taken(from / file.name, to / file.name);
+    });
 }
 
 /// Copies a file, or the files of a folder, that are not there yet. A folder holds recordings: nobody else
 /// may hear them.
 std::string bring(const fs::path& from, const fs::path& to, Readers readers = Readers::as_usual) {
-    std::error_code error;
-    if (!fs::is_directory(from, error))
+    if (!folder_there(from))
         return name_taken(to) ? std::string{} : copy_whole(from, to, readers);
     std::string problem = make_folder(to, Readers::owner_only);
-    for (const auto& file : fs::directory_iterator(from, error))
-        if (problem.empty() && file.is_regular_file(error) && !is_temporary(file.path()))
-            problem = bring(file.path(), to / file.path().filename(), Readers::owner_only);
+    for (const FolderEntry& file : entries_of(from))
+        if (problem.empty() && !file.link && file.facts.kind == FileFacts::Kind::file &&
+            !is_temporary(file.name))
+            problem = bring(from / file.name, to / file.name, Readers::owner_only);
     return problem;
 }
 

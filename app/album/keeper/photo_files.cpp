@@ -3,16 +3,20 @@
 
 #include "app/album/metadata/conflicts.hpp"
 #include "app/album/metadata/photo_name.hpp"
+#include "core/files/durable_file.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/open_file.hpp"
 #include "core/files/photo_endings.hpp"
 
 #include <QCryptographicHash>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
+#include <cstdint>
+#include <cstdlib>
 #include <span>
-#include <system_error>
+#include <utility>
 
 namespace tp {
 
@@ -46,6 +50,34 @@ bool shares_its_stem(Names names, const fs::path& photo) {
     });
 }
 
+/// Whether a folder holds photographs, or what is an album's.
+bool looks_like_album(const fs::path& folder) {
+    const std::vector<FolderEntry> entries = entries_of(folder);
+    return std::any_of(entries.begin(), entries.end(), [](const FolderEntry& entry) {
+        return entry.name == ".touchphoto" || has_photo_name(entry.name) || entry.name.ends_with(".tags") ||
+               small_ending(entry.name) == ".xmp";
+    });
+}
+
+/// Whether a person's own folders lie in it, where a link is theirs: ~/Pictures on another disk.
+bool is_above_home(const fs::path& folder) {
+    const char* const home = std::getenv("HOME");
+    const fs::path own = fs::path(home != nullptr ? home : "").lexically_normal();
+    return !own.empty() &&
+           std::mismatch(folder.begin(), folder.end(), own.begin(), own.end()).first == folder.end();
+}
+
+/// The outermost album in which a link lies that this way goes by.
+std::optional<fs::path> album_with_link_to(const fs::path& folder) {
+    fs::path above, here;
+    for (const fs::path& name : folder) {
+        above = std::exchange(here, here / name);
+        if (name.has_filename() && link_there(here) && !is_above_home(above) && looks_like_album(above))
+            return above;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 fs::path tags_folder(const fs::path& photo) { return fs::path(photo) += ".tags"; }
@@ -54,28 +86,39 @@ fs::path contours_file(const fs::path& photo) { return fs::path(photo) += ".cont
 bool is_own_folder(const fs::path& folder) { return folder.filename() == ".touchphoto"; }
 
 fs::path album_around(const fs::path& photo) {
-    std::error_code error;
+    if (auto album = album_with_link_to(photo.parent_path()))
+        return *std::move(album);
     for (fs::path folder = photo.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
-        if (fs::is_directory(folder / ".touchphoto", error))
+        if (folder_there(folder / ".touchphoto") || link_there(folder / ".touchphoto"))
             return folder;
     return photo.parent_path();
 }
 
-std::vector<Companion> companions_of(const fs::path& photo) { return FolderCompanions().of(photo); }
+std::vector<Companion> companions_of(const fs::path& photo, std::vector<fs::path>* left) {
+    return FolderCompanions().of(photo, left);
+}
 
 void FolderCompanions::read(const fs::path& folder) {
     folder_ = folder;
     names_.clear();
-    std::error_code error;
-    for (const auto& file : fs::directory_iterator(folder.empty() ? "." : folder, error))
-        names_.push_back(file.path().filename().string());
-    std::sort(names_.begin(), names_.end());
+    left_.clear();
+    for (const FolderEntry& entry : entries_of(folder)) {
+        names_.push_back(entry.name);
+        if (entry.link || entry.facts.kind == FileFacts::Kind::other)
+            left_.insert(entry.name);
+    }
 }
 
-std::vector<Companion> FolderCompanions::of(const fs::path& photo) {
+std::vector<Companion> FolderCompanions::of(const fs::path& photo, std::vector<fs::path>* left) {
     if (folder_ != photo.parent_path())
         read(photo.parent_path());
     std::vector<Companion> found;
+    const auto add = [&](Companion companion, const std::string& called) {
+        if (!left_.contains(called))
+            found.push_back(std::move(companion));
+        else if (left)
+            left->push_back(companion.file);
+    };
     const std::string name = photo.filename().string();
     for (const std::string& other : beginning_with(names_, name)) {
         const fs::path place = photo.parent_path() / other;
@@ -83,13 +126,13 @@ std::vector<Companion> FolderCompanions::of(const fs::path& photo) {
         const auto original = conflict_original(other); // another machine's sidecar, not merged yet
         if (is_sidecar_of(name, other) || (original && is_sidecar_of(name, *original)) ||
             place == contours_file(photo) || place == tags_folder(photo))
-            found.push_back({place, suffix, false});
+            add({place, suffix, false}, other);
     }
     for (const std::string& other : beginning_with(names_, photo.stem().string() + '.')) {
         const fs::path place = photo.parent_path() / other;
         if (is_sidecar_of(photo.stem().string(), other) && !other.starts_with(name) &&
             !shares_its_stem(names_, photo))
-            found.push_back({place, place.extension().string(), true});
+            add({place, place.extension().string(), true}, other);
     }
     return found;
 }
@@ -109,25 +152,26 @@ fs::path beside(const fs::path& photo, const Companion& companion) {
 }
 
 std::uintmax_t size_or_zero(const fs::path& file) {
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);
-    return error ? 0 : size;
+    const auto facts = facts_of(file);
+    return facts && facts->kind == FileFacts::Kind::file ? facts->bytes : 0;
 }
 
 Result<std::string> content_hash(const fs::path& file) {
-    std::error_code error;
-    std::ifstream stream;
-    if (fs::is_regular_file(file, error))
-        stream.open(file, std::ios::binary);
+    const Error unreadable{"The file " + quoted(file) + " cannot be read."};
+    OpenFile opened(file, {.looked_at = true});
+    const auto facts = opened.ok() ? opened.facts() : std::nullopt;
+    if (!facts || facts->kind != FileFacts::Kind::file)
+        return unreadable;
     QCryptographicHash hash(QCryptographicHash::Sha256);
     std::array<char, 1 << 16> block{};
-    while (stream.is_open() && stream) {
-        stream.read(block.data(), block.size());
-        hash.addData(QByteArrayView(block.data(), stream.gcount()));
+    while (true) {
+        const std::int64_t count = opened.read(block);
+        if (count < 0)
+            return unreadable;
+        if (count == 0)
+            return hash.result().toHex().toStdString();
+        hash.addData(QByteArrayView(block.data(), static_cast<qsizetype>(count)));
     }
-    if (!stream.is_open() || !stream.eof())
-        return Error{"The file " + quoted(file) + " cannot be read."};
-    return hash.result().toHex().toStdString();
 }
 
 } // namespace tp

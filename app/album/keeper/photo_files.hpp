@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ std::filesystem::path contours_file(const std::filesystem::path& photo);
 /// The folder that an album keeps its own things in, trash and all: .touchphoto.
 bool is_own_folder(const std::filesystem::path& folder);
 /// The album that a photograph's own things are kept in where nobody named one: the nearest folder above it
-/// that has a .touchphoto, else its own folder.
+/// that has a .touchphoto, else its own folder. Where the way to the photograph leads by a link that lies in an album, it is that
+/// album, in which nothing behind the link is reached.
 std::filesystem::path album_around(const std::filesystem::path& photo);
 
 /// A file or folder that belongs to a photograph and goes where it goes.
@@ -32,19 +34,23 @@ struct Companion {
 /// What lies beside a photograph and is its own: both spellings of a sidecar, its conflict copies, contours,
 /// recordings. A sidecar named by the stem belongs to it only where no other photograph in the folder has
 /// that stem.
-std::vector<Companion> companions_of(const std::filesystem::path& photo);
+/// What has such a name and is a link, or neither file nor folder, is none; `left` takes it.
+std::vector<Companion> companions_of(const std::filesystem::path& photo,
+                                     std::vector<std::filesystem::path>* left = nullptr);
 
 /// The same for many photographs, by folder: a folder is read once, when the first of its photographs is
 /// asked for, so that ten thousand photographs in one take no hundred million looks.
 class FolderCompanions {
 public:
-    std::vector<Companion> of(const std::filesystem::path& photo);
+    std::vector<Companion> of(const std::filesystem::path& photo,
+                              std::vector<std::filesystem::path>* left = nullptr);
 
 private:
     void read(const std::filesystem::path& folder);
 
     std::optional<std::filesystem::path> folder_; ///< the one that was read last
     std::vector<std::string> names_;              ///< of what is in it, in order
+    std::set<std::string> left_;                  ///< of links, and of what is neither file nor folder
 };
 
 /// "IMG_1 (2).jpg" for the second photograph of that name.

@@ -6,6 +6,7 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
 #include "core/files/whole_file.hpp"
 
 #include <QDateTime>
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <system_error>
 
 namespace tp {
 
@@ -62,11 +62,9 @@ std::string make_folder_again(const fs::path& folder) {
 
 /// A folder whose list was not on the disk when its program ended, so that nothing was moved into it either.
 bool was_never_filled(const fs::path& folder) {
-    std::error_code error;
-    for (const auto& file : fs::directory_iterator(folder, error))
-        if (!is_temporary(file.path()))
-            return false;
-    return true;
+    const std::vector<FolderEntry> files = entries_of(folder);
+    return std::all_of(files.begin(), files.end(),
+                       [](const FolderEntry& file) { return is_temporary(file.name); });
 }
 
 } // namespace
@@ -77,6 +75,7 @@ fs::path Trash::kept(const std::string& id, std::size_t number) const {
 
 Result<std::string> Trash::put(const std::vector<fs::path>& files, const std::string& what,
                                const std::string& note) {
+    const ForeignFolder held(album_);
     TrashEntry entry;
     entry.what = what;
     entry.note = note;
@@ -85,6 +84,8 @@ Result<std::string> Trash::put(const std::vector<fs::path>& files, const std::st
         if (!stays_below(below))
             return Error{quoted(file) + " was not deleted, because it is not in the album " + quoted(album_) +
                          "."};
+        if (const auto link = link_on_the_way(album_ / below))
+            return Error{left_alone(*link)};
         if (!name_taken(album_ / below))
             return Error{"There is no file " + quoted(file) + "."};
         entry.files.push_back(below);
@@ -126,6 +127,7 @@ std::string Trash::move_back(const TrashEntry& entry) const {
 }
 
 std::string Trash::restore(const std::string& id, const fs::path& instead) {
+    const ForeignFolder held(album_);
     auto what = entry(id);
     if (!what)
         return what.error();
@@ -141,22 +143,29 @@ std::string Trash::restore(const std::string& id, const fs::path& instead) {
 }
 
 std::string Trash::erase(const std::string& id) {
+    const ForeignFolder held(album_);
     if (!stays_below(id) || id.find('/') != std::string::npos || !name_taken(folder() / id))
         return "There is nothing of the name " + quoted(fs::path(id)) + " in the trash.";
+    if (link_there(folder() / id))
+        return left_alone(folder() / id);
     // The list goes last, so that what a power cut leaves is still known to be in the trash.
-    std::error_code error;
-    for (const auto& file : fs::directory_iterator(folder() / id, error)) {
-        std::error_code left;
-        if (file.path().filename() != list_name)
-            fs::remove_all(file.path(), left);
-        error = left ? left : error;
-    }
-    if (!error)
-        fs::remove_all(folder() / id, error);
-    return error ? "The trash could not be emptied: " + reason_of(error.value()) : std::string{};
+    std::string reason;
+    int error = 0;
+    for (const FolderEntry& file : entries_of(folder() / id, &error))
+        if (file.name != list_name)
+            if (std::string left = remove_tree(folder() / id / file.name); reason.empty())
+                reason = left;
+    if (reason.empty() && error != 0)
+        reason = reason_of(error);
+    if (reason.empty())
+        reason = remove_tree(folder() / id);
+    return reason.empty() ? reason : "The trash could not be emptied: " + reason;
 }
 
 std::string Trash::empty() {
+    const ForeignFolder held(album_);
+    if (const auto link = link_on_the_way(folder()))
+        return left_alone(*link);
     std::string first;
     for (const TrashEntry& entry : entries())
         if (std::string problem = erase(entry.id); first.empty())
@@ -165,6 +174,7 @@ std::string Trash::empty() {
 }
 
 Result<TrashEntry> Trash::entry(const std::string& id) const {
+    const ForeignFolder held(album_);
     if (!stays_below(id) || id.find('/') != std::string::npos)
         return Error{"There is nothing of the name " + quoted(fs::path(id)) + " in the trash."};
     const auto bytes = read_whole(folder() / id / list_name, most_list_bytes);
@@ -190,12 +200,19 @@ Result<TrashEntry> Trash::entry(const std::string& id) const {
 }
 
 std::vector<TrashEntry> Trash::entries(std::vector<std::string>* problems) const {
+    const ForeignFolder held(album_);
     std::vector<TrashEntry> found;
-    std::error_code error;
-    for (const auto& place : fs::directory_iterator(folder(), error)) {
-        if (was_never_filled(place.path()))
+    if (const auto link = link_on_the_way(folder()); link && problems)
+        problems->push_back(left_alone(*link));
+    for (const FolderEntry& place : entries_of(folder())) {
+        if (place.link) {
+            if (problems)
+                problems->push_back(left_alone(folder() / place.name));
             continue;
-        auto what = entry(place.path().filename().string());
+        }
+        if (place.facts.kind != FileFacts::Kind::folder || was_never_filled(folder() / place.name))
+            continue;
+        auto what = entry(place.name);
         if (what)
             found.push_back(*std::move(what));
         else if (problems)
@@ -210,7 +227,7 @@ std::vector<fs::path> Trash::files_in(const std::string& id) const {
     std::vector<fs::path> files;
     if (const auto what = entry(id))
         for (std::size_t i = 0; i < what->files.size(); ++i)
-            if (name_taken(kept(id, i)))
+            if (name_taken(kept(id, i)) && !link_there(kept(id, i)))
                 files.push_back(kept(id, i));
     return files;
 }

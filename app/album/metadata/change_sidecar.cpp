@@ -5,6 +5,7 @@
 #include "app/album/metadata/sidecar_names.hpp"
 #include "app/album/metadata/xmp_names.hpp"
 #include "app/album/metadata/xmp_record.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/folder_lock.hpp"
 #include "core/files/new_file.hpp"
@@ -14,7 +15,6 @@
 #include <cctype>
 #include <chrono>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -28,11 +28,6 @@ namespace {
 constexpr int most_tries = 20;
 /// As long as another program may take to write a sidecar in place.
 constexpr auto pause_for_writer = std::chrono::milliseconds(20);
-
-bool is_there(const fs::path& file) {
-    std::error_code error;
-    return fs::exists(fs::symlink_status(file, error));
-}
 
 /// A sidecar without any content holds nothing to lose and is begun anew.
 bool is_blank(std::string_view bytes) {
@@ -69,7 +64,7 @@ public:
     }
 
     std::string run() {
-        if (is_there(sidecar_))
+        if (name_taken(sidecar_))
             if (std::string failed = look(); !failed.empty())
                 return failed;
         for (int tries = 0; tries < most_tries; ++tries) {
@@ -136,7 +131,7 @@ private:
     }
 
     bool somebody_wrote() const {
-        if (!is_there(sidecar_))
+        if (!name_taken(sidecar_))
             return expected_.has_value();
         const auto bytes = read_whole(sidecar_, XmpPacket::most_bytes);
         return !expected_ || !bytes || *bytes != *expected_;
@@ -144,7 +139,7 @@ private:
 
     /// A program that writes in place leaves half a file for a moment.
     std::string look_again() {
-        if (!is_there(sidecar_)) {
+        if (!name_taken(sidecar_)) {
             expected_.reset();
             base_.reset();
             return {};

@@ -6,12 +6,13 @@
 #include "app/album/metadata/sidecar_names.hpp"
 #include "app/album/metadata/xmp_record.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/whole_file.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <system_error>
+#include <cstdint>
 #include <utility>
 
 namespace tp {
@@ -27,9 +28,10 @@ bool is_sidecar_name(const std::string& name) {
     return end == ".xmp";
 }
 
-fs::file_time_type time_of(const fs::path& file) {
-    std::error_code error;
-    return fs::last_write_time(file, error);
+/// When it was written, since 1970; 0 where that cannot be known.
+std::int64_t time_of(const fs::path& file) {
+    const auto facts = facts_of(file);
+    return facts ? facts->written_ns : 0;
 }
 
 Result<XmpPacket> packet_in(const fs::path& copy) {
@@ -49,8 +51,7 @@ std::string move_to(const fs::path& trash, const fs::path& file) {
     constexpr int most_tries = 1000;
     fs::path place = trash / file.filename();
     for (int i = 2; i < most_tries; ++i) {
-        std::error_code error;
-        if (!fs::exists(fs::symlink_status(place, error)))
+        if (!name_taken(place))
             return move_file(file, place);
         place = trash / file.stem();
         place += std::string(" ").append(std::to_string(i)).append(file.extension().string());
@@ -64,18 +65,17 @@ std::vector<fs::path> conflict_copies(const fs::path& photo) {
     const std::string own = photo.filename().string();
     const std::string shared = photo.stem().string();
     std::vector<fs::path> copies;
-    std::error_code error;
     const fs::path folder = photo.has_parent_path() ? photo.parent_path() : fs::path(".");
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        if (!is_sidecar_name(name))
+    for (const FolderEntry& entry : entries_of(folder)) {
+        const std::string& name = entry.name;
+        if (!is_sidecar_name(name) || entry.link)
             continue;
         const auto original = conflict_original(name);
         if (!original || !is_sidecar_name(*original))
             continue;
         const std::string whose = original->substr(0, original->size() - 4);
         if (whose == own || (whose == shared && photo.has_extension()))
-            copies.push_back(entry->path());
+            copies.push_back(folder / name);
     }
     std::sort(copies.begin(), copies.end(), [](const fs::path& a, const fs::path& b) {
         return std::pair(time_of(a), a) < std::pair(time_of(b), b);

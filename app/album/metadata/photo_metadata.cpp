@@ -7,7 +7,9 @@
 #include "app/album/metadata/xmp_record.hpp"
 #include "audio/recordings/byte_source.hpp"
 #include "core/base/utf8.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
 #include "core/files/open_file.hpp"
 #include "faces/exiv2/exif_orientation.hpp"
 #include "faces/exiv2/prepare_exiv2.hpp"
@@ -15,9 +17,9 @@
 #include <exiv2/exiv2.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <system_error>
 #include <utility>
 
 namespace tp {
@@ -146,8 +148,8 @@ void try_to(std::vector<std::string>& problems, const char* sentence, Read read)
 }
 
 /// How a HEIC or AVIF file says that it is turned; none for other files.
-std::optional<int> own_orientation(const fs::path& photo) {
-    const auto bytes = FileBytes::open(photo);
+std::optional<int> own_orientation(const OpenFile& photo) {
+    const auto bytes = FileBytes::of(photo);
     return bytes ? heif_orientation(**bytes) : std::nullopt;
 }
 
@@ -183,25 +185,32 @@ void read_image(Exiv2::Image& image, std::optional<int> turned, PhotoMetadata& m
 } // namespace
 
 Result<PhotoMetadata> photo_metadata(const fs::path& photo) {
-    std::error_code error;
-    const fs::file_status status = fs::status(photo, error);
-    if (!fs::exists(status))
+    const OpenFile opened(photo, {.looked_at = true});
+    const int error = opened.ok() ? 0 : errno;
+    if (error == ELOOP)
+        if (const auto link = link_on_the_way(photo.parent_path()))
+            return Error{left_alone(*link)};
+    const auto facts = opened.ok() ? opened.facts() : facts_of_photo(photo);
+    if (!facts)
         return Error{"There is no photograph " + quoted(photo) + "."};
-    if (!fs::is_regular_file(status))
+    if (facts->kind != FileFacts::Kind::file)
         return Error{quoted(photo) + " is not a file."};
-    if (!OpenFile(photo, {}).ok())
+    if (!opened.ok())
         return Error{"You are not allowed to read the photograph " + quoted(photo) + "."};
     PhotoMetadata metadata;
-    if (has_oversized_metadata(photo)) {
+    // The very file that is open, whatever has its name by now.
+    const fs::path same = opened.name_of_opened();
+    const fs::path name = same.empty() ? fs::absolute(photo) : same;
+    if (has_oversized_metadata(name)) {
         metadata.parts.problems.push_back("The photograph " + quoted(photo) +
                                           " holds more metadata than any program writes; it was not read.");
         return metadata;
     }
     prepare_exiv2();
     try {
-        // By its whole path, because the factory takes some names ("-", "data:…") for something else than a file.
-        const auto image = Exiv2::ImageFactory::open(fs::absolute(photo).string(), false);
-        read_image(*image, own_orientation(photo), metadata);
+        // By a whole path, because the factory takes some names ("-", "data:…") for something else than a file.
+        const auto image = Exiv2::ImageFactory::open(name.string(), false);
+        read_image(*image, own_orientation(opened), metadata);
     } catch (...) {
         metadata.parts.problems.push_back("The metadata of the photograph " + quoted(photo) +
                                           " cannot be read.");

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/metadata/sidecar_names.hpp"
 
+#include "core/files/durable_file.hpp"
+
 #include <array>
 #include <optional>
 #include <string_view>
-#include <system_error>
 
 namespace tp {
 
@@ -20,8 +21,7 @@ std::optional<fs::path> existing(const fs::path& stem) {
     for (const std::string_view extension : extensions) {
         fs::path file = stem;
         file += extension;
-        std::error_code error;
-        if (fs::exists(fs::symlink_status(file, error)))
+        if (name_taken(file))
             return file;
     }
     return std::nullopt;

@@ -7,7 +7,9 @@
 #include "app/cli/album/album_verbs.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/terminal.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/foreign_folder.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -53,6 +55,23 @@ int ended(const ImportReport& report) {
     return report.count(Fate::failed) == 0 ? exit_done : exit_bad_input;
 }
 
+/// Lists in the album are followed by nobody; a person who expects that hears of them.
+void say_lists_in_album(const fs::path& album) {
+    for (const fs::path& list : import_lists_in_album(album))
+        say_problem(link_there(list) ? left_alone(list) : words_for_list_in_album(list));
+}
+
+/// Where an import takes photographs from and brings them, before it goes on.
+void say_what_goes_on(const fs::path& album, const std::string& id) {
+    const auto import = unfinished_import(album, id);
+    if (!import)
+        return;
+    std::string sources;
+    for (const fs::path& source : import->sources)
+        (sources += sources.empty() ? "" : ", ") += quoted(source);
+    say("Continuing the import of " + sources + " into " + quoted(import->into) + ".");
+}
+
 } // namespace
 
 int album_import(const QStringList& words) {
@@ -65,7 +84,8 @@ int album_import(const QStringList& words) {
         "or killed can be continued with --continue.");
     add_index_options(line)
         .option("into", "A folder of the album; created if it is missing.", "FOLDER")
-        .option("continue", "Continues unfinished imports.")
+        .option("continue",
+                "Continues unfinished imports that were begun on this computer, and says of what.")
         .option("give-up", "Discards unfinished imports; what they imported stays.")
         .option("json", "One JSON object per photograph, written at once.")
         .argument("ALBUM", "The album's folder.")
@@ -82,6 +102,8 @@ int album_import(const QStringList& words) {
     std::error_code error;
     if (!fs::is_directory(album, error))
         return refused("There is no folder " + quoted(album) + ".");
+    if (go_on || give_up)
+        say_lists_in_album(album);
     if (give_up) {
         for (const std::string& id : unfinished_imports(album))
             if (const std::string problem = give_up_import(album, id); !problem.empty())
@@ -110,6 +132,7 @@ int album_import(const QStringList& words) {
     }
     int result = exit_done;
     for (const std::string& id : unfinished_imports(album)) {
+        say_what_goes_on(album, id);
         const auto report = go_on_importing(album, id, tools);
         if (const int end = report ? ended(*report) : refused(report.error()); end != exit_done)
             result = end;
@@ -137,8 +160,12 @@ int album_export(const QStringList& words) {
     const auto report = [](std::uintmax_t done, std::uintmax_t all) {
         LongWork::share(static_cast<double>(done) / static_cast<double>(std::max<std::uintmax_t>(all, 1)));
     };
+    const ForeignFolder held = held_around(line.text("to"));
+    std::vector<fs::path> left;
     const std::string problem =
-        export_bundle(path_given(line.text("to")), album, photos, report, LongWork::stop_token());
+        export_bundle(path_given(line.text("to")), album, photos, report, LongWork::stop_token(), &left);
+    for (const fs::path& link : left)
+        say_problem(left_alone(link));
     if (LongWork::stop_asked() && !problem.empty())
         return LongWork::stop_code();
     return problem.empty() ? int{exit_done} : refused(problem);

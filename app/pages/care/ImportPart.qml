@@ -64,6 +64,7 @@ Column {
         width: parent.width
         visible: part.importing.unfinished
         text: qsTr("Continue the unfinished import")
+        hint: part.importing.unfinishedText
         onClicked: {
             first.forceActiveFocus() // this one vanishes
             part.importing.goOn()

@@ -87,7 +87,16 @@ void ImportCare::look() {
         return;
     const std::vector<std::string> now =
         into_.empty() ? std::vector<std::string>{} : unfinished_imports(into_);
-    if (std::exchange(unfinished_, now) != now)
+    QString text;
+    if (const auto import =
+            now.empty() ? Result<UnfinishedImport>(Error{}) : unfinished_import(into_, now.front())) {
+        QStringList sources;
+        for (const fs::path& source : import->sources)
+            sources << CareWords::text(source.string());
+        text = tr("From %1 into %2.").arg(sources.join(", "), CareWords::text(import->into.string()));
+    }
+    const bool other = std::exchange(unfinished_text_, text) != text;
+    if (std::exchange(unfinished_, now) != now || other)
         emit changed();
 }
 
@@ -140,9 +149,10 @@ void ImportCare::stop() {
 void ImportCare::goOn() {
     if (!unfinished())
         return;
-    run(tr("The import continues."), [folder = into_, id = unfinished_.front()](const ImportTools& tools) {
-        return go_on_importing(folder, id, tools);
-    });
+    run(tr("The import continues.") + " " + unfinished_text_,
+        [folder = into_, id = unfinished_.front()](const ImportTools& tools) {
+            return go_on_importing(folder, id, tools);
+        });
 }
 
 void ImportCare::giveUp() {

@@ -35,6 +35,8 @@ class ImportCare final : public QObject {
     Q_PROPERTY(QString report READ report NOTIFY changed)           ///< of the last import
     Q_PROPERTY(QStringList problems READ problems NOTIFY changed)   ///< what did not come, or not wholly, one by one
     Q_PROPERTY(bool unfinished READ unfinished NOTIFY changed)      ///< an import can go on
+    Q_PROPERTY(
+        QString unfinishedText READ unfinishedText NOTIFY changed) ///< from where to where it would go on
     Q_PROPERTY(QStringList folders READ folders NOTIFY foldersChanged)
     Q_PROPERTY(int folder READ folder WRITE setFolder NOTIFY foldersChanged) ///< that an import goes to
 public:
@@ -49,6 +51,7 @@ public:
     const QString& report() const { return report_; }
     const QStringList& problems() const { return problems_; }
     bool unfinished() const { return !running_ && !unfinished_.empty(); }
+    const QString& unfinishedText() const { return unfinished_text_; }
     QStringList folders() const;
     int folder() const { return folder_; }
     void setFolder(int folder);
@@ -62,6 +65,7 @@ public:
     Q_INVOKABLE void dropWish() { wish_.clear(); }
     /// After the photograph that is being copied.
     Q_INVOKABLE void stop();
+    /// Says first what it takes from where.
     Q_INVOKABLE void goOn();
     /// The unfinished import is not gone on with; what it brought stays.
     Q_INVOKABLE void giveUp();
@@ -92,6 +96,7 @@ private:
     QString report_;
     QStringList problems_;
     std::vector<std::string> unfinished_;
+    QString unfinished_text_; ///< of the first
     QList<QUrl> wish_; ///< waits for a folder
     ImportPace pace_;
     QElapsedTimer clock_;

@@ -6,8 +6,6 @@
 #include "core/files/file_words.hpp"
 #include "core/files/whole_file.hpp"
 
-#include <system_error>
-
 namespace tp {
 
 namespace fs = std::filesystem;
@@ -18,8 +16,7 @@ constexpr std::size_t most_bytes = 64u << 20;
 
 /// The file's bytes; none where there is no file.
 Result<std::optional<std::string>> bytes_of(const fs::path& file) {
-    std::error_code unknown;
-    if (!fs::exists(file, unknown) && !unknown)
+    if (!name_taken(file))
         return std::optional<std::string>();
     const Result<std::string> bytes = read_whole(file, most_bytes);
     return bytes ? Result<std::optional<std::string>>(std::optional(*bytes)) : Error{bytes.error()};
@@ -75,9 +72,7 @@ std::string MendFile::save(const MendWork& work) {
         if (const std::string reason = replace_file(path_, *wanted); !reason.empty())
             return "The mended contours cannot be saved as " + quoted(path_) + ": " + reason;
     } else {
-        std::error_code failed;
-        fs::remove(path_, failed);
-        const std::string reason = failed ? reason_of(failed.value()) : sync_folder(path_.parent_path());
+        const std::string reason = remove_file(path_);
         if (!reason.empty())
             return "The mended contours " + quoted(path_) + " cannot be removed: " + reason;
     }

@@ -3,12 +3,12 @@
 
 #include "app/photo/picture/overlay.hpp"
 #include "app/photo/scene/corrections.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/svg/contour_sheet.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/extract/face_extractor.hpp"
 
 #include <exception>
-#include <system_error>
 #include <utility>
 
 namespace tp {
@@ -37,8 +37,7 @@ MendPhoto read(const QString& file, std::unique_ptr<FaceExtractor>& extractor, c
     const Extraction found = extractor->extract(*picture, stop);
     photo.image = to_image(not_larger_than(turned(*picture, found.turned_degrees), longest_shown_px));
     Extraction shown = found;
-    std::error_code unknown;
-    if (std::filesystem::exists(correction_file(path), unknown)) {
+    if (name_taken(correction_file(path))) {
         // A file that cannot be used is not written over: somebody's work is in it.
         const Result<ContourSheet> sheet = read_sheet(correction_file(path), ContourSheet::Unit::pixel);
         Result<Extraction> mended = sheet ? corrected(found, *sheet) : Error{sheet.error()};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/photo/scene/corrections.hpp"
 
+#include "core/files/durable_file.hpp"
 #include "core/geometry/flatten.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <map>
 #include <optional>
 #include <string_view>
-#include <system_error>
 
 namespace tp {
 
@@ -150,8 +150,7 @@ Result<Extraction> corrected(Extraction extraction, const ContourSheet& sheet) {
 
 Extraction with_corrections(Extraction extraction, const std::filesystem::path& photo) {
     const std::filesystem::path file = correction_file(photo);
-    std::error_code ignored;
-    if (extraction.width <= 0 || !std::filesystem::exists(file, ignored))
+    if (extraction.width <= 0 || !name_taken(file))
         return extraction;
     const auto unusable = [&](const std::string& why) {
         extraction.problem = "The mended contours in " + file.filename().string() +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/folder_listing.hpp"
 #include "app/album/index/photo_content.hpp"
+#include "core/files/foreign_folder.hpp"
 #include "synthetic_album.hpp"
 
 #include <QCryptographicHash>
@@ -139,7 +140,7 @@ private slots:
         QCOMPARE(after != settled_beside("IMG_1.jpg"), noticed);
     }
 
-    void links_lead_to_folders_but_not_round() {
+    void nobody_walks_into_links_to_folders() {
         fs::create_directories(root_ / "a" / "b");
         fs::create_directory(root_ / "elsewhere");
         fs::create_directory(root_ / ".secret");
@@ -148,8 +149,14 @@ private slots:
         fs::create_directory_symlink(".", root_ / "a" / "here");
         fs::create_directory_symlink(root_ / ".secret", root_ / "a" / "secret");
         fs::create_symlink("nothing", root_ / "a" / "dangling.jpg");
-        QCOMPARE(folders(root_ / "a"), (std::vector<fs::path>{root_ / "a" / "b", root_ / "elsewhere"}));
+        QCOMPARE(folders(root_ / "a"), std::vector<fs::path>{root_ / "a" / "b"});
+        QCOMPARE(list_folder(root_ / "a").linked,
+                 (std::vector<fs::path>{root_ / "a" / "here", root_ / "a" / "secret", root_ / "a" / "there",
+                                        root_ / "a" / "up"}));
         QVERIFY(list_folder(root_ / "a").photos.empty());
+        const ForeignFolder held(root_); // as a scan holds it
+        QCOMPARE(folders(root_ / "a"), std::vector<fs::path>{root_ / "a" / "b"});
+        QVERIFY(list_folder(root_ / "a" / "there").error == ELOOP);
     }
 
     void a_folder_that_is_not_there_is_said() {

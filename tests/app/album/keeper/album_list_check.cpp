@@ -7,6 +7,8 @@
 #include "app/album/keeper/trash.hpp"
 #include "memory_folder.hpp"
 
+#include <cstdlib>
+
 namespace tp::test {
 
 namespace {
@@ -43,9 +45,10 @@ std::string complaint_about_note(const std::string& text) {
 } // namespace
 
 std::string complaint_about_album_lists(std::string_view bytes) {
-    static const MemoryFolder album;
+    static const MemoryFolder album, state;
+    ::setenv("XDG_STATE_HOME", state.path().c_str(), 1);
     album.file(".touchphoto/trash/1/list.json", bytes);
-    album.file(".touchphoto/import/1.json", bytes);
+    state.file(ImportList::place_of(album.path(), "1").lexically_relative(state.path()), bytes);
     for (const std::string& complaint :
          {complaint_about_trash(album.path()), complaint_about_import(album.path()),
           complaint_about_note(std::string(bytes))})

@@ -8,6 +8,7 @@
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "audio/recordings/recording_file.hpp"
+#include "named_place.hpp"
 
 #include <QTest>
 
@@ -29,8 +30,8 @@ std::string refused; ///< no file with this in its path is moved or gets its nam
 int let_through = 0; ///< as many are all the same
 int refusals = 0;    ///< as many at most
 
-bool is_refused(const char* path) {
-    if (refused.empty() || std::string_view(path).find(refused) == std::string_view::npos ||
+bool is_refused(int folder, const char* name) {
+    if (refused.empty() || test::named_place(folder, name).find(refused) == std::string_view::npos ||
         let_through-- > 0 || refusals-- <= 0)
         return false;
     errno = ENOSPC;
@@ -41,15 +42,13 @@ bool is_refused(const char* path) {
 
 extern "C" int renameat2(int old_folder, const char* from, int new_folder, const char* to,
                          unsigned flags) noexcept {
-    if (is_refused(to))
+    if (is_refused(new_folder, to))
         return -1;
     return static_cast<int>(::syscall(SYS_renameat2, old_folder, from, new_folder, to, flags));
 }
 
-extern "C" int rename(const char* from, const char* to) noexcept {
-    if (is_refused(to))
-        return -1;
-    return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
+extern "C" int renameat(int old_folder, const char* from, int new_folder, const char* to) noexcept {
+    return ::renameat2(old_folder, from, new_folder, to, 0);
 }
 
 class FailingStepsTest : public QObject {

@@ -2,6 +2,7 @@
 // What becomes of what is deleted where the disk refuses in the middle.
 #include "album_folder.hpp"
 #include "app/album/keeper/trash.hpp"
+#include "named_place.hpp"
 
 #include <QTest>
 
@@ -21,8 +22,8 @@ namespace {
 /// What has this in its path is refused; empty: nothing is.
 std::string_view not_moved, not_removed, not_made;
 
-bool is_refused(const char* path, std::string_view part) {
-    if (part.empty() || std::string_view(path).find(part) == std::string_view::npos)
+bool is_refused(int folder, const char* name, std::string_view part) {
+    if (part.empty() || test::named_place(folder, name).find(part) == std::string_view::npos)
         return false;
     errno = ENOSPC;
     return true;
@@ -32,21 +33,21 @@ bool is_refused(const char* path, std::string_view part) {
 
 extern "C" int renameat2(int old_folder, const char* from, int new_folder, const char* to,
                          unsigned flags) noexcept {
-    if (is_refused(from, not_moved) || is_refused(to, not_moved))
+    if (is_refused(old_folder, from, not_moved) || is_refused(new_folder, to, not_moved))
         return -1;
     return static_cast<int>(::syscall(SYS_renameat2, old_folder, from, new_folder, to, flags));
 }
 
 extern "C" int unlinkat(int folder, const char* name, int flags) noexcept {
-    if (is_refused(name, not_removed))
+    if (is_refused(folder, name, not_removed))
         return -1;
     return static_cast<int>(::syscall(SYS_unlinkat, folder, name, flags));
 }
 
-extern "C" int mkdir(const char* folder, mode_t mode) noexcept {
-    if (is_refused(folder, not_made))
+extern "C" int mkdirat(int folder, const char* name, mode_t mode) noexcept {
+    if (is_refused(folder, name, not_made))
         return -1;
-    return static_cast<int>(::syscall(SYS_mkdirat, AT_FDCWD, folder, mode));
+    return static_cast<int>(::syscall(SYS_mkdirat, folder, name, mode));
 }
 
 class FailingTrashTest : public QObject {

@@ -121,8 +121,9 @@ private slots:
         }
         QCOMPARE(ids.front(), std::string("2026-05-01T101500.000"));
         QCOMPARE(unfinished_imports(album.path()), ids);
-        album.write(".touchphoto/import/.touchphoto-1-1.tmp", "what a kill left");
-        album.write(".touchphoto/import/notes.txt", "no list");
+        const fs::path lists = ImportList::place_of(album.path(), "1").parent_path();
+        QCOMPARE(replace_file(lists / ".touchphoto-1-1.tmp", "what a kill left"), std::string());
+        QCOMPARE(replace_file(lists / "notes.txt", "no list"), std::string());
         QCOMPARE(unfinished_imports(album.path()), ids);
         for (const std::string& id : ids)
             QCOMPARE(give_up_import(album.path(), id), std::string());
@@ -159,7 +160,9 @@ private slots:
     void a_list_that_was_spoilt_is_said() {
         QFETCH(QByteArray, list);
         const AlbumFolder album;
-        album.write(".touchphoto/import/1.json", list.toStdString());
+        const fs::path file = ImportList::place_of(album.path(), "1");
+        QCOMPARE(make_folder(file.parent_path()), std::string());
+        QCOMPARE(replace_file(file, list.toStdString()), std::string());
         QCOMPARE(go_on_importing(album.path(), "1", {}).error(),
                  std::string("The list of the import \"1\" cannot be read; import its folder again, nothing "
                              "comes twice."));

@@ -6,6 +6,7 @@
 #include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "core/files/foreign_folder.hpp"
 #include "made_zip.hpp"
 
 #include <QTest>
@@ -41,7 +42,8 @@ private slots:
         list.sources.assign(50'000, list.sources[0]);
         QVERIFY(list.save(album.path()).error().starts_with("That is more than can be imported at once"));
         QCOMPARE(ImportList::all(album.path()).size(), std::size_t{1});
-        album.write(".touchphoto/import/2.json", std::string((4 << 20) + 1, ' '));
+        QCOMPARE(replace_file(ImportList::place_of(album.path(), "2"), std::string((4 << 20) + 1, ' ')),
+                 std::string());
         QVERIFY(!ImportList::read(album.path(), "2").ok());
     }
 
@@ -293,10 +295,62 @@ private slots:
         QVERIFY(!import_photos(album.path(), {}, {card / "a.jpg", card / "missing"}, {}).ok());
         QVERIFY(album.files().empty());
         QVERIFY(!go_on_importing(album.path(), "../x", {}).ok());
-        album.write(".touchphoto/import/bad.json", "{}");
+        const fs::path bad = ImportList::place_of(album.path(), "bad"),
+                       evil = ImportList::place_of(album.path(), "evil");
+        QCOMPARE(make_folder(bad.parent_path()), std::string());
+        QCOMPARE(replace_file(bad, "{}"), std::string());
         QVERIFY(!go_on_importing(album.path(), "bad", {}).ok());
-        album.write(".touchphoto/import/evil.json", R"({"into":"../..","sources":["/tmp"]})");
+        QCOMPARE(replace_file(evil, R"({"into":"../..","sources":["/tmp"]})"), std::string());
         QVERIFY(!go_on_importing(album.path(), "evil", {}).ok());
+    }
+
+    /// A stranger's wish: this person's photographs on that stick.
+    void a_list_in_the_album_is_followed_by_nobody() {
+        const AlbumFolder own, album;
+        own.write("private.jpg", "private");
+        const fs::path list = album.write(".touchphoto/import/1.json",
+                                          R"({"into":"","sources":[")" + own.path().string() + R"("]})");
+        album.write(".touchphoto/import/1/0/x.jpg", "unpacked");
+        QVERIFY(unfinished_imports(album.path()).empty());
+        QVERIFY(!go_on_importing(album.path(), "1", {}).ok());
+        QVERIFY(!give_up_import(album.path(), "1").empty());
+        QCOMPARE(import_lists_in_album(album.path()), std::vector<fs::path>{list});
+        QVERIFY((album.files().size() == 2));
+    }
+
+    void what_an_unfinished_import_takes_from_where_is_known() {
+        const AlbumFolder card, album;
+        ImportList list{"in", {card.path()}};
+        const auto id = list.save(album.path());
+        QVERIFY(id.ok());
+        const auto import = unfinished_import(album.path(), *id);
+        QVERIFY(import.ok());
+        QCOMPARE(import->sources, std::vector<fs::path>{card.path()});
+        QCOMPARE(import->into, album / "in");
+        QVERIFY(!unfinished_import(album.path(), "another").ok());
+        // Another album is another's: nothing of it goes on there.
+        QVERIFY(unfinished_imports(card.path()).empty());
+    }
+
+    void links_in_a_source_are_told_and_stay_there() {
+        const AlbumFolder own, card, album;
+        own.write("secret", "secret");
+        own.write("tags/1.flac", "secret");
+        card.write("a.jpg", "a");
+        fs::create_symlink(own / "secret", card / "a.jpg.contours.svg");
+        fs::create_directory_symlink(own / "tags", card / "a.jpg.tags");
+        fs::create_symlink(own / "secret", card / "b.jpg");
+        fs::create_directory_symlink(own.path(), card / "folder");
+        const auto report = import_photos(album.path(), {}, {card.path()}, {});
+        QVERIFY(report.ok());
+        QVERIFY(album.files() == (std::map<std::string, std::string>{{"a.jpg", "a"}}));
+        std::string told;
+        for (const ImportedPhoto& photo : report->photos)
+            told += photo.problem;
+        for (const char* link : {"a.jpg.contours.svg", "a.jpg.tags", "b.jpg", "folder"})
+            QVERIFY2(told.find(left_alone(card / link)) != std::string::npos, (told + " " + link).c_str());
+        for (const auto& file : fs::recursive_directory_iterator(album.path()))
+            QVERIFY(!file.is_symlink());
     }
 
     void a_camera_s_sound_becomes_a_recording() {

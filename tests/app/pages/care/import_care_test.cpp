@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/import_list.hpp"
 #include "app/pages/care/import_care.hpp"
 #include "care_bench.hpp"
+#include "core/files/durable_file.hpp"
 #include "full_disk.hpp"
 
 #include <QSignalSpy>
@@ -152,8 +154,12 @@ private slots:
         QVERIFY(bench.sounded(Earcon::saved));
         bench.start();
         QVERIFY(bench.import->unfinished());
+        const QString from = QString::fromStdString((bench.folder / "card").string());
+        QVERIFY2(bench.import->unfinishedText().startsWith("From " + from),
+                 qPrintable(bench.import->unfinishedText()));
         bench.import->goOn();
-        QVERIFY(bench.voice.said().contains("The import continues."));
+        QVERIFY2(bench.voice.said().filter("The import continues. From " + from).size() == 1,
+                 qPrintable(bench.voice.said().join("|")));
         QVERIFY(bench.ends());
         QVERIFY(!bench.import->unfinished());
         QCOMPARE(bench.import->report(),
@@ -208,13 +214,27 @@ private slots:
         CARE_TRY_COMPARE(unwatched.index().totals()->photos, 2U);
         QVERIFY(!import.running());
     }
+    /// It may be a stranger's wish.
+    void a_list_that_lies_in_the_album_is_not_offered() {
+        Bench bench;
+        a_photo(bench.folder, "private/private.jpg", 9);
+        bench.folder.write("album/.touchphoto/import/2026-05-01T101500.000.json",
+                           R"({"into":"","sources":[")" + (bench.folder / "private").string() + R"("]})");
+        bench.import->look();
+        QVERIFY(!bench.import->unfinished());
+        QCOMPARE(bench.import->unfinishedText(), QString());
+        bench.import->goOn();
+        QVERIFY(!bench.import->running() && !fs::exists(bench.photo("private.jpg")));
+    }
     void one_whose_list_is_gone_neither_goes_on_nor_can_be_given_up_and_that_is_said() {
         for (const auto ask : {&ImportCare::goOn, &ImportCare::giveUp}) {
             Bench bench;
-            bench.folder.write("album/.touchphoto/import/2026-05-01T101500.000.json", "{}");
+            const fs::path list = ImportList::place_of(bench.root(), "2026-05-01T101500.000");
+            QCOMPARE(make_folder(list.parent_path()), std::string());
+            QCOMPARE(replace_file(list, "{}"), std::string());
             bench.import->look();
             QVERIFY(bench.import->unfinished());
-            fs::remove_all(bench.root() / ".touchphoto");
+            fs::remove_all(list.parent_path());
             (bench.import.get()->*ask)();
             QVERIFY(bench.ends());
             QVERIFY2(bench.last_said().startsWith("There is no unfinished import "),
@@ -246,7 +266,7 @@ private slots:
     void where_nothing_can_be_begun_the_sentence_is_the_report() {
         Bench bench;
         const QUrl card = bench.card(1);
-        const FullDisk disk(".touchphoto/");
+        const FullDisk disk("/imports/");
         QSignalSpy progressed(bench.import.get(), &ImportCare::progressed);
         bench.import->import({card});
         QVERIFY(bench.ends());

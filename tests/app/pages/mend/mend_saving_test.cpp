@@ -36,6 +36,20 @@ struct SavingBench : MendParts {
 class MendSavingTest : public QObject {
     Q_OBJECT
 private slots:
+    /// Whoever put it there: neither the link nor what it leads to is written.
+    void a_link_in_the_place_of_the_drawing_is_left_alone() {
+        SavingBench bench;
+        const std::filesystem::path secret = bench.folder.filePath("secret").toStdString();
+        QCOMPARE(replace_file(secret, "secret"), std::string());
+        bench.move(2.25);
+        std::filesystem::create_symlink(secret, bench.file());
+        QVERIFY(!bench.saving->save());
+        QVERIFY2(bench.said().contains("is a link; it is left alone."), qPrintable(bench.said()));
+        QVERIFY(std::filesystem::is_symlink(bench.file()));
+        const auto bytes = read_whole(secret, 100);
+        QCOMPARE(bytes ? *bytes : bytes.error(), std::string("secret"));
+        QVERIFY(bench.saving->unsaved());
+    }
     void what_is_saved_is_what_is_read_again() {
         SavingBench bench(2);
         QVERIFY(!bench.saving->unsaved() && !bench.saving->canDiscard());

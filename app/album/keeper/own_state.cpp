@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/album/keeper/own_state.hpp"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QStandardPaths>
+#include <QString>
+
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+namespace tp {
+
+namespace fs = std::filesystem;
+
+fs::path own_state_folder() {
+    if (const char* const state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state == '/')
+        return fs::path(state) / "touchphoto";
+    const QByteArray home = QFile::encodeName(QStandardPaths::writableLocation(QStandardPaths::HomeLocation));
+    return fs::path(home.toStdString()) / ".local" / "state" / "touchphoto";
+}
+
+fs::path own_state_of(const fs::path& album) {
+    std::error_code error;
+    fs::path real = fs::weakly_canonical(album, error);
+    if (error)
+        real = fs::absolute(album, error).lexically_normal();
+    if (!real.has_filename())
+        real = real.parent_path();
+    const std::string name = real.string();
+    const QByteArray hash =
+        QCryptographicHash::hash({name.data(), static_cast<qsizetype>(name.size())}, QCryptographicHash::Sha256);
+    return own_state_folder() / "albums" / hash.toHex().left(32).toStdString();
+}
+
+} // namespace tp

@@ -14,11 +14,13 @@
 #include "core/files/file_words.hpp"
 #include "core/files/foreign_folder.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <set>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace tp {
 
@@ -66,8 +68,11 @@ void imports_and_trash(Findings& findings) {
             findings.add(Finding::Kind::import_list, list, words_for_list_in_album(list));
     std::vector<std::string> problems;
     findings.keeper().trash().entries(&problems);
+    const std::vector<Finding> told = findings.all(); // its links are told already
     for (const std::string& problem : problems)
-        findings.add(Finding::Kind::damaged_trash, findings.keeper().trash().folder(), problem);
+        if (std::none_of(told.begin(), told.end(),
+                         [&](const Finding& finding) { return finding.sentence == problem; }))
+            findings.add(Finding::Kind::damaged_trash, findings.keeper().trash().folder(), problem);
 }
 
 class Check {

@@ -44,7 +44,7 @@ std::vector<fs::path> different_files(const std::vector<fs::path>& paths) {
     std::vector<fs::path> different;
     std::set<std::pair<std::uint64_t, std::uint64_t>> files;
     for (const fs::path& path : paths) {
-        const auto facts = facts_of(path);
+        const auto facts = facts_of_photo(path);
         if (facts && files.insert(facts->identity).second)
             different.push_back(path);
     }

@@ -84,7 +84,7 @@ ImportSources::ImportSources(const std::vector<fs::path>& sources, fs::path unpa
             held_.emplace_back(source);
             add(source);
         } else if (link_there(source))
-            problems_.push_back({source, left_alone(source)});
+            leave(source);
         else if (has_photo_name(source))
             add(source);
         else if (is_bundle_name(source))
@@ -118,10 +118,15 @@ void ImportSources::add(const fs::path& file_or_folder) {
     std::vector<fs::path> links;
     const std::vector<PhotoToImport> found = photographs_in({file_or_folder}, &links);
     photos_.insert(photos_.end(), found.begin(), found.end());
-    for (const fs::path& link : links) // that may have been named itself too
-        if (std::none_of(problems_.begin(), problems_.end(),
-                         [&](const Problem& problem) { return problem.source == link; }))
-            problems_.push_back({link, left_alone(link)});
+    for (const fs::path& link : links)
+        leave(link);
+}
+
+/// Once, though it was named itself and lies in a folder that was.
+void ImportSources::leave(const fs::path& link) {
+    if (std::none_of(problems_.begin(), problems_.end(),
+                     [&](const Problem& problem) { return problem.source == link; }))
+        problems_.push_back({link, left_alone(link)});
 }
 
 } // namespace tp

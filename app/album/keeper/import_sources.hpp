@@ -55,6 +55,7 @@ public:
 
 private:
     void add(const std::filesystem::path& file_or_folder);
+    void leave(const std::filesystem::path& link);
     void unpack(const std::filesystem::path& bundle, const std::filesystem::path& folder,
                 const std::stop_token& stop, const Unpacking& unpacking);
 

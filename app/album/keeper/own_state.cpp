@@ -29,8 +29,8 @@ fs::path own_state_of(const fs::path& album) {
     if (!real.has_filename())
         real = real.parent_path();
     const std::string name = real.string();
-    const QByteArray hash =
-        QCryptographicHash::hash({name.data(), static_cast<qsizetype>(name.size())}, QCryptographicHash::Sha256);
+    const QByteArray hash = QCryptographicHash::hash({name.data(), static_cast<qsizetype>(name.size())},
+                                                     QCryptographicHash::Sha256);
     return own_state_folder() / "albums" / hash.toHex().left(32).toStdString();
 }
 

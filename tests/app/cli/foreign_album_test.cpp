@@ -68,7 +68,8 @@ std::map<std::string, std::string> links_in(const fs::path& folder) {
 std::vector<std::string> with_secret(const fs::path& folder) {
     std::vector<std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (fs::is_regular_file(entry.symlink_status()) && bytes_of(entry.path()).find(secret) != std::string::npos)
+        if (fs::is_regular_file(entry.symlink_status()) &&
+            bytes_of(entry.path()).find(secret) != std::string::npos)
             found.push_back(entry.path().lexically_relative(folder).string());
     return found;
 }
@@ -85,7 +86,8 @@ Run album(const QStringList& words) { return lab(QStringList{"album"} + words); 
 /// A person's home with private things, an album of their own, and a stick with a stranger's album.
 struct World {
     AlbumFolder place;
-    fs::path home = place / "home", own = place / "home/album", stick = place / "stick", results = place / "results";
+    fs::path home = place / "home", own = place / "home/album", stick = place / "stick",
+             results = place / "results";
     QString memo;     ///< a sound
     std::string file; ///< the recording of one.jpg
 
@@ -105,9 +107,12 @@ struct World {
         a_photo(place, "stick/two.jpg", 2);
         a_photo(place, "stick/sub/three.jpg", 3);
         memo = text(a_sound(place, "home/memo.wav", 0.3, 440.0));
-        if (album({"tag", "add", text(stick / "one.jpg"), "--from", memo, "--kind", "memo", "--person", "Anna"}).code != 0 ||
+        if (album(
+                {"tag", "add", text(stick / "one.jpg"), "--from", memo, "--kind", "memo", "--person", "Anna"})
+                    .code != 0 ||
             album({"tag", "add", text(own / "mine.jpg"), "--from", memo, "--kind", "memo"}).code != 0 ||
-            album({"tag", "delete", text(own / "mine.jpg"), text(recording_of("home/album/mine.jpg"))}).code != 0)
+            album({"tag", "delete", text(own / "mine.jpg"), text(recording_of("home/album/mine.jpg"))})
+                    .code != 0)
             qFatal("the album cannot be made");
         file = recording_of("stick/one.jpg").string();
         fs::copy_file(stick / "one.jpg.tags" / file, home / "dir/outside.flac");
@@ -134,7 +139,8 @@ const std::vector<Case>& cases() {
         {"imports are a link", [](World& w) { w.link(w.home / "dir", ".touchphoto/import"); }},
         {"recordings are a link", [](World& w) { w.link(w.home / "dir", "one.jpg.tags"); }},
         {"recordings of the other are a link", [](World& w) { w.link(w.home / ".ssh", "two.jpg.tags"); }},
-        {"the trash is the person's own", [](World& w) { w.link(w.own / ".touchphoto/trash", ".touchphoto/trash"); }},
+        {"the trash is the person's own",
+         [](World& w) { w.link(w.own / ".touchphoto/trash", ".touchphoto/trash"); }},
         {"a deletion is a link",
          [](World& w) {
              w.link(w.home / "dir", ".touchphoto/trash/2026-05-01T101500.000");
@@ -149,9 +155,11 @@ const std::vector<Case>& cases() {
          }},
         {"the album's own folder is a link", [](World& w) { w.link(w.home / "dir", ".touchphoto"); }},
         {"people are a link", [](World& w) { w.link(w.home / "dir", ".touchphoto/people"); }},
-        {"a person's name is a link", [](World& w) { w.link(w.home / "dir/outside.flac", ".touchphoto/people/Anna.flac"); }},
+        {"a person's name is a link",
+         [](World& w) { w.link(w.home / "dir/outside.flac", ".touchphoto/people/Anna.flac"); }},
         {"what was merged is a link", [](World& w) { w.link(w.home / "dir", ".touchphoto/merged"); }},
-        {"a recording is a link", [](World& w) { w.link(w.home / "dir/outside.flac", "one.jpg.tags/" + w.file); }},
+        {"a recording is a link",
+         [](World& w) { w.link(w.home / "dir/outside.flac", "one.jpg.tags/" + w.file); }},
         {"what was drawn is a key", [](World& w) { w.link(w.home / ".ssh/id_rsa", "one.jpg.contours.svg"); }},
         {"what was drawn never ends", [](World& w) { w.link("/dev/zero", "one.jpg.contours.svg"); }},
         {"what was drawn is a pipe",
@@ -169,7 +177,8 @@ const std::vector<Case>& cases() {
                                             "\ntouch /tmp/owned\n</rdf:RDF></x:xmpmeta>");
          }},
         {"a shared sidecar is a key", [](World& w) { w.link(w.home / ".ssh/id_rsa", "two.xmp"); }},
-        {"a conflict copy is a key", [](World& w) { w.link(w.home / ".ssh/id_rsa", "one.jpg (conflicted copy).xmp"); }},
+        {"a conflict copy is a key",
+         [](World& w) { w.link(w.home / ".ssh/id_rsa", "one.jpg (conflicted copy).xmp"); }},
         {"a photograph is a key", [](World& w) { w.link(w.home / ".ssh/id_rsa", "four.jpg"); }},
         {"a photograph is the person's", [](World& w) { w.link(w.home / "photos/private.jpg", "four.jpg"); }},
         {"a folder is the person's", [](World& w) { w.link(w.home / "photos", "photos"); }},
@@ -215,7 +224,8 @@ const std::vector<Case>& cases() {
 /// Every verb that looks at an album or works on one, in an order in which each has something to do.
 std::vector<QStringList> verbs(const World& w, bool looking) {
     const QString album = text(w.stick), photo = w.photo(), file = QString::fromStdString(w.file);
-    const QString other = text(w.stick / "two.jpg"), third = text(w.stick / "sub/three.jpg"), results = text(w.results);
+    const QString other = text(w.stick / "two.jpg"), third = text(w.stick / "sub/three.jpg"),
+                  results = text(w.results);
     std::vector<QStringList> all{
         {"album", "scan", album},
         {"album", "list", album},
@@ -290,7 +300,8 @@ private slots:
         cases()[static_cast<std::size_t>(number)].plant(world);
         const auto before = state_of(world.home);
         const auto planted = links_in(world.stick);
-        const bool looking = std::string_view(QTest::currentDataTag()).find("drawn") != std::string_view::npos;
+        const bool looking =
+            std::string_view(QTest::currentDataTag()).find("drawn") != std::string_view::npos;
         for (const QStringList& words : verbs(world, looking)) {
             const Run run = lab(words);
             QVERIFY2(run.code >= 0 && run.code <= 2 && !run.err.contains("crashed or hung"),
@@ -336,10 +347,12 @@ private slots:
         const auto told = [&](const char* name) {
             return links.contains("\"" + text(world.stick / name) + "\" is a link; it is left alone.");
         };
-        for (const char* name : {".touchphoto/people", "one.jpg.contours.svg", "photos", "two.jpg.xmp", "four.jpg"})
+        for (const char* name :
+             {".touchphoto/people", "one.jpg.contours.svg", "photos", "two.jpg.xmp", "four.jpg"})
             QVERIFY2(told(name), name);
         QCOMPARE(links.size(), std::size_t{5});
-        QVERIFY(others.contains("\"" + text(world.stick / "two.jpg.contours.svg") + "\" is not a file; it is left alone."));
+        QVERIFY(others.contains("\"" + text(world.stick / "two.jpg.contours.svg") +
+                                "\" is not a file; it is left alone."));
         const Run scan = album({"scan", text(world.stick)});
         QVERIFY2(scan.err.contains("photos\" is a link; it is left alone."), scan.err.constData());
     }
@@ -351,7 +364,8 @@ private slots:
         const Run run = album({"export", text(world.stick), "--to", text(world.results / "b.touchphoto")});
         QCOMPARE(run.code, 0);
         for (const char* name : {"one.jpg.contours.svg", "four.jpg"})
-            QVERIFY2(run.err.contains((name + QByteArray("\" is a link; it is left alone."))), run.err.constData());
+            QVERIFY2(run.err.contains((name + QByteArray("\" is a link; it is left alone."))),
+                     run.err.constData());
     }
 
     void a_list_in_the_album_is_told_and_left() {
@@ -360,7 +374,8 @@ private slots:
                           R"({"into":"","sources":[")" + (world.home / "photos").string() + R"("]})");
         for (const char* what : {"--continue", "--give-up"}) {
             const Run run = album({"import", text(world.stick), what});
-            QVERIFY2(run.err.contains("1.json\" says what to import") && run.err.contains("it is left alone."),
+            QVERIFY2(run.err.contains("1.json\" says what to import") &&
+                         run.err.contains("it is left alone."),
                      run.err.constData());
             QVERIFY(!fs::exists(world.stick / "private.jpg"));
             QVERIFY(fs::exists(world.stick / ".touchphoto/import/1.json"));
@@ -373,14 +388,18 @@ private slots:
         World world;
         a_photo(world.place, "home/card/good.jpg", 5);
         world.place.write("home/card/b.touchphoto", "not yet whole");
-        const Run begun = album({"import", text(world.own), text(world.home / "card"), text(world.home / "card/b.touchphoto")});
+        const Run begun = album(
+            {"import", text(world.own), text(world.home / "card"), text(world.home / "card/b.touchphoto")});
         QCOMPARE(begun.code, 1);
-        QVERIFY(!fs::exists(world.own / ".touchphoto/import") || fs::is_empty(world.own / ".touchphoto/import"));
+        QVERIFY(!fs::exists(world.own / ".touchphoto/import") ||
+                fs::is_empty(world.own / ".touchphoto/import"));
         const Run check = album({"check", text(world.own)});
-        QVERIFY2(check.out.contains("was not finished") && check.out.contains(text(world.home / "card").toUtf8()),
+        QVERIFY2(check.out.contains("was not finished") &&
+                     check.out.contains(text(world.home / "card").toUtf8()),
                  check.out.constData());
         const Run on = album({"import", text(world.own), "--continue"});
-        QVERIFY2(on.err.contains("Continuing the import of \"" + text(world.home / "card").toUtf8()), on.err.constData());
+        QVERIFY2(on.err.contains("Continuing the import of \"" + text(world.home / "card").toUtf8()),
+                 on.err.constData());
         QCOMPARE(album({"import", text(world.own), "--give-up"}).code, 0);
         QVERIFY(!album({"check", text(world.own)}).out.contains("was not finished"));
     }

@@ -2,6 +2,7 @@
 #include "album_of_one.hpp"
 #include "app/album/check/album_check.hpp"
 #include "app/album/keeper/album_keeper.hpp"
+#include "app/album/keeper/import_list.hpp"
 #include "app/album/keeper/importer.hpp"
 #include "app/album/keeper/name_languages.hpp"
 #include "app/album/keeper/photo_files.hpp"
@@ -326,10 +327,26 @@ private slots:
 
     void unfinished_imports_and_a_spoilt_trash_are_said() {
         AlbumOfOne album;
-        album.folder.write(".touchphoto/import/2026.json", R"({"into":"","sources":[]})");
+        const fs::path list = ImportList::place_of(album.folder.path(), "2026");
+        QCOMPARE(make_folder(list.parent_path()), std::string());
+        QCOMPARE(replace_file(list, R"({"into":"","sources":[]})"), std::string());
+        album.folder.write(".touchphoto/import/2026.json", R"({"into":"","sources":[]})"); // by whomever
         album.folder.write(".touchphoto/trash/2026/list.json", "{");
         QCOMPARE(kinds(check(album.folder, true)),
-                 (std::vector<Kind>{Kind::unfinished_import, Kind::damaged_trash}));
+                 (std::vector<Kind>{Kind::unfinished_import, Kind::import_list, Kind::damaged_trash}));
+    }
+
+    void links_and_pipes_are_counted_and_left() {
+        AlbumOfOne album;
+        fs::create_symlink("nowhere", album.folder / "2026/IMG_1.jpg.contours.svg");
+        fs::create_directory_symlink("/", album.folder / "all");
+        fs::remove_all(album.folder / ".touchphoto");
+        fs::create_directory_symlink("..", album.folder / ".touchphoto");
+        for (const bool mend : {false, true}) {
+            const auto findings = check(album.folder, mend);
+            QCOMPARE(kinds(findings), (std::vector<Kind>{Kind::link, Kind::link, Kind::link}));
+        }
+        QVERIFY(fs::is_symlink(album.folder / "all") && fs::is_symlink(album.folder / ".touchphoto"));
     }
 
     void a_recording_that_is_cut_short_is_said() {

@@ -4,6 +4,7 @@
 #include "app/album/keeper/bundle.hpp"
 #include "app/album/keeper/import_list.hpp"
 #include "app/album/keeper/importer.hpp"
+#include "app/album/keeper/own_state.hpp"
 #include "made_zip.hpp"
 
 #include <QDateTime>
@@ -229,7 +230,8 @@ private slots:
         album.write("file", "no folder");
         QVERIFY(import_photos(album.path(), "file/x", {photo}, {}).error().find(" cannot be created: ") !=
                 std::string::npos);
-        album.write(".touchphoto", "no folder either");
+        QCOMPARE(make_folder(own_state_of(album.path()).parent_path()), std::string());
+        QCOMPARE(replace_file(own_state_of(album.path()), "no folder either"), std::string());
         QVERIFY(
             import_photos(album.path(), {}, {photo}, {}).error().starts_with("The import cannot begin: "));
         QCOMPARE(import_photos(album.path(), "a/../b", {photo}, {}).error().substr(0, 24),

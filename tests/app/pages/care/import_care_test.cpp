@@ -326,7 +326,9 @@ private slots:
     void it_goes_to_the_folder_that_was_chosen_though_others_come_and_go() {
         Bench bench;
         QVERIFY(!bench.import->unfinished());
-        bench.folder.write("second/.touchphoto/import/2026-05-01T101500.000.json", "{}");
+        const fs::path list = ImportList::place_of(bench.folder / "second", "2026-05-01T101500.000");
+        QCOMPARE(make_folder(list.parent_path()), std::string());
+        QCOMPARE(replace_file(list, "{}"), std::string());
         for (const char* name : {"second", "third"}) {
             fs::create_directories(bench.folder / name);
             bench.import->chooseFolder(url(bench.folder / name));

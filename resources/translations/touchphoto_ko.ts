@@ -3779,7 +3779,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>&quot;%1&quot; says what to import, but this computer did not note it; it is left alone. Import the photographs themselves again; nothing comes twice.</source>
-        <translation>“%1”: 가져올 것을 적어 놓았지만 이 컴퓨터가 적은 것이 아니므로 건드리지 않습니다. 사진을 다시 가져오십시오. 두 번 들어오는 것은 없습니다.</translation>
+        <translation>“%1”: 가져올 것을 적어 놓았지만 이 컴퓨터가 적은 것이 아니므로 건드리지 않습니다. 사진을 다시 가져오세요. 두 번 들어오는 것은 없습니다.</translation>
     </message>
     <message>
         <source>A person needs a name before its language can be chosen.</source>
@@ -6746,7 +6746,7 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <name>tp::ImportCare</name>
     <message>
         <source>From %1 into %2.</source>
-        <translation>%1에서 %2(으)로.</translation>
+        <translation>출처: %1, 대상: %2.</translation>
     </message>
     <message>
         <source>Looking for photographs…</source>

@@ -700,6 +700,13 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
             <numerusform>%n Gesichter sind zu bestätigen.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n of these with something new</source>
+        <translation>
+            <numerusform>davon %n mit etwas Neuem</numerusform>
+            <numerusform>davon %n mit etwas Neuem</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>DescriptionPart</name>
@@ -2297,10 +2304,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>%1 Bringen Sie zuerst das Foto zurück, dann seine Aufnahme.</translation>
     </message>
     <message>
-        <source>%1 It stays where it is.</source>
-        <translation>%1 Es bleibt, wo es ist.</translation>
-    </message>
-    <message>
         <source>%1 It was left as it is.</source>
         <translation>%1 Alles blieb, wie es ist.</translation>
     </message>
@@ -2575,10 +2578,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The calibration misses its marks by %1 mm, more than the %2 mm allowed; touch them again.</source>
         <translation>Die Kalibrierung verfehlt ihre Marken um %1 mm, mehr als die erlaubten %2 mm; berühren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The conflict copy &quot;%1&quot; cannot be read: %2</source>
-        <translation>Die Konfliktkopie „%1“ kann nicht gelesen werden: %2</translation>
     </message>
     <message>
         <source>The conflict copy &quot;%1&quot; could not be moved to the trash: %2</source>
@@ -4571,6 +4570,18 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The file &quot;%1&quot; is larger than %2 KB; that is more than such a file may be.</source>
         <translation>Die Datei „%1“ ist größer als %2 KB; das ist mehr, als so eine Datei haben darf.</translation>
+    </message>
+    <message>
+        <source>The conflict copy &quot;%1&quot; cannot be read: %2 It stays where it is.</source>
+        <translation>Die Konfliktkopie „%1“ kann nicht gelesen werden: %2 Sie bleibt, wo sie ist.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; of &quot;%2&quot; is another one in the album; that one stays.</source>
+        <translation>Die Aufnahme „%1“ von „%2“ ist im Album eine andere; diese bleibt.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; of &quot;%2&quot; was not imported: %3</source>
+        <translation>Die Aufnahme „%1“ von „%2“ wurde nicht importiert: %3</translation>
     </message>
 </context>
 <context>

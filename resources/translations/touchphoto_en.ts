@@ -98,6 +98,13 @@
             <numerusform>%n faces to confirm.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n of these with something new</source>
+        <translation>
+            <numerusform>%n of these with something new</numerusform>
+            <numerusform>%n of these with something new</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>LabWords</name>

@@ -687,6 +687,12 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
             <numerusform>확인할 얼굴 %n개.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n of these with something new</source>
+        <translation>
+            <numerusform>그중 %n장에는 새로운 것이 있음</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>DescriptionPart</name>
@@ -2274,10 +2280,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1 먼저 사진을 되살린 다음 녹음을 되살리세요.</translation>
     </message>
     <message>
-        <source>%1 It stays where it is.</source>
-        <translation>%1 있던 곳에 그대로 둡니다.</translation>
-    </message>
-    <message>
         <source>%1 It was left as it is.</source>
         <translation>%1 그대로 두었습니다.</translation>
     </message>
@@ -2552,10 +2554,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The calibration misses its marks by %1 mm, more than the %2 mm allowed; touch them again.</source>
         <translation>보정이 표시에서 %1 mm 벗어났습니다. 허용은 %2 mm입니다. 다시 만지세요.</translation>
-    </message>
-    <message>
-        <source>The conflict copy &quot;%1&quot; cannot be read: %2</source>
-        <translation>충돌 사본 “%1”: 읽을 수 없습니다. %2</translation>
     </message>
     <message>
         <source>The conflict copy &quot;%1&quot; could not be moved to the trash: %2</source>
@@ -4548,6 +4546,18 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The file &quot;%1&quot; is larger than %2 KB; that is more than such a file may be.</source>
         <translation>파일 “%1”: %2 KB보다 큽니다. 이런 파일로는 너무 큽니다.</translation>
+    </message>
+    <message>
+        <source>The conflict copy &quot;%1&quot; cannot be read: %2 It stays where it is.</source>
+        <translation>충돌 사본 "%1"을(를) 읽을 수 없습니다: %2 그 자리에 그대로 둡니다.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; of &quot;%2&quot; is another one in the album; that one stays.</source>
+        <translation>"%2"의 녹음 "%1"은(는) 앨범에 있는 것과 다릅니다. 앨범의 것이 남습니다.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; of &quot;%2&quot; was not imported: %3</source>
+        <translation>"%2"의 녹음 "%1"을(를) 가져오지 못했습니다: %3</translation>
     </message>
 </context>
 <context>

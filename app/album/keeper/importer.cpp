@@ -105,25 +105,40 @@ private:
         const auto hash = content_hash(source.file);
         if (!hash)
             return {source.file, {}, Fate::failed, hash.error()};
+        std::vector<fs::path> left;
+        const std::vector<Companion> companions = beside_.of(source.file, &left);
         if (const auto place =
                 known(*hash)) { // when an import goes on, a kill may have come before the sound
             ImportedPhoto photo{source.file, *place, Fate::duplicate, {}};
-            return goes_on_ ? with_sound(std::move(photo)) : photo;
+            return with_reply(goes_on_ ? with_sound(std::move(photo)) : std::move(photo), companions);
         }
-        std::vector<fs::path> left;
-        const auto copied =
-            copy_photo(source.file, beside_.of(source.file, &left), album_ / list_.into / source.folder);
+        const auto copied = copy_photo(source.file, companions, album_ / list_.into / source.folder);
         if (!copied)
             return {
                 source.file, {}, Fate::failed, quoted(source.file) + " was not imported: " + copied.error()};
         this_time_[*hash] = copied->place;
         ImportedPhoto photo = with_sound(
             {source.file, copied->place, copied->was_there ? Fate::duplicate : Fate::imported, {}});
+        if (copied->was_there)
+            photo = with_reply(std::move(photo), companions);
         for (const fs::path& one : left) {
             const std::string told =
                 link_there(one) ? left_alone(one) : quoted(one) + " is not a file; it is left alone.";
             photo.problem = photo.problem.empty() ? told : photo.problem + " " + told;
         }
+        return photo;
+    }
+
+    /// With what this copy has beside it and the album's has not. Nothing of the album's own goes to another place in it.
+    ImportedPhoto with_reply(ImportedPhoto photo, const std::vector<Companion>& companions) {
+        std::error_code error;
+        const fs::path below =
+            fs::weakly_canonical(photo.source, error).lexically_relative(fs::weakly_canonical(album_, error));
+        if (!below.empty() && *below.begin() != "..")
+            return photo;
+        photo.reply = take_reply(keeper_, photo.place, photo.source, companions);
+        for (const std::string& sentence : photo.reply.told)
+            photo.problem += (photo.problem.empty() ? "" : " ") + sentence;
         return photo;
     }
 
@@ -181,6 +196,11 @@ std::string_view name_of(SoundOrigin source) {
     using namespace std::string_view_literals;
     constexpr std::array names{"sound_file"sv, "motion_photo"sv, "live_photo"sv};
     return names[static_cast<std::size_t>(source)];
+}
+
+std::size_t ImportReport::count_replies() const {
+    return static_cast<std::size_t>(std::count_if(
+        photos.begin(), photos.end(), [](const ImportedPhoto& photo) { return !photo.reply.empty(); }));
 }
 
 std::size_t ImportReport::count(Fate fate) const {

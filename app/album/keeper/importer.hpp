@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/album/keeper/import_sources.hpp"
+#include "app/album/keeper/reply.hpp"
 #include "core/base/result.hpp"
 
 #include <cstddef>
@@ -43,7 +44,7 @@ struct TakenSound {
 struct ImportedPhoto {
     enum class Fate {
         imported,
-        duplicate, ///< the album holds these bytes already, in `place`; nothing was copied
+        duplicate, ///< the album holds these bytes already, in `place`, which `reply` was brought to
         failed,    ///< `problem` says why; the rest was imported all the same
     };
     std::filesystem::path source;
@@ -51,6 +52,7 @@ struct ImportedPhoto {
     Fate fate = Fate::imported;
     std::string problem; ///< where imported: what did not come along
     std::optional<TakenSound> sound = {};
+    Reply reply = {};
 };
 
 struct ImportReport {
@@ -58,6 +60,8 @@ struct ImportReport {
     std::vector<ImportedPhoto> photos;
     bool stopped = false;
     std::size_t count(ImportedPhoto::Fate fate) const;
+    /// How many were in the album already and got something new.
+    std::size_t count_replies() const;
 };
 
 /// What an import is given; all but `known` may be empty.
@@ -73,7 +77,7 @@ struct ImportTools {
 // Copies photographs with all that is theirs into a folder of an album: from folders, whose own folders are
 // kept, a camera's card, single files, .touchphoto bundles or ZIP files. A sound of the photograph's name
 // (IMG_1.WAV) becomes its ambient recording, and so does the sound of a motion photo's or a Live Photo's
-// video.
+// video. To a photograph that the album holds already, what the other copy has beside it is brought: a reply is merged.
 //
 // What is to be imported is on the disk before the first byte is copied, so that an import that was stopped, killed or cut off goes
 // on where it was. Links are left alone, in the sources too. A photograph is copied after its companions: where it is, everything of

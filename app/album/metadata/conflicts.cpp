@@ -34,14 +34,10 @@ std::int64_t time_of(const fs::path& file) {
     return facts ? facts->written_ns : 0;
 }
 
-Result<XmpPacket> packet_in(const fs::path& copy) {
-    const auto bytes = read_whole(copy, XmpPacket::most_bytes);
-    if (!bytes)
-        return Error{bytes.error()};
-    auto packet = XmpPacket::from(*bytes);
-    if (!packet)
-        return Error{"The conflict copy " + quoted(copy) + " cannot be read: " + packet.error()};
-    return packet;
+/// An error is the end of a sentence.
+Result<XmpPacket> packet_in(const fs::path& sidecar) {
+    const auto bytes = read_whole(sidecar, XmpPacket::most_bytes);
+    return bytes ? XmpPacket::from(*bytes) : Result<XmpPacket>(Error{bytes.error()});
 }
 
 /// Moves a file into a folder under its own name, or with a number where that is taken.
@@ -83,36 +79,48 @@ std::vector<fs::path> conflict_copies(const fs::path& photo) {
     return copies;
 }
 
+Result<MergedSidecar> merge_sidecar(const fs::path& photo, const fs::path& other, bool other_is_newer,
+                                    const std::function<bool(const Tag&)>& wanted) {
+    const auto packet = packet_in(other);
+    if (!packet)
+        return Error{"The sidecar " + quoted(other) + " cannot be read: " + packet.error()};
+    MergedSidecar result;
+    const std::string unchanged = "unchanged";
+    const auto add_other = [&](XmpPacket& sidecar, const Behind& behind) {
+        const std::string before = sidecar.bytes();
+        RecordParts parts = parts_from_xmp(*packet, behind.shape);
+        if (parts.tags && wanted)
+            std::erase_if(*parts.tags, [&](const Tag& tag) { return !wanted(tag); });
+        Merge merge = merged(parts_from_xmp(sidecar, behind.shape), parts, other_is_newer);
+        result.told = std::move(merge.told);
+        const auto foreign = add_foreign(sidecar, *packet);
+        result.told.insert(result.told.end(), foreign.begin(), foreign.end());
+        edit(sidecar, merge.changes, behind);
+        result.changed = sidecar.bytes() != before;
+        return result.changed ? std::string{} : unchanged;
+    };
+    if (std::string failed = change_sidecar(photo, add_other); !failed.empty() && failed != unchanged)
+        return Error{std::move(failed)};
+    return result;
+}
+
 Result<std::vector<std::string>> merge_conflicts(const fs::path& photo, const fs::path& trash) {
     std::vector<std::string> sentences;
-    const std::vector<fs::path> copies = conflict_copies(photo);
-    if (copies.empty())
-        return sentences;
-    for (const fs::path& copy : copies) {
-        const auto other = packet_in(copy);
-        if (!other) {
-            sentences.push_back(other.error() + " It stays where it is.");
+    for (const fs::path& copy : conflict_copies(photo)) {
+        if (const auto packet = packet_in(copy); !packet) {
+            sentences.push_back("The conflict copy " + quoted(copy) + " cannot be read: " + packet.error() +
+                                " It stays where it is.");
             continue;
         }
-        const bool newer = time_of(copy) > time_of(sidecar_of(photo));
-        std::vector<std::string> told;
-        const auto add_other = [&](XmpPacket& sidecar, const Behind& behind) {
-            Merge merge =
-                merged(parts_from_xmp(sidecar, behind.shape), parts_from_xmp(*other, behind.shape), newer);
-            told = std::move(merge.told);
-            const auto foreign = add_foreign(sidecar, *other);
-            told.insert(told.end(), foreign.begin(), foreign.end());
-            edit(sidecar, merge.changes, behind);
-            return std::string{};
-        };
-        if (std::string failed = change_sidecar(photo, add_other); !failed.empty())
-            return Error{std::move(failed)};
+        const auto merge = merge_sidecar(photo, copy, time_of(copy) > time_of(sidecar_of(photo)));
+        if (!merge)
+            return Error{merge.error()};
         if (const std::string failed = move_to(trash, copy); !failed.empty())
             return Error{"The conflict copy " + quoted(copy) + " could not be moved to the trash: " + failed};
         sentences.push_back("The sidecar of " + quoted(photo.filename()) +
                             " was changed in two places at once; it holds both now, and the copy " +
                             quoted(copy.filename()) + " is in the trash.");
-        sentences.insert(sentences.end(), told.begin(), told.end());
+        sentences.insert(sentences.end(), merge->told.begin(), merge->told.end());
     }
     return sentences;
 }

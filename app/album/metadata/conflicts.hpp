@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/album/metadata/photo_record.hpp"
 #include "core/base/result.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,10 +20,21 @@ std::optional<std::string> conflict_original(std::string_view file_name);
 /// The conflict copies of a photograph's sidecars that lie beside it, oldest first.
 std::vector<std::filesystem::path> conflict_copies(const std::filesystem::path& photo);
 
+/// What came of one sidecar brought into another.
+struct MergedSidecar {
+    bool changed = false;
+    std::vector<std::string> told; ///< where two differed: sentences
+};
+
+/// Brings what another sidecar of the same photograph says into `IMG_1.jpg.xmp`: tags, faces, persons and keywords are
+/// united, tags by their file, of the other's only those `wanted`; a text in a language that only one has is added. Where
+/// two differ, the label field of a tag of the newer one wins and the text that is there stays; the other is told. An
+/// error: nothing was changed.
+Result<MergedSidecar> merge_sidecar(const std::filesystem::path& photo, const std::filesystem::path& other,
+                                    bool other_is_newer, const std::function<bool(const Tag&)>& wanted = {});
+
 /// Brings every conflict copy of a photograph's sidecars into `IMG_1.jpg.xmp` and then moves the copy to
-/// `trash`. Tags, faces, persons and keywords are united, tags by their file; a text in a language that only
-/// one has is added. Where two differ, the newer label field of a tag wins and the text that is there stays;
-/// the other is told. Returns sentences for the person who looks after the album, empty where there was no
+/// `trash`, as `merge_sidecar` does. Returns sentences for the person who looks after the album, empty where there was no
 /// copy. A copy that cannot be read stays where it is, and a sentence says so. An error: nothing was changed,
 /// or the sidecar is written and a copy could not be moved (then the next call finds nothing left to add).
 Result<std::vector<std::string>> merge_conflicts(const std::filesystem::path& photo,

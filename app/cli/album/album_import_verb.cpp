@@ -30,6 +30,10 @@ void print_photo(const ImportedPhoto& photo, bool json) {
         print("%s is now %s.\n", name.c_str(), quoted(photo.place).c_str());
     else if (photo.fate == Fate::duplicate)
         print("%s is already in the album, as %s.\n", name.c_str(), quoted(photo.place).c_str());
+    for (const std::string& recording : photo.reply.recordings)
+        print("It brought the recording %s.\n", quoted(fs::path(recording)).c_str());
+    if (photo.reply.words)
+        print("It brought names or descriptions.\n");
     if (photo.sound)
         print("The sound around it is now its recording %s.\n",
               quoted(fs::path(photo.sound->recording)).c_str());
@@ -51,6 +55,8 @@ int ended(const ImportReport& report) {
     }
     say(std::to_string(report.count(Fate::imported)) + " imported, " +
         std::to_string(report.count(Fate::duplicate)) + " in the album already, " +
+        (report.count_replies() > 0 ? std::to_string(report.count_replies()) + " of them with something new, "
+                                    : std::string()) +
         std::to_string(report.count(Fate::failed)) + " not imported.");
     return report.count(Fate::failed) == 0 ? exit_done : exit_bad_input;
 }
@@ -79,8 +85,9 @@ int album_import(const QStringList& words) {
         "album import",
         "Copies photographs into an album: files, folders, a camera's card, .touchphoto bundles, ZIP files.\n"
         "Sidecars, contours and recordings come along; so do a sound of the same name (IMG_1.WAV) and the\n"
-        "sound of a motion photo or a Live Photo (IMG_1.MOV), as recordings of what was to be heard. What\n"
-        "is already in the album is not copied again. The sources are only read. An import that was stopped\n"
+        "sound of a motion photo or a Live Photo (IMG_1.MOV), as recordings of what was to be heard. A\n"
+        "photograph that is already in the album is not copied again; what its other copy has beside it\n"
+        "is added to what is there. The sources are only read. An import that was stopped\n"
         "or killed can be continued with --continue.");
     add_index_options(line)
         .option("into", "A folder of the album; created if it is missing.", "FOLDER")

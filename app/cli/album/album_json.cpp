@@ -109,7 +109,9 @@ QJsonObject to_json(const ImportedPhoto& photo) {
          photo.problem.empty() ? QJsonValue(QJsonValue::Null) : QJsonValue(json_text(photo.problem))},
         {"sound", photo.sound ? QJsonValue(QJsonObject{{"recording", json_text(photo.sound->recording)},
                                                        {"source", text_of(name_of(photo.sound->source))}})
-                              : QJsonValue(QJsonValue::Null)}};
+                              : QJsonValue(QJsonValue::Null)},
+        {"reply",
+         QJsonObject{{"recordings", json_texts(photo.reply.recordings)}, {"words", photo.reply.words}}}};
 }
 
 QJsonObject to_json(const Finding& finding) {

@@ -161,6 +161,8 @@ QString CareWords::import_report(const ImportReport& report) {
         parts << tr("%n photograph(s) imported", nullptr, imported);
     if (there > 0)
         parts << tr("%n of them already in the album", nullptr, there);
+    if (const auto replies = static_cast<int>(report.count_replies()); replies > 0)
+        parts << tr("%n of these with something new", nullptr, replies);
     if (failed > 0)
         parts << tr("%n failed", nullptr, failed);
     QString words = tr("%1.").arg(parts.join(", "));

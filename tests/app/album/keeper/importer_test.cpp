@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "album_folder.hpp"
 #include "album_parts.hpp"
+#include "app/album/keeper/album_keeper.hpp"
 #include "app/album/keeper/bundle.hpp"
 #include "app/album/keeper/import_list.hpp"
 #include "app/album/keeper/importer.hpp"
@@ -11,6 +12,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <sys/resource.h>
@@ -86,6 +88,55 @@ private slots:
         struct stat about {};
         QCOMPARE(::stat((album / "Summer/100/IMG_1.JPG.tags/2026-memo.flac").c_str(), &about), 0);
         QCOMPARE(about.st_mode & 0777u, 0600u);
+    }
+
+    /// Anna sends a photograph, Otto adds to it and sends it back; meanwhile she has added to hers.
+    void a_reply_is_merged() {
+        const AlbumFolder annas, ottos, post;
+        const fs::path hers = a_photo(annas, "one.jpg", 1);
+        AlbumKeeper anna(annas.path());
+        const RecordingLabel memo{RecordingKind::memo, {}, {}, "en", "2026-05-01T10:15:00+02:00", {}};
+        const RecordingLabel story{RecordingKind::story, {}, "Otto", "de", "2026-06-01T10:15:00+02:00",
+                                   "Es war einmal"};
+        QVERIFY(anna.add_recording(hers, a_sound(annas, "memo.wav", 1.0, 440.0), memo).ok());
+        QCOMPARE(anna.describe(hers, "en", "A garden", ""), std::string());
+        QCOMPARE(write_bundle(post / "to Otto.touchphoto", annas.path(), {hers}), std::string());
+        QVERIFY(import_photos(ottos.path(), {}, {post / "to Otto.touchphoto"}, {}).ok());
+        const fs::path his = ottos / "one.jpg";
+        AlbumKeeper otto(ottos.path());
+        const auto told = otto.add_recording(his, a_sound(ottos, "story.wav", 2.0, 500.0), story);
+        QVERIFY(told.ok());
+        QCOMPARE(otto.describe(his, "de", "Ein Garten", ""), std::string());
+        QCOMPARE(otto.describe(his, "en", "A yard", ""), std::string());
+        QCOMPARE(otto.name_face(his, {0.5, 0.5, 0.2, 0.2, "Clara"}), std::string());
+        QCOMPARE(write_bundle(post / "to Anna.touchphoto", ottos.path(), {his}), std::string());
+
+        QVERIFY(anna.add_recording(hers, a_sound(annas, "mine.wav", 3.0, 600.0), memo).ok());
+        QCOMPARE(anna.delete_recording(hers, read_record(hers)->tags[0].file), std::string());
+        const auto report = import_photos(annas.path(), {}, {post / "to Anna.touchphoto"}, {});
+        QVERIFY(report.ok());
+        QCOMPARE(report->count(Fate::duplicate), std::size_t{1});
+        QCOMPARE(report->count_replies(), std::size_t{1});
+        const ImportedPhoto& photo = report->photos.front();
+        QVERIFY(photo.reply.words);
+        QCOMPARE(photo.reply.recordings, std::vector<std::string>{told->tag.file});
+        QVERIFY2(photo.problem.find("A yard") != std::string::npos,
+                 photo.problem.c_str()); // hers stays, his is told
+        const auto record = read_record(hers);
+        QCOMPARE(record->alt_text, (LanguageTexts{{"en", "A garden"}, {"de", "Ein Garten"}}));
+        QCOMPARE(record->persons, std::vector<std::string>{"Clara"});
+        QCOMPARE(record->tags.size(), std::size_t{2}); // what she threw away does not come back
+        const auto his_story = std::ranges::find(record->tags, told->tag.file, &Tag::file);
+        QVERIFY(his_story != record->tags.end());
+        QVERIFY(his_story->label == told->tag.label);
+        QVERIFY(fs::file_size(tags_folder(hers) / told->tag.file) > 0);
+        QCOMPARE(fs::status(tags_folder(hers) / told->tag.file).permissions() & fs::perms(077),
+                 fs::perms::none);
+
+        const auto before = photos_in(annas);
+        const auto again = import_photos(annas.path(), {}, {post / "to Anna.touchphoto"}, {});
+        QCOMPARE(again->count_replies(), std::size_t{0});
+        QVERIFY(photos_in(annas) == before);
     }
 
     /// In its first second nobody can tell how long the rest takes.

@@ -19,13 +19,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string with_slash(std::string folder) {
+std::string with_slash(const std::string& folder) {
     const char slash = static_cast<char>(fs::path::preferred_separator);
     return folder.ends_with(slash) ? folder : folder + slash;
 }
 
 /// Whether `below` a person's home, or a folder above it, lies in a hidden folder, where programs keep what is theirs.
 bool is_programs_own(const fs::path& folder, const std::string& below) {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing in the program changes its environment while threads run
     const char* const home = std::getenv("HOME");
     if (!below.starts_with('.') || below.starts_with(".touchphoto") || home == nullptr || *home == '\0')
         return false;
@@ -79,7 +80,7 @@ private:
     std::vector<fs::path> folders_;
 };
 
-fs::path without_slash(fs::path path) { return path.has_filename() ? path : path.parent_path(); }
+fs::path without_slash(const fs::path& path) { return path.has_filename() ? path : path.parent_path(); }
 
 /// Absolute, without dots, doubled slashes or one at its end.
 fs::path plain(const fs::path& path) {
@@ -89,8 +90,8 @@ fs::path plain(const fs::path& path) {
         !text.ends_with("/..") && !text.ends_with('/'))
         return path;
     std::error_code error;
-    fs::path whole = fs::absolute(path, error).lexically_normal();
-    return whole.has_relative_path() ? without_slash(std::move(whole)) : whole;
+    const fs::path whole = fs::absolute(path, error).lexically_normal();
+    return whole.has_relative_path() ? without_slash(whole) : whole;
 }
 
 bool ends_in(std::string_view name, std::string_view end) {

@@ -176,7 +176,7 @@ std::string export_bundle(const fs::path& bundle, const fs::path& album,
         std::sort(left->begin(), left->end());
         left->erase(std::unique(left->begin(), left->end()), left->end());
     }
-    return problem.empty() || photos.size() > 0 || links.empty() ? problem : left_alone(links.front());
+    return problem.empty() || !photos.empty() || links.empty() ? problem : left_alone(links.front());
 }
 
 } // namespace tp

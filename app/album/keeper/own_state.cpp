@@ -15,6 +15,7 @@ namespace tp {
 namespace fs = std::filesystem;
 
 fs::path own_state_folder() {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing in the program changes its environment while threads run
     if (const char* const state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state == '/')
         return fs::path(state) / "touchphoto";
     const QByteArray home = QFile::encodeName(QStandardPaths::writableLocation(QStandardPaths::HomeLocation));

@@ -61,6 +61,7 @@ bool looks_like_album(const fs::path& folder) {
 
 /// Whether a person's own folders lie in it, where a link is theirs: ~/Pictures on another disk.
 bool is_above_home(const fs::path& folder) {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing in the program changes its environment while threads run
     const char* const home = std::getenv("HOME");
     const fs::path own = fs::path(home != nullptr ? home : "").lexically_normal();
     return !own.empty() &&

@@ -73,12 +73,8 @@ std::vector<FolderEntry> OpenFolder::entries(const std::function<bool(std::strin
         if (name != "." && name != ".." && wanted(name) &&
             ::fstatat(folder, item->d_name, &about, AT_SYMLINK_NOFOLLOW) == 0) {
             const bool link = S_ISLNK(about.st_mode);
-            struct stat target {};
-            if (!link || system_->foreign)
-                entries.push_back({item->d_name, facts_from(about), link});
-            else if (::fstatat(folder, item->d_name, &target, 0) == 0)
-                entries.push_back({item->d_name, facts_from(target), link});
-            else if (all_links)
+            const bool followed = link && !system_->foreign && ::fstatat(folder, item->d_name, &about, 0) == 0;
+            if (!link || followed || system_->foreign || all_links)
                 entries.push_back({item->d_name, facts_from(about), link});
         }
         errno = 0; // a link to nothing, or a file that has just gone

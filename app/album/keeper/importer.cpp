@@ -134,7 +134,8 @@ private:
         std::error_code error;
         const fs::path below =
             fs::weakly_canonical(photo.source, error).lexically_relative(fs::weakly_canonical(album_, error));
-        if (!below.empty() && *below.begin() != ".." && !is_own_folder(*below.begin())) // where a bundle is unpacked
+        if (!below.empty() && *below.begin() != ".." &&
+            !is_own_folder(*below.begin())) // where a bundle is unpacked
             return photo;
         photo.reply = take_reply(keeper_, photo.place, photo.source, companions);
         for (const std::string& sentence : photo.reply.told)

@@ -223,6 +223,8 @@ Result<ImportReport> import_photos(const fs::path& album, const fs::path& into,
         return Error{quoted(into) + " is not a folder in the album."};
     if (const std::string reason = make_folder(album / list.into); !reason.empty())
         return Error{"The folder " + quoted(album / list.into) + " cannot be created: " + reason};
+    // By it a photograph in a folder of the album finds the album, and so its trash. A link in its place is left alone.
+    static_cast<void>(make_folder(album / ".touchphoto", Readers::owner_only));
     const auto id = list.save(album);
     if (!id)
         return Error{"The import cannot begin: " + id.error()};

@@ -4549,15 +4549,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     </message>
     <message>
         <source>The conflict copy &quot;%1&quot; cannot be read: %2 It stays where it is.</source>
-        <translation>충돌 사본 "%1"을(를) 읽을 수 없습니다: %2 그 자리에 그대로 둡니다.</translation>
+        <translation>충돌 사본 “%1”: 읽을 수 없습니다. %2 그 자리에 그대로 둡니다.</translation>
     </message>
     <message>
         <source>The recording &quot;%1&quot; of &quot;%2&quot; is another one in the album; that one stays.</source>
-        <translation>"%2"의 녹음 "%1"은(는) 앨범에 있는 것과 다릅니다. 앨범의 것이 남습니다.</translation>
+        <translation>녹음 “%1”(“%2”): 앨범에 있는 것과 다릅니다. 앨범의 것이 남습니다.</translation>
     </message>
     <message>
         <source>The recording &quot;%1&quot; of &quot;%2&quot; was not imported: %3</source>
-        <translation>"%2"의 녹음 "%1"을(를) 가져오지 못했습니다: %3</translation>
+        <translation>녹음 “%1”(“%2”): 가져오지 못했습니다. %3</translation>
     </message>
 </context>
 <context>

@@ -18,7 +18,8 @@ class Camera(unittest.TestCase):
     """A camera looks, the microphone of the moment hears: what goes anywhere, and what is kept."""
 
     CALLS = network_trace.CALLS + ",open,openat,openat2,creat"
-    WRITES = re.compile(r"(?:open|openat|openat2|creat)\(.*?\"([^\"]*)\".*(?:O_WRONLY|O_RDWR|O_CREAT)")
+    # With the folder that a name is relative to, as strace -y tells it.
+    WRITES = re.compile(r"(?:open|creat|openat2?)\((?:(?:AT_FDCWD|\d+)(?:<([^>]*)>)?, )?\"([^\"]*)\".*(?:O_WRONLY|O_RDWR|O_CREAT)")
     NO_PLACE_TO_KEEP = ("/dev/", "/proc/", "/sys/")
     # At the beginning of a file or anywhere in one, as in a row of the index.
     PICTURE_OR_SOUND = re.compile(rb"\xff\xd8\xff[\xdb\xe0-\xef]|\x89PNG\r\n|RIFF....(?:WAVE|WEBP|AVI )|fLaC\x00|OggS\x00|ftyp(?:mp4|iso|qt|hei|avi)", re.DOTALL)
@@ -37,7 +38,8 @@ class Camera(unittest.TestCase):
                                   shutter_by_itself=False, keep_moment=True, album_folders=[self.album.folder])
         trace = os.path.join(self.folder, "trace")
         command = [TRIED.program, "--camera", "simulated:" + TRIED.photo, "--page", "capture"]
-        running = subprocess.Popen(network_trace.traced(command, trace, self.CALLS), env=environment)
+        tracer, *rest = network_trace.traced(command, trace, self.CALLS)
+        running = subprocess.Popen([tracer, "-y", *rest], env=environment)
         try:
             page = desk.Page()
             page.await_name("The microphone is on.")
@@ -52,7 +54,7 @@ class Camera(unittest.TestCase):
         wait_until(lambda: is_whole(trace))
         self.assertEqual(judged(trace).offences, [])
         with open(trace, encoding="utf-8", errors="replace") as file:
-            return {found[1] for line in file if (found := self.WRITES.search(line))}
+            return {os.path.join(found[1] or "", found[2]) for line in file if (found := self.WRITES.search(line))}
 
     def assert_kept_nowhere_but(self, written, *places):
         """What was written lies in these places or in folders of the program's own, and there it is no picture and no sound."""

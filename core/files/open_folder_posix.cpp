@@ -73,7 +73,8 @@ std::vector<FolderEntry> OpenFolder::entries(const std::function<bool(std::strin
         if (name != "." && name != ".." && wanted(name) &&
             ::fstatat(folder, item->d_name, &about, AT_SYMLINK_NOFOLLOW) == 0) {
             const bool link = S_ISLNK(about.st_mode);
-            const bool followed = link && !system_->foreign && ::fstatat(folder, item->d_name, &about, 0) == 0;
+            const bool followed =
+                link && !system_->foreign && ::fstatat(folder, item->d_name, &about, 0) == 0;
             if (!link || followed || system_->foreign || all_links)
                 entries.push_back({item->d_name, facts_from(about), link});
         }

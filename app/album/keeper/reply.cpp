@@ -65,7 +65,7 @@ private:
     /// Of its list of recordings those that are there.
     void take_words(const fs::path& sidecar) {
         const auto merge = merge_sidecar(photo_, sidecar, false, [this](const Tag& tag) {
-            return name_taken(tags_folder(photo_) / fs::path(tag.file).filename());
+            return name_taken(tags_folder(photo_) / tag.file);
         });
         if (!merge)
             return tell(merge.error());

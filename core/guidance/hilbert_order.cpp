@@ -145,8 +145,11 @@ public:
             const Vec2 along = glm::abs(s.b - s.a);
             sizes_.push_back({0.5 * s.a + 0.5 * s.b, std::max(along.x, along.y)});
         }
+    }
+
+    void arrange() {
         std::size_t size = SegmentTree::segments_in_lowest_node;
-        while (size < order.size())
+        while (size < order_.size())
             size *= SegmentTree::fan_out;
         look_at(0, size);
     }
@@ -291,7 +294,8 @@ void OrderByDirection::divide(std::size_t first, std::size_t size) {
     const double turned = length * (high[2] - low[2]);
     const double widest = std::max({lengthwise, across, turned});
     // Where one of them stays the widest down to the last leaf, one sorting does.
-    const double leaves = static_cast<double>((end - first) / SegmentTree::leaf_size);
+    const std::size_t full = (end - first) / SegmentTree::leaf_size;
+    const auto leaves = static_cast<double>(full);
     const bool alone = widest > leaves * (lengthwise + across + turned - widest);
     const std::size_t middle = alone ? end : first + size / 2;
     if (turned == widest)
@@ -381,7 +385,7 @@ void sort_along_hilbert_curve(SegmentSet& set, Repeats repeats) {
     };
     if (repeats == Repeats::left_out)
         order.erase(std::unique(order.begin(), order.end(), is_same), order.end());
-    OrderByDirection(set, order);
+    OrderByDirection(set, order).arrange();
 
     SegmentSet sorted;
     sorted.longest = set.longest;

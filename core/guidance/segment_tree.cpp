@@ -163,8 +163,8 @@ void SegmentTree::expect_crowds(const SegmentSet& set) {
                           level == levels_ ? nullptr : bounds(level + 1) + box / fan_out, level == 1);
     for (int level = 1; level <= levels_; ++level)
         for (std::uint32_t box = 0; box < count(level); ++box)
-            if (level == 1 ||
-                !gather(bounds(level)[box], {bounds(level - 1) + box * fan_out, held(level, box)}))
+            if (level == 1 || !gather(bounds(level)[box],
+                                      {bounds(level - 1) + std::size_t{box} * fan_out, held(level, box)}))
                 measure(bounds(level)[box], set, first(level, box), end(level, box));
 }
 
@@ -200,7 +200,7 @@ bool SegmentTree::search_from_root(const SegmentSet& set, Vec2 p, Closest<Real>&
     using Bound = typename Of::type;
     const Place<Bound> x = Of::place(p.x, middle_.x);
     const Place<Bound> y = Of::place(p.y, middle_.y);
-    std::array<Pending<Bound>, most_levels * fan_out> stack;
+    std::array<Pending<Bound>, std::size_t{most_levels} * fan_out> stack;
     std::size_t height = 0;
     Pending<Bound> now{Bound(0), 0, levels_};
     const bool ends_at_crowd = !in_crowd && std::is_same_v<Real, double> && !crowds_.empty();

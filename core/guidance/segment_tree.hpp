@@ -94,7 +94,7 @@ void SegmentTree::for_each_near(Vec2 low, Vec2 high, Visit visit) const noexcept
         std::uint32_t box;
         std::int32_t level;
     };
-    std::array<Waiting, most_levels * fan_out> stack;
+    std::array<Waiting, std::size_t{most_levels} * fan_out> stack;
     std::size_t height = 0;
     stack[height++] = {0, levels_};
     while (height > 0) {

@@ -137,6 +137,7 @@ private slots:
         QCOMPARE(undisturbed_.size(), std::size_t{4 + 2 + 14});
     }
     void nothing_acknowledged_is_lost() {
+        QVERIFY(calls_ > 0);
         const std::vector<QByteArray> faults = test::random_faults(
             200, calls_, {"kill@", "kill@", "half@", "half@", "ENOSPC@", "EIO@", "EROFS@"}, 20261126);
         std::size_t cut_off = 0;

@@ -94,8 +94,9 @@ class FalconGuardTest : public QObject {
         std::string guard_program() const {
             QFile script(folder.filePath("guard"));
             if (script.open(QIODevice::WriteOnly))
-                script.write("#!/bin/sh\nLD_PRELOAD=\"$TP_INHERITED_NODE $LD_PRELOAD\" exec "
-                             "\"$TP_FORCE_GUARD\" \"$@\"\n");
+                script.write("#!/bin/sh\nLD_LIBRARY_PATH=${TP_INHERITED_NODE%/*} "
+                             "LD_PRELOAD=\"${TP_INHERITED_NODE##*/} $LD_PRELOAD\" exec "
+                             "\"$TP_FORCE_GUARD\" \"$@\"\n"); // the name of a library ends at a blank
             script.setPermissions(QFile::ReadOwner | QFile::ExeOwner);
             return script.fileName().toStdString();
         }
@@ -169,7 +170,8 @@ private slots:
     }
 
     void a_program_that_stops_takes_leave_and_the_guard_writes_nothing() {
-        bool wrote_nothing = false; // where the program had to wait for 50 ms on a busy machine, it stepped in
+        bool wrote_nothing =
+            false; // where the program had to wait for 50 ms on a busy machine, it stepped in
         for (int attempt = 0; attempt < 5 && !wrote_nothing; ++attempt) {
             Bench bench;
             bench.begin();

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <exception>
 #include <utility>
+#include <vector>
 
 namespace tp {
 
@@ -51,8 +52,8 @@ public:
             extractor_ = std::make_shared<FaceExtractor>(std::move(made).value());
         }
         faces.extraction = with_corrections(extractor_->extract(*picture, stop), photo);
-        faces.image = to_image(
-            not_larger_than(turned(*picture, faces.extraction.turned_degrees), longest_side_px));
+        faces.image =
+            to_image(not_larger_than(turned(*picture, faces.extraction.turned_degrees), longest_side_px));
         return faces;
     }
 
@@ -98,7 +99,8 @@ void FaceFinder::want(const fs::path& photo) {
     wanted_ = photo;
     if (photo.empty())
         return;
-    const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const auto& one) { return one.second->photo == photo; });
+    const auto kept =
+        std::find_if(kept_.begin(), kept_.end(), [&](const auto& one) { return one.second->photo == photo; });
     if (kept != kept_.end() && kept->first == faces_stamp(photo)) {
         wanted_.clear();
         emit found(kept->second);
@@ -110,16 +112,37 @@ void FaceFinder::want(const fs::path& photo) {
 }
 
 void FaceFinder::judge(std::deque<fs::path> photos) {
-    std::erase_if(photos, [this](const fs::path& photo) { return judgement(photo).has_value(); });
-    to_judge_ = std::move(photos);
+    ++wish_;
+    to_judge_.clear();
+    to_compare_.clear();
+    for (fs::path& photo : photos)
+        if (!judging_ || photo != at_work_)
+            (judged_.contains(photo) ? to_compare_ : to_judge_).push_back(std::move(photo));
     go_on();
 }
 
-std::optional<FaceJudgement> FaceFinder::judgement(const fs::path& photo) const {
-    const auto known = judged_.find(photo);
-    return known == judged_.end() || known->second.stamp != faces_stamp(photo)
-               ? std::nullopt
-               : std::optional(known->second.judgement);
+/// The disk may be slow, so it is asked on the finder's thread.
+void FaceFinder::compare_stamps() {
+    constexpr std::size_t at_a_time = 200; // a wish of a person waits for no more
+    std::vector<std::pair<fs::path, std::string>> known;
+    while (!to_compare_.empty() && known.size() < at_a_time) {
+        if (const auto judged = judged_.find(to_compare_.front()); judged != judged_.end())
+            known.emplace_back(judged->first, judged->second.stamp);
+        to_compare_.pop_front();
+    }
+    comparing_ = true;
+    QMetaObject::invokeMethod(worker_, [this, known = std::move(known), wish = wish_] {
+        std::vector<fs::path> changed;
+        for (const auto& [photo, stamp] : known)
+            if (faces_stamp(photo) != stamp)
+                changed.push_back(photo);
+        QMetaObject::invokeMethod(this, [this, changed = std::move(changed), wish] {
+            comparing_ = false;
+            if (wish == wish_)
+                to_judge_.insert(to_judge_.end(), changed.begin(), changed.end());
+            go_on();
+        });
+    });
 }
 
 std::optional<FaceJudgement> FaceFinder::last_judgement(const fs::path& photo) const {
@@ -128,11 +151,14 @@ std::optional<FaceJudgement> FaceFinder::last_judgement(const fs::path& photo) c
 }
 
 void FaceFinder::go_on() {
-    if (!at_work_.empty())
+    if (!at_work_.empty() || comparing_)
         return;
     judging_ = wanted_.empty();
     if (!judging_) {
         start(wanted_);
+    } else if (!to_compare_.empty()) {
+        judging_ = false;
+        compare_stamps();
     } else if (!to_judge_.empty()) {
         const fs::path next = to_judge_.front();
         to_judge_.pop_front();
@@ -152,7 +178,8 @@ void FaceFinder::start(const fs::path& photo) {
             *faces = find_(photo, stop);
         } catch (const std::exception&) { // out of memory, mostly
             faces->extraction = {};
-            faces->extraction.problem = "This picture could not be worked on. It may be too large for this computer.";
+            faces->extraction.problem =
+                "This picture could not be worked on. It may be too large for this computer.";
         }
         faces->photo = photo;
         const bool stopped = stop.stop_requested();

@@ -31,8 +31,9 @@ struct FoundFaces {
 /// How likely the contours of a photograph are wrong.
 struct FaceJudgement {
     std::size_t faces = 0;
-    double expected_error_percent = 0.0; ///< the worst of its contours, people's own left out; 0 without a face
-    bool doubtful = false;               ///< a reason is known why a face's contours may be wrong
+    double expected_error_percent =
+        0.0;               ///< the worst of its contours, people's own left out; 0 without a face
+    bool doubtful = false; ///< a reason is known why a face's contours may be wrong
     bool operator==(const FaceJudgement&) const = default;
 };
 FaceJudgement judgement_of(const Extraction& extraction);
@@ -51,10 +52,9 @@ public:
 
     /// `found` follows, unless a newer wish comes first.
     void want(const std::filesystem::path& photo);
-    /// `judged` follows for each that is not judged yet; replaces what was asked for before.
+    /// `judged` follows for each that is not judged yet, or whose file or corrections have changed since; replaces what was
+    /// asked for before.
     void judge(std::deque<std::filesystem::path> photos);
-    /// What is known of a photograph as its file and corrections are now.
-    std::optional<FaceJudgement> judgement(const std::filesystem::path& photo) const;
     /// What was known last, without asking the disk whether it still holds.
     std::optional<FaceJudgement> last_judgement(const std::filesystem::path& photo) const;
     /// Photographs that still wait for their judgement.
@@ -71,6 +71,7 @@ private:
     };
     void go_on();
     void start(const std::filesystem::path& photo);
+    void compare_stamps();
     void take(const std::string& stamp, std::shared_ptr<const FoundFaces> faces, bool stopped);
 
     Find find_;
@@ -78,11 +79,15 @@ private:
     QObject* worker_; ///< the place on thread_ where work is done; thread_ deletes it
     std::filesystem::path wanted_;
     std::deque<std::filesystem::path> to_judge_;
+    std::deque<std::filesystem::path> to_compare_; ///< judged, and perhaps changed since
+    bool comparing_ = false;                       ///< some of those
+    unsigned wish_ = 0;             ///< of judgements, counted: what an earlier one asked for is dropped
     std::filesystem::path at_work_; ///< empty: nothing
     bool judging_ = false;          ///< at_work_ is only judged
     std::stop_source stop_;
     std::map<std::filesystem::path, Judged> judged_;
-    std::deque<std::pair<std::string, std::shared_ptr<const FoundFaces>>> kept_; ///< the last few, with their stamps
+    std::deque<std::pair<std::string, std::shared_ptr<const FoundFaces>>>
+        kept_; ///< the last few, with their stamps
 };
 
 } // namespace tp

@@ -16,12 +16,13 @@ namespace tp {
 
 namespace fs = std::filesystem;
 
-PhotoRows::PhotoRows(OpenAlbum& album, FaceFinder& finder, Thumbnails& thumbnails, std::function<QString()> language)
+PhotoRows::PhotoRows(OpenAlbum& album, FaceFinder& finder, Thumbnails& thumbnails,
+                     std::function<QString()> language)
     : album_(album), finder_(finder), thumbnails_(thumbnails), language_(std::move(language)) {
     connect(&album_, &OpenAlbum::album_changed, this, &PhotoRows::refresh);
     connect(&album_, &OpenAlbum::folders_changed, this, &PhotoRows::refresh);
     connect(&finder_, &FaceFinder::judged, this, [this](const fs::path& photo) {
-        if (order_ == Order::LooksWrong)
+        if (order_ == Order::LooksWrong && !more_) // not while the rows are still those by time
             move_to_its_rank(photo);
         emit totalChanged();
     });
@@ -29,6 +30,7 @@ PhotoRows::PhotoRows(OpenAlbum& album, FaceFinder& finder, Thumbnails& thumbnail
         if (const int row = row_of(photo); row >= 0)
             emit dataChanged(index(row), index(row), {PictureRole});
     });
+    connect(&gathering_, &QTimer::timeout, this, &PhotoRows::gather_some);
     refresh();
 }
 
@@ -43,7 +45,7 @@ QHash<int, QByteArray> PhotoRows::roleNames() const {
 QVariant PhotoRows::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount())
         return {};
-    const PhotoEntry& entry = rows_[static_cast<std::size_t>(index.row())];
+    const PhotoEntry& entry = rows_[static_cast<std::size_t>(index.row())]->entry;
     switch (role) {
     case NameRole:
         return CareWords::file_name(entry.path);
@@ -58,7 +60,8 @@ QVariant PhotoRows::data(const QModelIndex& index, int role) const {
 
 QString PhotoRows::detail(const PhotoEntry& entry) const {
     const auto summary = album_.queries().summary(entry.id);
-    QString words = summary && *summary ? CareWords::photo_details((*summary)->record, language_()) : QString();
+    QString words =
+        summary && *summary ? CareWords::photo_details((*summary)->record, language_()) : QString();
     if (order_ != Order::LooksWrong)
         return words;
     const auto judgement = finder_.last_judgement(entry.path);
@@ -73,12 +76,22 @@ QString PhotoRows::detail(const PhotoEntry& entry) const {
 }
 
 fs::path PhotoRows::photo(int row) const {
-    return row < 0 || row >= rowCount() ? fs::path() : rows_[static_cast<std::size_t>(row)].path;
+    return row < 0 || row >= rowCount() ? fs::path() : rows_[static_cast<std::size_t>(row)]->entry.path;
+}
+
+/// The worst first, of equals the newest.
+bool PhotoRows::stands_before(const Row& a, const Row& b) {
+    return std::pair(-a.wrong, a.nth) < std::pair(-b.wrong, b.nth);
 }
 
 int PhotoRows::row_of(const fs::path& photo) const {
-    const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const PhotoEntry& one) { return one.path == photo; });
-    return found == rows_.end() ? -1 : static_cast<int>(found - rows_.begin());
+    const auto known = by_path_.find(photo.string());
+    if (known == by_path_.end())
+        return -1;
+    const auto place = std::partition_point(rows_.begin(), rows_.end(), [&](const std::unique_ptr<Row>& one) {
+        return stands_before(*one, *known->second);
+    });
+    return static_cast<int>(place - rows_.begin());
 }
 
 std::vector<PhotoEntry> PhotoRows::newest(std::size_t count, const std::optional<PlaceInList>& from) {
@@ -91,13 +104,22 @@ bool PhotoRows::canFetchMore(const QModelIndex& parent) const { return !parent.i
 void PhotoRows::fetchMore(const QModelIndex& parent) {
     if (!canFetchMore(parent))
         return;
-    std::vector<PhotoEntry> next = newest(page_size, rows_.empty() ? std::nullopt : std::optional(rows_.back().place));
+    std::vector<PhotoEntry> next =
+        newest(page_size, rows_.empty() ? std::nullopt : std::optional(rows_.back()->entry.place));
     more_ = next.size() == page_size;
     if (next.empty())
         return;
     beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(next.size()) - 1);
-    std::move(next.begin(), next.end(), std::back_inserter(rows_));
+    const std::size_t shown = rows_.size();
+    append(rows_, std::move(next));
+    for (std::size_t i = shown; i < rows_.size(); ++i)
+        by_path_[rows_[i]->entry.path.string()] = rows_[i].get();
     endInsertRows();
+}
+
+void PhotoRows::append(Rows& rows, std::vector<PhotoEntry> entries) {
+    for (PhotoEntry& entry : entries)
+        rows.push_back(std::make_unique<Row>(Row{std::move(entry), rows.size(), 0.0}));
 }
 
 void PhotoRows::setOrder(Order order) {
@@ -105,8 +127,10 @@ void PhotoRows::setOrder(Order order) {
         return;
     order_ = order;
     emit orderChanged();
-    if (order_ == Order::NewestFirst)
+    if (order_ == Order::NewestFirst) {
         finder_.judge({});
+        gathering_.stop();
+    }
     refresh();
 }
 
@@ -114,12 +138,13 @@ void PhotoRows::refresh() {
     const auto totals = album_.index().totals();
     total_ = totals ? static_cast<int>(totals->photos) : 0;
     if (order_ == Order::LooksWrong) {
-        list_by_judgement();
+        gather();
     } else {
         const std::size_t shown = std::max(rows_.size(), page_size);
-        std::vector<PhotoEntry> entries = newest(shown, std::nullopt);
-        more_ = entries.size() == shown;
-        take_over(std::move(entries));
+        Rows rows;
+        append(rows, newest(shown, std::nullopt));
+        more_ = rows.size() == shown;
+        take_over(std::move(rows));
     }
     emit totalChanged();
 }
@@ -134,27 +159,44 @@ double PhotoRows::wrongness(const fs::path& photo) const {
                                    : judgement->expected_error_percent + (judgement->doubtful ? doubt : 0.0);
 }
 
-/// All photographs, the worst first; those that are not judged yet are asked for, newest first.
-void PhotoRows::list_by_judgement() {
-    constexpr std::size_t at_a_time = 500;
-    std::deque<fs::path> all;
-    std::vector<std::pair<double, PhotoEntry>> ranked;
-    std::optional<PlaceInList> from;
-    for (std::vector<PhotoEntry> page = newest(at_a_time, from); !page.empty(); page = newest(at_a_time, from)) {
-        from = page.back().place;
-        for (PhotoEntry& entry : page) {
-            all.push_back(entry.path);
-            const double wrong = wrongness(entry.path);
-            ranked.emplace_back(wrong, std::move(entry));
-        }
+void PhotoRows::gather() {
+    if (gathering_.isActive()) {
+        gather_again_ = true;
+        return;
     }
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    std::vector<PhotoEntry> entries;
-    for (auto& [wrong, entry] : ranked)
-        entries.push_back(std::move(entry));
+    gather_again_ = false;
+    gathered_.clear();
+    gathering_.start(0);
+    gather_some();
+}
+
+void PhotoRows::gather_some() {
+    constexpr std::size_t at_a_time = 500;
+    std::vector<PhotoEntry> page =
+        newest(at_a_time, gathered_.empty() ? std::nullopt : std::optional(gathered_.back()->entry.place));
+    const bool last = page.size() < at_a_time;
+    append(gathered_, std::move(page));
+    if (!last)
+        return;
+    gathering_.stop();
+    rank_gathered();
+    if (gather_again_)
+        gather();
+}
+
+/// The worst first; those that are not judged yet are asked for, newest first.
+void PhotoRows::rank_gathered() {
+    std::deque<fs::path> all;
+    for (const std::unique_ptr<Row>& row : gathered_) {
+        row->wrong = wrongness(row->entry.path);
+        all.push_back(row->entry.path);
+    }
+    std::sort(gathered_.begin(), gathered_.end(),
+              [](const auto& a, const auto& b) { return stands_before(*a, *b); });
     more_ = false;
-    take_over(std::move(entries));
+    take_over(std::exchange(gathered_, Rows{}));
     finder_.judge(std::move(all));
+    emit totalChanged();
 }
 
 /// One row goes where it belongs; the others, and who is on one of them, stay.
@@ -163,30 +205,41 @@ void PhotoRows::move_to_its_rank(const fs::path& photo) {
     if (from < 0)
         return;
     emit dataChanged(index(from), index(from), {DetailRole});
-    const double wrong = wrongness(photo);
-    const auto before = [&](const PhotoEntry& one) { return one.path != photo && wrongness(one.path) >= wrong; };
-    const auto to = static_cast<int>(std::count_if(rows_.begin(), rows_.end(), before));
-    if (to == from || !beginMoveRows({}, from, from, {}, to > from ? to + 1 : to))
+    const Row ranked{{}, rows_[static_cast<std::size_t>(from)]->nth, wrongness(photo)};
+    const auto is_before_it = [&](const std::unique_ptr<Row>& one) { return stands_before(*one, ranked); };
+    const auto old = rows_.begin() + from;
+    // Without itself the rows before it and those behind it are in order.
+    auto place = std::partition_point(rows_.begin(), old, is_before_it);
+    if (place == old)
+        place = std::partition_point(old + 1, rows_.end(), is_before_it);
+    const int to = static_cast<int>(place - rows_.begin()); ///< before which row it goes
+    if (to == from || to == from + 1) {
+        (*old)->wrong = ranked.wrong;
         return;
-    PhotoEntry entry = rows_[static_cast<std::size_t>(from)];
-    rows_.erase(rows_.begin() + from);
-    rows_.insert(rows_.begin() + to, std::move(entry));
+    }
+    beginMoveRows({}, from, from, {}, to);
+    (*old)->wrong = ranked.wrong;
+    if (to > from)
+        std::rotate(old, old + 1, place);
+    else
+        std::rotate(place, old, old + 1);
     endMoveRows();
 }
 
 /// Rows that are as before only tell anew what they say, so that nobody loses their place in the list.
-void PhotoRows::take_over(std::vector<PhotoEntry> entries) {
-    const bool same = std::equal(entries.begin(), entries.end(), rows_.begin(), rows_.end(),
-                                 [](const PhotoEntry& a, const PhotoEntry& b) { return a.path == b.path; });
-    if (same) {
-        rows_ = std::move(entries);
-        if (!rows_.empty())
-            emit dataChanged(index(0), index(rowCount() - 1), {NameRole, DetailRole});
-        return;
-    }
-    beginResetModel();
-    rows_ = std::move(entries);
-    endResetModel();
+void PhotoRows::take_over(Rows rows) {
+    const bool same = std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(),
+                                 [](const auto& a, const auto& b) { return a->entry.path == b->entry.path; });
+    if (!same)
+        beginResetModel();
+    rows_ = std::move(rows);
+    by_path_.clear();
+    for (const std::unique_ptr<Row>& row : rows_)
+        by_path_[row->entry.path.string()] = row.get();
+    if (!same)
+        endResetModel();
+    else if (!rows_.empty())
+        emit dataChanged(index(0), index(rowCount() - 1), {NameRole, DetailRole});
 }
 
 } // namespace tp

@@ -8,17 +8,22 @@
 #include <QAbstractListModel>
 #include <QHash>
 #include <QModelIndex>
+#include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace tp {
 
 /// The photographs of the album as rows: by time, newest first, or those first whose faces look wrong. Rows by time come
-/// from the index as the list is scrolled; what a row says is asked when it is shown.
+/// from the index as the list is scrolled. To rank them all are gathered, a part at each turn of the event loop, and until then
+/// the rows stay as they were. What a row says is asked when it is shown.
 class PhotoRows final : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
@@ -34,7 +39,8 @@ public:
     static constexpr std::size_t page_size = 50;
 
     /// All must outlive it. `language` is that of descriptions.
-    PhotoRows(OpenAlbum& album, FaceFinder& finder, Thumbnails& thumbnails, std::function<QString()> language);
+    PhotoRows(OpenAlbum& album, FaceFinder& finder, Thumbnails& thumbnails,
+              std::function<QString()> language);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -58,10 +64,21 @@ signals:
     void totalChanged();
 
 private:
+    struct Row {
+        PhotoEntry entry;
+        std::size_t nth = 0; ///< by time, from the newest
+        double wrong = 0.0;  ///< when it was ranked; 0 by time
+    };
+    using Rows = std::vector<std::unique_ptr<Row>>;
+
     std::vector<PhotoEntry> newest(std::size_t count, const std::optional<PlaceInList>& from);
-    void take_over(std::vector<PhotoEntry> entries);
+    static bool stands_before(const Row& a, const Row& b);
+    static void append(Rows& rows, std::vector<PhotoEntry> entries);
+    void take_over(Rows rows);
     double wrongness(const std::filesystem::path& photo) const;
-    void list_by_judgement();
+    void gather();
+    void gather_some();
+    void rank_gathered();
     void move_to_its_rank(const std::filesystem::path& photo);
     QString detail(const PhotoEntry& entry) const;
 
@@ -70,8 +87,12 @@ private:
     Thumbnails& thumbnails_;
     std::function<QString()> language_;
     Order order_ = Order::NewestFirst;
-    std::vector<PhotoEntry> rows_;
+    Rows rows_; ///< in the order of `stands_before`
+    std::unordered_map<std::string, const Row*> by_path_;
     bool more_ = false;
+    Rows gathered_;
+    QTimer gathering_;
+    bool gather_again_ = false; ///< the album changed meanwhile
     int total_ = 0;
 };
 

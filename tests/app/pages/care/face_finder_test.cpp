@@ -80,7 +80,7 @@ private slots:
         bench.finder.want(photo);
         QCOMPARE(bench.found.size(), 2);
         QCOMPARE(bench.order(), Names{"a.jpg"});
-        QCOMPARE(bench.finder.judgement(photo), (FaceJudgement{1, 1.5, false}));
+        QCOMPARE(bench.finder.last_judgement(photo), (FaceJudgement{1, 1.5, false}));
     }
 
     void corrections_beside_it_make_it_looked_at_again() {
@@ -90,11 +90,36 @@ private slots:
         bench.finder.want(photo);
         QTRY_COMPARE_WITH_TIMEOUT(bench.found.size(), 1, 60'000);
         folder.write("a.jpg.contours.svg", "<svg/>");
-        QVERIFY(!bench.finder.judgement(photo).has_value());
         QVERIFY(bench.finder.last_judgement(photo).has_value());
         bench.finder.want(photo);
         QTRY_COMPARE_WITH_TIMEOUT(bench.found.size(), 2, 60'000);
         QCOMPARE(bench.order(), (Names{"a.jpg", "a.jpg"}));
+    }
+
+    void only_what_has_changed_since_is_judged_again() {
+        const AlbumFolder folder;
+        std::deque<fs::path> photos;
+        for (int i = 0; i < 450; ++i) // more than are compared at a time
+            photos.push_back(a_photo(folder, "p" + std::to_string(i) + ".jpg", i % 200));
+        Finder bench;
+        bench.finder.judge(photos);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.judged.size(), 450, 60'000);
+        folder.write("p3.jpg.contours.svg", "<svg/>");
+        folder.write("p449.jpg.contours.svg", "<svg/>");
+        bench.finder.judge(photos);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.judged.size(), 452, 60'000);
+        bench.finder.want(a_photo(folder, "last.jpg", 1)); // comes when all has been compared, or between
+        QTRY_COMPARE_WITH_TIMEOUT(bench.found.size(), 1, 60'000);
+        const Names asked = bench.order();
+        QCOMPARE(asked.size(), std::size_t{453});
+        QCOMPARE(Names(asked.begin() + 450, asked.end()), (Names{"p3.jpg", "p449.jpg", "last.jpg"}));
+        bench.finder.judge(photos);
+        bench.finder.judge({});
+        folder.write("p5.jpg.contours.svg", "<svg/>");
+        bench.finder.judge({photos[5]});
+        QTRY_COMPARE_WITH_TIMEOUT(bench.judged.size(), 454, 60'000);
+        QCOMPARE(bench.order().back(), std::string("p5.jpg"));
+        QCOMPARE(bench.finder.left_to_judge(), std::size_t{0});
     }
 
     void the_photograph_that_a_person_waits_for_goes_before_all_judgements() {
@@ -109,7 +134,8 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(bench.found.size(), 1, 60'000);
         bench.go.release();
         QTRY_COMPARE_WITH_TIMEOUT(bench.judged.size(), 3, 60'000);
-        QCOMPARE(bench.order(), (Names{"slow.jpg", "c.jpg", "slow.jpg", "b.jpg"})); // the stopped one comes again
+        QCOMPARE(bench.order(),
+                 (Names{"slow.jpg", "c.jpg", "slow.jpg", "b.jpg"})); // the stopped one comes again
         QCOMPARE(bench.finder.left_to_judge(), std::size_t{0});
     }
 
@@ -131,7 +157,8 @@ private slots:
         Finder bench;
         bench.finder.want(a_photo(folder, "throws.jpg", 1));
         QTRY_COMPARE_WITH_TIMEOUT(bench.found.size(), 1, 60'000);
-        QVERIFY(!bench.found.at(0).at(0).value<std::shared_ptr<const FoundFaces>>()->extraction.problem.empty());
+        QVERIFY(
+            !bench.found.at(0).at(0).value<std::shared_ptr<const FoundFaces>>()->extraction.problem.empty());
         bench.finder.want(a_photo(folder, "b.jpg", 2));
         QTRY_COMPARE_WITH_TIMEOUT(bench.found.size(), 2, 60'000);
     }

@@ -215,6 +215,29 @@ private slots:
         QCOMPARE(bench.names(), by_time);
         QCOMPARE(bench.detail(0), QString("No description."));
     }
+    void many_are_gathered_in_parts_and_until_then_the_rows_stay() {
+        Bench bench(many_names(700));
+        const QStringList by_time = bench.names();
+        QCOMPARE(by_time.size(), 50);
+        bench.look_at(0);
+        bench.rows.setOrder(PhotoRows::Order::LooksWrong);
+        QCOMPARE(bench.names(), by_time);
+        bench.rows.refresh(); // the album changes meanwhile
+        QCOMPARE(bench.names(), by_time);
+        CARE_TRY_COMPARE(bench.rows.rowCount(), 700);
+        QVERIFY(!bench.rows.canFetchMore({}));
+        QCOMPARE(bench.names().mid(0, 50), by_time);
+        for (const int row : {0, 499, 500, 699})
+            QCOMPARE(bench.rows.row_of(bench.rows.photo(row)), row);
+        CARE_TRY_COMPARE(bench.rows.leftToJudge(), 700);
+        bench.rows.setOrder(PhotoRows::Order::NewestFirst);
+        bench.rows.setOrder(PhotoRows::Order::LooksWrong);
+        bench.rows.setOrder(PhotoRows::Order::NewestFirst); // before all were gathered
+        QTest::qWait(50);
+        QCOMPARE(bench.rows.rowCount(), 700);
+        QVERIFY(bench.rows.leftToJudge() <= 1);
+        bench.looks.release(700);
+    }
     void each_goes_to_its_place_as_it_is_judged_and_who_is_on_a_row_stays_on_it() {
         Bench bench({"a.jpg", "b.jpg", "c.jpg", "d.jpg", "e.jpg", "f.jpg"});
         const QStringList by_time = bench.names();

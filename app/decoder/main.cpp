@@ -3,7 +3,7 @@
 // a large library. It decodes what it is handed, in a process that can do nothing else, so that what a
 // hostile file brings about in such a library ends here. Its word says which libraries it loads.
 //
-//     touchphoto-decoder heif|pictures|videos|films
+//     touchphoto-decoder heif|jpegs|pictures|videos|films
 //     touchphoto-decoder --version
 //
 // Descriptor 3 is the program that asks.
@@ -53,6 +53,8 @@ int main(int count, char** words) {
     const std::string_view what = count == 2 ? words[1] : "";
     if (what == "heif")
         decode_pictures(tp::load_heif_decoders);
+    else if (what == "jpegs")
+        decode_pictures([] {}); // its library is linked
     else if (what == "pictures")
         decode_pictures(tp::load_picture_decoders);
     else if (what == "videos")

@@ -14,6 +14,7 @@ struct ForeignDecoders {
     explicit ForeignDecoders(const std::filesystem::path& program, HelperPatience patience = {});
 
     HelperPool heif;     ///< HEIC and AVIF
+    HelperPool jpegs;    ///< JPEG
     HelperPool pictures; ///< PNG, WebP, TIFF, BMP, JPEG 2000, raw files
     HelperPool videos;   ///< their sound
     HelperPool films;    ///< the pictures of videos

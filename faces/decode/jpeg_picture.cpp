@@ -4,6 +4,7 @@
 #include <turbojpeg.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -25,6 +26,20 @@ bool ends_properly(const Bytes& bytes, std::size_t from) {
     constexpr unsigned char marker[] = {0xFF, end_of_image};
     const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(from);
     return std::search(begin, bytes.end(), std::begin(marker), std::end(marker)) != bytes.end();
+}
+
+/// Each scan goes over the whole picture, be it empty: hundreds of them in a file of some kilobytes take minutes.
+bool has_too_many_scans(const Bytes& bytes, std::size_t from) {
+    constexpr int most_scans = 100; // programs write ten or so
+    int scans = 1;
+    for (std::size_t i = from; i + 1 < bytes.size() && scans <= most_scans; ++i) {
+        const void* const found = std::memchr(&bytes[i], 0xFF, bytes.size() - 1 - i);
+        if (found == nullptr)
+            break;
+        i = static_cast<std::size_t>(static_cast<const unsigned char*>(found) - bytes.data());
+        scans += bytes[i + 1] == start_of_scan ? 1 : 0;
+    }
+    return scans > most_scans;
 }
 
 struct Closer {
@@ -100,6 +115,9 @@ JpegHeader jpeg_header(const Bytes& bytes) {
 Result<cv::Mat> decode_jpeg(const Bytes& bytes, const JpegHeader& header, int shrink, JpegDamage damage) {
     if (header.scan == 0)
         return jpeg_cut_short;
+    if (has_too_many_scans(bytes, header.scan))
+        return Error{
+            "The JPEG file goes over its picture more often than any program does; it was not read."};
     const Decoder decoder(tjInitDecompress());
     if (!decoder)
         return Error{"There is not enough memory for this picture."};
@@ -114,8 +132,9 @@ Result<cv::Mat> decode_jpeg(const Bytes& bytes, const JpegHeader& header, int sh
     const bool cmyk = colours == TJCS_CMYK || colours == TJCS_YCCK;
     const tjscalingfactor scale{1, shrink};
     cv::Mat pixels(TJSCALED(height, scale), TJSCALED(width, scale), cmyk ? CV_8UC4 : CV_8UC3);
-    if (tjDecompress2(decoder.get(), bytes.data(), size, pixels.data, pixels.cols, static_cast<int>(pixels.step),
-                      pixels.rows, cmyk ? TJPF_CMYK : TJPF_BGR, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0) {
+    if (tjDecompress2(decoder.get(), bytes.data(), size, pixels.data, pixels.cols,
+                      static_cast<int>(pixels.step), pixels.rows, cmyk ? TJPF_CMYK : TJPF_BGR,
+                      TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS) != 0) {
         if (tjGetErrorCode(decoder.get()) == TJERR_FATAL)
             return damaged_jpeg;
         const Error harm = judged(tjGetErrorStr2(decoder.get()));

@@ -48,12 +48,14 @@ Result<Value> decoded_here(const std::filesystem::path& file, PictureKind kind, 
     }
 }
 
-/// The helpers that decode such a file; null where this program decodes it. A JPEG is decoded here, by a
-/// library that is small and in every browser.
+/// The helpers that decode such a file; null where this program decodes it. Where the system confines no process, it still decodes
+/// JPEG: by a library that is small and in every browser.
 HelperPool* helpers_for(PictureKind kind) {
     ForeignDecoders* const decoders = foreign_decoders();
-    if (decoders == nullptr || kind == PictureKind::jpeg || kind == PictureKind::unknown)
+    if (decoders == nullptr || kind == PictureKind::unknown)
         return nullptr;
+    if (kind == PictureKind::jpeg)
+        return decoders->jpegs.lease() ? &decoders->jpegs : nullptr;
     return kind == PictureKind::heic || kind == PictureKind::avif ? &decoders->heif : &decoders->pictures;
 }
 

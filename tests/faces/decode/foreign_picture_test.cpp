@@ -79,7 +79,7 @@ private slots:
         row("BMP", written("a.bmp", gradient(300, 200)));
         row("JPEG 2000", written("a.jp2", gradient(300, 200)));
         row("raw", raw());
-        row("JPEG, decoded here", written("a.jpg", gradient(300, 200)));
+        row("JPEG", written("a.jpg", gradient(300, 200)));
         row("one pixel", written("one.png", gradient(1, 1)));
     }
     void its_pixels_are_the_same() {

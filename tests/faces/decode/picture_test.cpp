@@ -11,6 +11,8 @@
 #include <opencv2/imgproc.hpp>
 #include <turbojpeg.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 
 using namespace tp;
@@ -166,7 +168,8 @@ private slots:
     void fits_a_screen_as_the_whole_picture_shrunk_does_data() {
         QTest::addColumn<int>("width");
         QTest::addColumn<int>("height");
-        for (const auto& [width, height] : {std::pair(300, 200), {299, 201}, {96, 64}, {75, 50}, {37, 500}, {11, 9}, {1, 1}})
+        for (const auto& [width, height] :
+             {std::pair(300, 200), {299, 201}, {96, 64}, {75, 50}, {37, 500}, {11, 9}, {1, 1}})
             QTest::addRow("%d x %d", width, height) << width << height;
     }
     void fits_a_screen_as_the_whole_picture_shrunk_does() {
@@ -175,7 +178,8 @@ private slots:
         const cv::Size box(width, height);
         for (int orientation = 1; orientation <= 8; ++orientation)
             for (const char* ending : {".jpg", ".png"}) {
-                const fs::path file = written(std::string("fit") + ending, encoded(stored_as(sample(299, 201), orientation), ending));
+                const fs::path file = written(std::string("fit") + ending,
+                                              encoded(stored_as(sample(299, 201), orientation), ending));
                 tag_orientation(file, orientation);
                 const auto fitted = read_picture_to_fit(file, box);
                 const cv::Mat whole = shrunk_to_fit(read_picture(file).value(), box);
@@ -190,8 +194,8 @@ private slots:
     void a_jpeg_is_shrunk_to_places_that_lie_where_they_lay() {
         for (const cv::Size size : {cv::Size(800, 600), cv::Size(803, 597)})
             for (int orientation = 1; orientation <= 8; ++orientation) {
-                const fs::path file =
-                    written("shrunk.jpg", encoded(stored_as(sample(size.width, size.height), orientation), ".jpg"));
+                const fs::path file = written(
+                    "shrunk.jpg", encoded(stored_as(sample(size.width, size.height), orientation), ".jpg"));
                 tag_orientation(file, orientation);
                 const cv::Mat whole = *read_picture(file);
                 const auto shrunk = read_picture_shrunk(file, 200);
@@ -201,11 +205,14 @@ private slots:
                 QCOMPARE(shrunk->shrink, size.width == 800 || orientation == 1 ? 4 : 1);
                 cv::Mat expected = whole;
                 if (shrunk->shrink > 1) {
-                    const cv::Size even(shrunk->shrink * (whole.cols / shrunk->shrink), shrunk->shrink * (whole.rows / shrunk->shrink));
-                    cv::resize(whole(cv::Rect({0, 0}, even)), expected, even / shrunk->shrink, 0, 0, cv::INTER_AREA);
+                    const cv::Size even(shrunk->shrink * (whole.cols / shrunk->shrink),
+                                        shrunk->shrink * (whole.rows / shrunk->shrink));
+                    cv::resize(whole(cv::Rect({0, 0}, even)), expected, even / shrunk->shrink, 0, 0,
+                               cv::INTER_AREA);
                 }
                 const cv::Mat seen = shrunk->pixels(cv::Rect({0, 0}, expected.size()));
-                QVERIFY2(cv::norm(seen, expected, cv::NORM_INF) <= 12.0, qPrintable(QString::number(orientation)));
+                QVERIFY2(cv::norm(seen, expected, cv::NORM_INF) <= 12.0,
+                         qPrintable(QString::number(orientation)));
             }
     }
 
@@ -220,7 +227,8 @@ private slots:
         }
         QCOMPARE(read_picture_shrunk("/nowhere.jpg", 200).error(), read_picture("/nowhere.jpg").error());
         const std::vector<unsigned char> bytes = encoded(sample(900, 700), ".jpg");
-        const fs::path cut = written("cut.jpg", {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 2)});
+        const fs::path cut = written(
+            "cut.jpg", {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 2)});
         QCOMPARE(read_picture_shrunk(cut, 200).error(), read_picture(cut).error());
     }
 
@@ -282,6 +290,29 @@ private slots:
         const auto picture = read_picture(written("stray.jpg", bytes));
         QVERIFY2(picture.ok(), picture.error().c_str());
         QVERIFY(largest_difference(*picture, sample()) <= 8.0);
+    }
+
+    /// Each scan costs as much as the picture is large, be it empty.
+    void a_jpeg_has_at_most_a_hundred_scans() {
+        Bytes progressive;
+        cv::imencode(".jpg", sample(), progressive, {cv::IMWRITE_JPEG_PROGRESSIVE, 1});
+        const std::array<unsigned char, 2> scan{0xFF, 0xDA};
+        const auto last = std::find_end(progressive.begin(), progressive.end(), scan.begin(), scan.end());
+        const Bytes more(last, progressive.end() - 2);
+        const auto scans = [&](const Bytes& bytes) {
+            int count = 0;
+            for (std::size_t i = 0; i + 1 < bytes.size(); ++i)
+                count += bytes[i] == scan[0] && bytes[i + 1] == scan[1] ? 1 : 0;
+            return count;
+        };
+        while (scans(progressive) < 100)
+            progressive.insert(progressive.end() - 2, more.begin(), more.end());
+        QVERIFY(read_picture(written("many.jpg", progressive)).ok());
+        progressive.insert(progressive.end() - 2, more.begin(), more.end());
+        QCOMPARE(
+            QString::fromStdString(read_picture(written("too_many.jpg", progressive)).error()),
+            QString(
+                "The JPEG file goes over its picture more often than any program does; it was not read."));
     }
 
     void says_what_is_wrong_data() {

@@ -6,6 +6,7 @@
 #include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/bench/face_bench.hpp"
+#include "core/files/file_name.hpp"
 
 #include <QDir>
 #include <QString>
@@ -87,7 +88,7 @@ std::string run(const VerbLine& line) {
     if (const std::string problem = line.make_folder("out"); !problem.empty())
         return problem;
     if (line.has("harder"))
-        return run_harder(*portraits, folder.path().toStdString());
+        return run_harder(*portraits, path_named(folder.path().toStdString()));
     const auto contenders = face_contenders([](const std::string& why) { say("Left out: " + why); });
     const auto rows = run_face_bench(*portraits, contenders, {0, 640, 320, 160}, say_step);
     if (!rows)
@@ -96,7 +97,7 @@ std::string run(const VerbLine& line) {
     const auto speeds = run_batch_bench(*portraits);
     if (!speeds)
         return speeds.error();
-    const std::filesystem::path out = folder.path().toStdString();
+    const std::filesystem::path out = path_named(folder.path().toStdString());
     for (const auto& written : {write_face_table(out, *rows), plot_faces(out, *rows)})
         if (!written)
             return written.error();

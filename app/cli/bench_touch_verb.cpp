@@ -4,6 +4,7 @@
 #include "app/cli/terminal.hpp"
 #include "app/cli/verbs.hpp"
 #include "app/figures/simulated/touch_worth.hpp"
+#include "core/files/file_name.hpp"
 
 #include <cstdint>
 #include <cstdio>
@@ -55,8 +56,7 @@ int bench_touch_verb(const QStringList& words) {
         return LongWork::stop_code();
     if (!rows)
         return refused(rows.error());
-    const auto written =
-        touch_table(*rows).write(std::filesystem::path(line.text("out").toStdString()) / "touch.csv");
+    const auto written = touch_table(*rows).write(path_named(line.text("out").toStdString()) / "touch.csv");
     if (!written)
         return refused(written.error());
     show(*rows);

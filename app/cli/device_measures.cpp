@@ -8,6 +8,7 @@
 #include "app/cli/verbs.hpp"
 #include "app/parts/devices/calibration_steps.hpp"
 #include "app/parts/devices/joystick_measuring.hpp"
+#include "core/files/file_name.hpp"
 #include "core/servo/servo_loop.hpp"
 #include "device/calibration_file.hpp"
 #include "device/hid_pid/joystick_scale_file.hpp"
@@ -34,7 +35,8 @@ constexpr double fault_lasts_s = 0.5; ///< one that heals sooner ends nothing
 
 /// The device's own sentence, or that of the fault.
 std::string what_is_wrong(Fault fault, const ForceDevice& device) {
-    return fault == Fault::motors_off && !device.complaint().empty() ? device.complaint() : std::string(sentence(fault));
+    return fault == Fault::motors_off && !device.complaint().empty() ? device.complaint()
+                                                                     : std::string(sentence(fault));
 }
 
 /// "250x150", in mm.
@@ -50,7 +52,10 @@ Result<Vec2> screen_size(const QString& text) {
 Result<Calibration> calibrated(ServoLoop& loop, const ForceDevice& device, Vec2 screen, double inset) {
     const PersonsTurn turn;
     const Rect area{{0.0, -screen.y}, {screen.x, 0.0}};
-    const Vec2 marks[] = {{inset, -inset}, {screen.x - inset, -inset}, {screen.x - inset, inset - screen.y}, {inset, inset - screen.y}};
+    const Vec2 marks[] = {{inset, -inset},
+                          {screen.x - inset, -inset},
+                          {screen.x - inset, inset - screen.y},
+                          {inset, inset - screen.y}};
     const char* const corners[] = {"top left", "top right", "bottom right", "bottom left"};
     CalibrationSteps steps(area);
     SteadyClock clock;
@@ -177,8 +182,10 @@ int calibrate_device(const QStringList& words) {
         return refused("The device's millimetres are not the screen's. Check that --screen is right, and "
                        "calibrate again. Nothing "
                        "was changed.");
-    const QString usual = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) + "/touchphoto/calibrations.txt";
-    const std::filesystem::path file = (line.has("file") ? line.text("file") : usual).toStdU16String();
+    const QString usual = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
+                          "/touchphoto/calibrations.txt";
+    const std::filesystem::path file =
+        path_named((line.has("file") ? line.text("file") : usual).toStdString());
     const std::string key = can->serial_number.empty() ? name : can->serial_number;
     if (const std::string why = keep_calibration(file, key, *found); !why.empty())
         return refused(why);
@@ -217,7 +224,7 @@ int measure_joystick(const QStringList& words) {
     if (!found)
         return refused(found.error());
     const std::filesystem::path file =
-        line.has("file") ? std::filesystem::path(line.text("file").toStdU16String()) : joystick_scale_file();
+        line.has("file") ? path_named(line.text("file").toStdString()) : joystick_scale_file();
     if (const std::string why = keep_joystick_scale(file, listed->scale_key, *found); !why.empty())
         return refused(why);
     print("whole force %.2f N\nsigns       %+g %+g\nkept for    %s\n", found->newtons_at_full, found->sign.x,

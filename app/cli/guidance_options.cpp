@@ -2,6 +2,7 @@
 #include "app/cli/guidance_options.hpp"
 
 #include "app/cli/long_work.hpp"
+#include "core/files/file_name.hpp"
 #include "core/files/file_words.hpp"
 #include "core/svg/contour_sheet.hpp"
 
@@ -39,7 +40,7 @@ Result<GuidanceOptions> guidance_options(const VerbLine& line) {
 }
 
 Result<LoadedScene> load_scene(const QString& file, const GuidanceOptions& options) {
-    LongWork::step("reading " + quoted(std::filesystem::path(file.toStdString()).filename()));
+    LongWork::step("reading " + quoted(path_named(file.toStdString()).filename()));
     const Result<ContourSheet> sheet = read_sheet(file.toStdString());
     if (!sheet)
         return Error{sheet.error()};

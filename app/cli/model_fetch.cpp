@@ -3,6 +3,7 @@
 
 #include "core/base/words.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_name.hpp"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -129,7 +130,7 @@ Result<QString> fetch_file(const QUrl& address, const QString& target, const Kno
         return Error{problem};
     if (!file.commit())
         return Error{tp::quoted(target.toStdString()) + " cannot be written: " + said(file.errorString())};
-    sync_folder(QFile::encodeName(folder).toStdString()); // where that fails, the file is there all the same
+    sync_folder(path_named(folder.toStdString())); // where that fails, the file is there all the same
     return target;
 }
 

@@ -10,6 +10,7 @@
 #include "app/figures/report/passivity.hpp"
 #include "app/figures/report/released_handle.hpp"
 #include "app/figures/report/stability_plots.hpp"
+#include "core/files/file_name.hpp"
 
 #include <QDir>
 
@@ -229,7 +230,7 @@ int stability_verb(const QStringList& words) {
     const auto handles = release_all(handle_grid(quick));
 
     LongWork::step("writing tables and plots");
-    const std::filesystem::path out = folder.path().toStdString();
+    const std::filesystem::path out = path_named(folder.path().toStdString());
     for (const auto& written :
          {table_of(verdicts).write(out / "hard_cases.csv"), table_of(loops).write(out / "loop_work.csv"),
           table_of(continuity).write(out / "continuity.csv"),

@@ -9,10 +9,10 @@
 #include "audio/sound/player.hpp"
 #include "audio/sound/recorder.hpp"
 #include "audio/sound/threaded_filler.hpp"
+#include "core/files/file_name.hpp"
 #include "core/servo/clock.hpp"
 
 #include <QEventLoop>
-#include <QFile>
 #include <QFileInfo>
 #include <QQmlEngine>
 #include <QTimer>
@@ -264,7 +264,7 @@ CareSession& Program::care() {
             shell_.open("mend");
         });
         connect(&caring_->session, &CareSession::printAsked, this, [this](const QString& photo) {
-            print().open_photo(photo.toStdU16String());
+            print().open_photo(path_named(photo.toStdString()));
             shell_.open("print");
         });
     }
@@ -310,7 +310,7 @@ void Program::feel(const QString& photo) {
 }
 
 void Program::care_for(const QString& photo) {
-    care().open_photo(photo.toStdU16String());
+    care().open_photo(path_named(photo.toStdString()));
     shell_.open("care");
 }
 
@@ -339,7 +339,7 @@ void Program::remember_felt() {
         return;
     const QString file = explore_->view()->file();
     const auto in_album = [&] {
-        const auto known = album().queries().find(QFile::encodeName(file).toStdString());
+        const auto known = album().queries().find(path_named(file.toStdString()));
         return known && *known;
     };
     if (!file.isEmpty() && file != preferences_.choices().last_photo &&
@@ -395,7 +395,7 @@ void Program::open_page(const QString& page) {
     if (page == "mend" && !last.isEmpty())
         mend().open_file(last);
     if (page == "print" && !last.isEmpty())
-        print().open_photo(last.toStdU16String());
+        print().open_photo(path_named(last.toStdString()));
     shell_.open(page);
 }
 

@@ -2,10 +2,10 @@
 // The album that pages share, and who works on it beside them.
 #include "app/album/index/album_news.hpp"
 #include "app/shell/program.hpp"
+#include "core/files/file_name.hpp"
 
 #include <QByteArray>
 #include <QDir>
-#include <QFile>
 #include <QStandardPaths>
 
 #include <optional>
@@ -49,7 +49,7 @@ std::filesystem::path Program::folder_for_photographs() {
         });
     if (album().has_folders())
         return album().folders().front();
-    return QFile::encodeName(preferences_.choices().folders.front()).toStdString();
+    return path_named(preferences_.choices().folders.front().toStdString());
 }
 
 /// As ExploreSettings::Beside says.
@@ -59,14 +59,14 @@ QString Program::beside(const QString& file, bool forward) {
     AlbumQueries queries = album().queries();
     const Direction direction = forward ? Direction::forward : Direction::backward;
     std::optional<PlaceInList> from;
-    if (const auto here = queries.find(QFile::encodeName(file).toStdString()); here && *here)
+    if (const auto here = queries.find(path_named(file.toStdString())); here && *here)
         from = (*here)->place;
     for (;;) {
         const auto next = queries.page(AllByTime{}, from, 1, direction);
         if (!next || next->empty())
             return {};
-        const QByteArray name = QByteArray::fromStdString(next->front().path.string());
-        if (const QString text = QFile::decodeName(name); QFile::encodeName(text) == name)
+        const std::string name = name_in_utf8(next->front().path);
+        if (const QString text = QString::fromStdString(name); text.toStdString() == name)
             return text;
         from = next->front().place; // its name is no text: it cannot be asked for
     }

@@ -2,8 +2,8 @@
 #include "app/album/index/album_watcher.hpp"
 
 #include "app/album/index/folder_listing.hpp"
+#include "core/files/file_name.hpp"
 
-#include <QFile>
 #include <QSet>
 
 #include <utility>
@@ -14,11 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-QString name_of(const fs::path& folder) {
-    return QFile::decodeName(QByteArray::fromStdString(folder.native()));
-}
+QString name_of(const fs::path& folder) { return QString::fromStdString(name_in_utf8(folder)); }
 
-fs::path path_of(const QString& name) { return fs::path(QFile::encodeName(name).toStdString()); }
+fs::path path_of(const QString& name) { return path_named(name.toStdString()); }
 
 } // namespace
 

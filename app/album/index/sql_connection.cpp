@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/index/sql_connection.hpp"
 
+#include "core/files/file_name.hpp"
 #include "core/files/open_file.hpp"
 
-#include <QFile>
 #include <QSqlError>
 #include <QString>
 
@@ -62,8 +62,8 @@ SqlConnection SqlConnection::to_file(const std::filesystem::path& file) {
     if (!OpenFile(file, {.write = true, .make = true, .follow_link = false, .readers = Readers::owner_only})
              .ok())
         throw SqlFault{sqlite_cannot_open, "unable to open database file"};
-    return {QFile::decodeName(QByteArray::fromStdString(file.string())),
-            QStringLiteral("QSQLITE_BUSY_TIMEOUT=20000"), nullptr};
+    return {QString::fromStdString(name_in_utf8(file)), QStringLiteral("QSQLITE_BUSY_TIMEOUT=20000"),
+            nullptr};
 }
 
 SqlConnection SqlConnection::to_memory(const std::string& name, const MemoryTurn& turn) {

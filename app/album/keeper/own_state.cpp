@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/own_state.hpp"
 
+#include "core/files/file_name.hpp"
+
 #include <QCryptographicHash>
-#include <QFile>
 #include <QStandardPaths>
 #include <QString>
 
@@ -18,8 +19,8 @@ fs::path own_state_folder() {
     // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing in the program changes its environment while threads run
     if (const char* const state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state == '/')
         return fs::path(state) / "touchphoto";
-    const QByteArray home = QFile::encodeName(QStandardPaths::writableLocation(QStandardPaths::HomeLocation));
-    return fs::path(home.toStdString()) / ".local" / "state" / "touchphoto";
+    const QString home = QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
+    return path_named(home.toStdString()) / ".local" / "state" / "touchphoto";
 }
 
 fs::path own_state_of(const fs::path& album) {

@@ -3,6 +3,7 @@
 
 #include "app/album/open/lies_in.hpp"
 #include "audio/sentences/sentences.hpp"
+#include "core/files/file_name.hpp"
 
 #include <QMetaObject>
 #include <QStandardPaths>
@@ -31,10 +32,10 @@ std::vector<fs::path> real_folders(const QStringList& chosen) {
     std::vector<fs::path> all;
     for (const QString& folder : chosen) {
         std::error_code error;
-        fs::path real = fs::weakly_canonical(fs::path(folder.toStdString()), error);
+        fs::path real = fs::weakly_canonical(path_named(folder.toStdString()), error);
         if (real.filename().empty()) // ends in a slash
             real = real.parent_path();
-        all.push_back(error ? fs::path(folder.toStdString()) : std::move(real));
+        all.push_back(error ? path_named(folder.toStdString()) : std::move(real));
     }
     std::vector<fs::path> outer;
     for (const fs::path& folder : all)

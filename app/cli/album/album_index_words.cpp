@@ -4,6 +4,7 @@
 #include "app/album/keeper/recording_facts.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "app/cli/long_work.hpp"
+#include "core/files/file_name.hpp"
 #include "core/files/file_words.hpp"
 
 #include <QCryptographicHash>
@@ -30,7 +31,7 @@ fs::path cache_of(const VerbLine& line, const std::vector<fs::path>& folders) {
     for (const std::string& name : names)
         hash.addData(QByteArrayView(name.c_str(), static_cast<qsizetype>(name.size()) + 1)); // with its end
     const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation);
-    return fs::path(home.toStdString()) / "touchphoto" / hash.result().toHex().left(16).toStdString();
+    return path_named(home.toStdString()) / "touchphoto" / hash.result().toHex().left(16).toStdString();
 }
 
 Result<AlbumIndex> open_index(const VerbLine& line, const std::vector<fs::path>& folders) {

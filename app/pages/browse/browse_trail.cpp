@@ -2,9 +2,9 @@
 #include "app/pages/browse/browse_trail.hpp"
 
 #include "audio/sentences/sentences.hpp"
+#include "core/files/file_name.hpp"
 #include "core/files/file_words.hpp"
 
-#include <QFile>
 #include <QRandomGenerator>
 
 #include <utility>
@@ -15,10 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-QString name_of_path(const fs::path& path) {
-    return QFile::decodeName(QByteArray::fromStdString(path.string()));
-}
-fs::path path_named(const QString& name) { return QFile::encodeName(name).toStdString(); }
+QString name_of_path(const fs::path& path) { return QString::fromStdString(name_in_utf8(path)); }
+fs::path path_in(const QString& name) { return path_named(name.toStdString()); }
 
 } // namespace
 
@@ -95,7 +93,7 @@ void BrowseTrail::begin() {
     PhotoTrail& all = *levels_.front().trail;
     std::optional<PhotoEntry> at;
     if (const QString last = preferences_.choices().last_photo; !last.isEmpty())
-        if (auto found = queries.find(path_named(last)); found && *found)
+        if (auto found = queries.find(path_in(last)); found && *found)
             at = std::move(**found);
     const Result<bool> there = at ? all.to(*at) : all.to_first();
     if (!there)
@@ -230,7 +228,7 @@ bool BrowseTrail::go_to(const PhotoEntry& photo) {
 }
 
 bool BrowseTrail::show(const QString& photo) {
-    const auto found = album_.open().queries().find(path_named(photo));
+    const auto found = album_.open().queries().find(path_in(photo));
     if (!found || !*found)
         return false;
     to_the_top();

@@ -3,8 +3,7 @@
 
 #include "app/pages/care/care_words.hpp"
 #include "app/pages/care/described_in.hpp"
-
-#include <QFile>
+#include "core/files/file_name.hpp"
 
 namespace tp {
 namespace fs = std::filesystem;
@@ -95,12 +94,12 @@ void CareSession::deletePhoto() {
 
 void CareSession::mend() {
     if (photo_.is_open())
-        emit mendAsked(QFile::decodeName(photo_.place().photo.c_str()));
+        emit mendAsked(QString::fromStdString(name_in_utf8(photo_.place().photo)));
 }
 
 void CareSession::print() {
     if (photo_.is_open())
-        emit printAsked(QFile::decodeName(photo_.place().photo.c_str()));
+        emit printAsked(QString::fromStdString(name_in_utf8(photo_.place().photo)));
 }
 
 } // namespace tp

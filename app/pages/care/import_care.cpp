@@ -4,8 +4,8 @@
 #include "app/album/index/album_queries.hpp"
 #include "app/pages/care/care_words.hpp"
 #include "audio/sentences/sentences.hpp"
+#include "core/files/file_name.hpp"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QMetaObject>
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path path_of_file(const QUrl& url) { return QFile::encodeName(url.toLocalFile()).toStdString(); }
+fs::path path_of_file(const QUrl& url) { return path_named(url.toLocalFile().toStdString()); }
 
 /// Where the album has a photograph of these bytes, by an index of the calling thread.
 std::function<std::optional<fs::path>(const std::string&)> known_in(const AlbumIndex& index) {
@@ -55,7 +55,8 @@ double ImportCare::fraction() const {
 }
 
 QString ImportCare::progressText() const {
-    return running_ && progress_.total == 0 ? tr("Looking for photographs…") : CareWords::import_progress(progress_);
+    return running_ && progress_.total == 0 ? tr("Looking for photographs…")
+                                            : CareWords::import_progress(progress_);
 }
 
 QStringList ImportCare::folders() const {
@@ -180,7 +181,8 @@ void ImportCare::run(const QString& told, Work work) {
         ImportTools tools;
         tools.stop = stop;
         tools.progress = [this](const ImportProgress& progress) {
-            QMetaObject::invokeMethod(this, [this, progress] { show(progress); }, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(
+                this, [this, progress] { show(progress); }, Qt::QueuedConnection);
         };
         std::optional<Result<ImportReport>> report;
         try {
@@ -190,7 +192,8 @@ void ImportCare::run(const QString& told, Work work) {
             report = Error{std::string("The import ended, because the computer reports: ") + fault.what()};
         }
         tools.known = {}; // its index belongs to this thread
-        QMetaObject::invokeMethod(this, [this, report = *report] { finish(report); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, report = *report] { finish(report); }, Qt::QueuedConnection);
     });
 }
 

@@ -4,8 +4,8 @@
 #include "app/album/metadata/read_record.hpp"
 #include "app/pages/care/care_words.hpp"
 #include "audio/sentences/sentences.hpp"
+#include "core/files/file_name.hpp"
 
-#include <QFile>
 #include <QLocale>
 #include <QVariantMap>
 
@@ -137,8 +137,9 @@ QStringList RecordingList::languageNames() const {
 }
 
 int RecordingList::language() const {
-    return chosen_ < 0 ? -1
-                       : static_cast<int>(languages().indexOf(QString::fromStdString(chosen_tag()->label.language)));
+    return chosen_ < 0
+               ? -1
+               : static_cast<int>(languages().indexOf(QString::fromStdString(chosen_tag()->label.language)));
 }
 
 void RecordingList::choose(int recording) {
@@ -253,13 +254,14 @@ void RecordingList::addFiles(const QList<QUrl>& sounds, int kind) {
     if (!photo_.is_open())
         return;
     RecordingLabel label;
-    label.kind = static_cast<RecordingKind>(std::clamp(kind, 0, static_cast<int>(CareWords::kinds().size()) - 1));
+    label.kind =
+        static_cast<RecordingKind>(std::clamp(kind, 0, static_cast<int>(CareWords::kinds().size()) - 1));
     for (const QUrl& sound : sounds) {
         if (!sound.isLocalFile()) {
             teller_.problem(tr("Only a sound that is a file on this computer can be added."));
             continue;
         }
-        const fs::path file = QFile::encodeName(sound.toLocalFile()).toStdString();
+        const fs::path file = path_named(sound.toLocalFile().toStdString());
         const PhotoPlace place = photo_.place();
         const auto added = std::make_shared<AlbumKeeper::Added>();
         photo_.change(
@@ -276,11 +278,11 @@ void RecordingList::addFiles(const QList<QUrl>& sounds, int kind) {
                     return;
                 }
                 choose_file(place, added->tag.file);
-                teller_.did(Earcon::saved,
-                            tr("Added: %1, %2. %3")
-                                .arg(CareWords::recording(added->tag.label), CareWords::recording_details(added->tag),
-                                     in_persons_language(added->warning))
-                                .trimmed());
+                teller_.did(Earcon::saved, tr("Added: %1, %2. %3")
+                                               .arg(CareWords::recording(added->tag.label),
+                                                    CareWords::recording_details(added->tag),
+                                                    in_persons_language(added->warning))
+                                               .trimmed());
             });
     }
 }

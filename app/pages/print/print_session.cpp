@@ -4,6 +4,7 @@
 #include "app/photo/tactile/tactile_file.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_name.hpp"
 
 #include <QStandardPaths>
 #include <QStringList>
@@ -15,7 +16,7 @@ namespace tp {
 
 std::filesystem::path PrintSession::usual_folder() {
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return std::filesystem::path(documents.toStdU16String()) / "TouchPhoto";
+    return path_named(documents.toStdString()) / "TouchPhoto";
 }
 
 PrintSession::PrintSession(Narrator& narrator, EarconPlayer& earcons, std::filesystem::path folder,
@@ -56,17 +57,17 @@ void PrintSession::store(const QString& ending) {
         return refuse(sheet_.notes().isEmpty() ? tr("There is no sheet yet.") : sheet_.notes().join(' '));
     if (const std::string why = make_folder(folder_); !why.empty())
         return refuse(tr("The folder %1 could not be created: %2")
-                          .arg(QString::fromStdU16String(folder_.u16string()), in_persons_language(why)));
-    const QString stem = QString::fromStdU16String((folder_ / photo_.file().stem()).u16string());
-    std::filesystem::path file = (stem + '.' + ending).toStdU16String();
+                          .arg(QString::fromStdString(name_in_utf8(folder_)), in_persons_language(why)));
+    const QString stem = QString::fromStdString(name_in_utf8(folder_ / photo_.file().stem()));
+    std::filesystem::path file = path_named((stem + '.' + ending).toStdString());
     for (int number = 2; name_taken(file); ++number)
-        file = QString("%1 %2.%3").arg(stem).arg(number).arg(ending).toStdU16String();
+        file = path_named(QString("%1 %2.%3").arg(stem).arg(number).arg(ending).toStdString());
     const auto written = write_tactile(file, *sheet_.sheet());
     if (!written)
         return refuse(in_persons_language(written.error()));
     earcons_.play(Earcon::saved);
     narrator_.tell(tr("The sheet is saved as %1. Print it at 100 percent, unscaled.")
-                       .arg(QString::fromStdU16String(file.u16string())),
+                       .arg(QString::fromStdString(name_in_utf8(file))),
                    Priority::message);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/parts/work/latest_task.hpp"
+#include "core/files/file_name.hpp"
 #include "faces/base/face.hpp"
 
 #include <QObject>
@@ -39,7 +40,7 @@ public:
     /// `read` is called on another thread, and must outlive the photograph.
     explicit PrintedPhoto(Read read);
 
-    QString name() const { return QString::fromStdU16String(file_.filename().u16string()); }
+    QString name() const { return QString::fromStdString(name_in_utf8(file_.filename())); }
     bool looking() const { return looking_; }
     QStringList faces() const;
     const std::filesystem::path& file() const { return file_; } ///< empty: none was opened

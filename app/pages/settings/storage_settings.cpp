@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pages/settings/storage_settings.hpp"
 
+#include "core/files/file_name.hpp"
+
 #include <QLocale>
 
 #include <cstdint>
@@ -11,7 +13,7 @@ namespace tp {
 
 namespace {
 
-QString native(const std::filesystem::path& path) { return QString::fromStdU16String(path.u16string()); }
+QString native(const std::filesystem::path& path) { return QString::fromStdString(name_in_utf8(path)); }
 
 /// Bytes of all files in a folder, those below it too.
 std::uintmax_t bytes_in(const std::filesystem::path& folder) {

@@ -5,6 +5,7 @@
 #include "app/pages/study/study_words.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_name.hpp"
 #include "core/study_folder/study_check.hpp"
 #include "core/study_folder/study_summary.hpp"
 
@@ -91,7 +92,7 @@ void StudyOverview::makeReport() {
             if (!problem.isEmpty())
                 return teller_.problem(problem);
             const QString done = tr("The report is in %1. Open the file %2 there.")
-                                     .arg(QString::fromStdU16String(there.u16string()), study_page_file);
+                                     .arg(QString::fromStdString(name_in_utf8(there)), study_page_file);
             show(lines_ + QStringList{done});
             teller_.tell(done);
         };

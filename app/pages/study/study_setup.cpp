@@ -6,6 +6,7 @@
 #include "app/photo/study_faces/folder_faces.hpp"
 #include "audio/sentences/sentences.hpp"
 #include "core/experiment/experiment_file.hpp"
+#include "core/files/file_name.hpp"
 #include "core/files/whole_file.hpp"
 #include "core/trials/study_trial.hpp"
 
@@ -22,7 +23,7 @@ namespace {
 constexpr int most_participants = 9999;
 constexpr int most_answers = 9; ///< a key each
 
-QString text_of(const std::filesystem::path& path) { return QString::fromStdU16String(path.u16string()); }
+QString text_of(const std::filesystem::path& path) { return QString::fromStdString(name_in_utf8(path)); }
 
 } // namespace
 
@@ -63,7 +64,7 @@ void StudySetup::choose(int index) {
 void StudySetup::openFile(const QUrl& file) {
     if (!file.isLocalFile())
         return teller_.problem(tr("Only a file on this computer can be opened."));
-    const std::filesystem::path path = file.toLocalFile().toStdU16String();
+    const std::filesystem::path path = path_named(file.toLocalFile().toStdString());
     const auto text = read_whole(path, most_experiment_bytes);
     if (!text)
         return teller_.problem(in_persons_language(text.error()));
@@ -163,10 +164,10 @@ bool StudySetup::cancel() {
 void StudySetup::take_folder(const QString& folder) {
     const Choosing what = std::exchange(choosing_, Choosing::nothing);
     if (what == Choosing::faces) {
-        faces_folder_ = folder.toStdU16String();
+        faces_folder_ = path_named(folder.toStdString());
         read_faces();
     } else if (what == Choosing::study) {
-        folder_ = folder.toStdU16String();
+        folder_ = path_named(folder.toStdString());
         look(true);
     }
     emit changed();

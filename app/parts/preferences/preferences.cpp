@@ -3,6 +3,7 @@
 
 #include "audio/sentences/sentences.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_name.hpp"
 #include "core/files/whole_file.hpp"
 
 #include <QStandardPaths>
@@ -18,10 +19,11 @@ constexpr std::size_t most_bytes = 1 << 20;
 
 std::filesystem::path Preferences::usual_file() {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation);
-    return std::filesystem::path(folder.toStdU16String()) / "preferences.json";
+    return path_named(folder.toStdString()) / "preferences.json";
 }
 
-Preferences::Preferences(std::filesystem::path file, QObject* parent) : QObject(parent), file_(std::move(file)) {
+Preferences::Preferences(std::filesystem::path file, QObject* parent)
+    : QObject(parent), file_(std::move(file)) {
     soon_.setSingleShot(true);
     soon_.setInterval(keep_after_ms);
     connect(&soon_, &QTimer::timeout, this, [this] {

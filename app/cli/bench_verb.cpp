@@ -7,6 +7,7 @@
 #include "app/figures/report/delivered_force.hpp"
 #include "app/figures/report/stability_plots.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_name.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -50,7 +51,7 @@ QJsonObject json_of(const std::vector<BenchRow>& rows) {
                                 {"build_ms", row.build_ms},
                                 {"bytes", static_cast<qint64>(row.bytes)},
                                 {"max_error_mm", finite(row.max_error_mm)}});
-    return {{"machine", machine()}, {"rows", list}};
+    return {{"machine", machine()}, {"made_by", "TouchPhoto"}, {"rows", list}};
 }
 
 void show(const std::vector<BenchRow>& rows) {
@@ -113,6 +114,7 @@ QJsonObject json_of(const std::vector<AccuracyRow>& rows, const std::vector<Deli
         return array;
     };
     return {{"machine", machine()},
+            {"made_by", "TouchPhoto"},
             {"rows", accuracy},
             {"delivered", list(delivered)},
             {"delivered_without_damping", list(undamped)}};
@@ -133,16 +135,20 @@ int bench_guidance(const QStringList& words) {
                   "Measures how fast the nearest contour is found on closed curves in 200 x 200 mm, along a\n"
                   "hand's path of 0.1 mm per sample and at random places, beside Boost.Geometry's R-tree,\n"
                   "nanoflann (nearest vertex), a plain loop and the published algorithm.");
-    line.option("json", "Where the figures go.", "FILE")
+    line.output("json", "Where the figures go.", "FILE")
         .option("quick", "Fewer sizes and rounds; ends within 45 s.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
-    const auto rows = run_nearest_bench(line.has("quick") ? BenchPlan::quick() : BenchPlan::whole(), say_step);
+    const auto json = line.output_file(line.text("json"));
+    if (line.has("json") && !json)
+        return refused(json.error());
+    const auto rows =
+        run_nearest_bench(line.has("quick") ? BenchPlan::quick() : BenchPlan::whole(), say_step);
     show(rows);
     if (!line.has("json"))
         return exit_done;
     const std::string figures = QJsonDocument(json_of(rows)).toJson().toStdString();
-    if (const std::string reason = replace_file(line.text("json").toStdString(), figures); !reason.empty())
+    if (const std::string reason = replace_file(*json, figures); !reason.empty())
         return refused("The figures cannot be written: " + reason);
     return exit_done;
 }
@@ -155,12 +161,15 @@ int bench_accuracy(const QStringList& words) {
         "made to be hard. Then what a finger that moves at 5 to 300 mm/s is given, against the exact\n"
         "force. Writes accuracy.csv, accuracy.png, delivered.png and the same as SVG.");
     line.option("out", "Folder for the results; created if it is missing.", "DIR")
-        .option("json", "Where the figures go.", "FILE")
+        .output("json", "Where the figures go.", "FILE")
         .option("quick", "Fewer tolerances and places, without the map.");
     if (const auto ended = line.parse(words, 0, 0))
         return *ended;
     if (!line.has("out"))
         return wrong_usage("bench accuracy", "--out DIR is missing.");
+    const auto json = line.output_file(line.text("json"));
+    if (line.has("json") && !json)
+        return refused(json.error());
     const QDir folder(line.text("out"));
     if (const std::string problem = line.make_folder("out"); !problem.empty()) {
         say_problem(problem);
@@ -184,7 +193,7 @@ int bench_accuracy(const QStringList& words) {
         const std::vector<AccuracyRow> its = run_accuracy_bench(scene, plan, say_step);
         rows.insert(rows.end(), its.begin(), its.end());
     }
-    const std::filesystem::path out = folder.path().toStdString();
+    const std::filesystem::path out = path_named(folder.path().toStdString());
     std::vector<DeliveredRow> both = delivered;
     both.insert(both.end(), undamped.begin(), undamped.end());
     for (const auto& written :
@@ -198,7 +207,7 @@ int bench_accuracy(const QStringList& words) {
     if (!line.has("json"))
         return exit_done;
     const std::string figures = QJsonDocument(json_of(rows, delivered, undamped)).toJson().toStdString();
-    if (const std::string reason = replace_file(line.text("json").toStdString(), figures); !reason.empty())
+    if (const std::string reason = replace_file(*json, figures); !reason.empty())
         return refused("The figures cannot be written: " + reason);
     return exit_done;
 }

@@ -2,19 +2,63 @@
 #include "app/cli/command_line.hpp"
 
 #include "app/album/keeper/photo_files.hpp"
+#include "app/album/metadata/photo_name.hpp"
 #include "app/cli/long_work.hpp"
 #include "app/cli/terminal.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_name.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/open_file.hpp"
 
-#include <QFile>
-
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
-#include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace tp {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What stands at the beginning or the end of each kind of file that a verb writes: in words, in a PDF's words, and in the list
+/// of a packed study.
+constexpr std::array<std::string_view, 3> marks{
+    "TouchPhoto", {"T\0o\0u\0c\0h\0P\0h\0o\0t\0o", 19}, "/sittings.csv"};
+
+/// The photograph whose mended contours a file holds, where it is there.
+std::optional<fs::path> photo_of_contours(const fs::path& file) {
+    constexpr std::string_view end = ".contours.svg";
+    const std::string name = file.filename().string();
+    if (!name.ends_with(end) || !name_taken(file))
+        return std::nullopt;
+    const fs::path photo = file.parent_path() / name.substr(0, name.size() - end.size());
+    return has_photo_name(photo) && photo_there(photo) ? std::optional(photo) : std::nullopt;
+}
+
+/// Whether nothing would be lost by writing there: it is no file, is empty or one of ours.
+bool is_free_or_ours(const fs::path& file) {
+    constexpr std::uint64_t looked_at = 64 << 10; // bytes at each end
+    OpenFile opened(file, {});
+    const auto facts = opened.ok() ? opened.facts() : std::nullopt;
+    if (!facts || facts->kind != FileFacts::Kind::file || facts->bytes == 0)
+        return true; // what cannot be written to either says so itself
+    if (file.extension() == ".touchphoto")
+        return true;
+    std::string bytes(looked_at, '\0');
+    for (const std::uint64_t at : {std::uint64_t{0}, facts->bytes - std::min(facts->bytes, looked_at)}) {
+        const std::string_view read(bytes.data(), opened.read_at(at, bytes));
+        if (std::ranges::any_of(
+                marks, [&](std::string_view mark) { return read.find(mark) != std::string_view::npos; }))
+            return true;
+    }
+    return false;
+}
+
+} // namespace
 
 void say_problem(const std::string& sentence, const std::string& about) {
     say(about.empty() ? sentence : readable(about) + ": " + sentence);
@@ -51,6 +95,15 @@ VerbLine& VerbLine::option(const QString& name, const QString& about, const QStr
     return *this;
 }
 
+VerbLine& VerbLine::output(const QString& name, const QString& about, const QString& value) {
+    return option(name, about, value).with_force();
+}
+
+VerbLine& VerbLine::with_force() {
+    return option(QStringLiteral("force"),
+                  QStringLiteral("Writes over a file that TouchPhoto did not write."));
+}
+
 VerbLine& VerbLine::argument(const QString& name, const QString& about, const QString& syntax) {
     parser_.addPositionalArgument(name, about, syntax);
     return *this;
@@ -79,18 +132,35 @@ std::optional<int> VerbLine::parse(const QStringList& words, int least, int most
     return std::nullopt;
 }
 
+Result<fs::path> VerbLine::output_file(const QString& word) const {
+    fs::path file = path_given(word);
+    if (has(QStringLiteral("force")))
+        return file;
+    if (const auto photo = photo_of_contours(file))
+        return Error{quoted(file) + " holds what a person mended of " + quoted(photo->filename()) +
+                     ". Name another file, or write over it with --force."};
+    if (!is_free_or_ours(file))
+        return Error{
+            quoted(file) +
+            " is there already, and TouchPhoto did not write it. Name another file, or write over it "
+            "with --force."};
+    return file;
+}
+
 std::string VerbLine::make_folder(const QString& name) const {
-    const std::filesystem::path folder(QFile::encodeName(text(name)).toStdString());
-    const ForeignFolder held = held_around(text(name) + "/name");
+    const fs::path folder = path_given(text(name));
+    const ForeignFolder held = held_around(folder / "name");
     const std::string reason = tp::make_folder(folder);
     return reason.empty() ? reason : "The folder " + quoted(folder) + " cannot be created: " + reason;
 }
 
-ForeignFolder held_around(const QString& output) {
+fs::path path_given(const QString& word) {
     std::error_code error;
-    const std::filesystem::path place(QFile::encodeName(output).toStdString());
-    return ForeignFolder(album_around(std::filesystem::absolute(place, error).lexically_normal()));
+    const fs::path whole = fs::absolute(path_named(word.toStdString()), error).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path();
 }
+
+ForeignFolder held_around(const fs::path& output) { return ForeignFolder(album_around(output)); }
 
 Result<double> VerbLine::positive(const QString& name) const {
     bool is_number = false;

@@ -7,6 +7,7 @@
 #include <QCommandLineParser>
 #include <QStringList>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -36,6 +37,10 @@ public:
 
     VerbLine& option(const QString& name, const QString& about, const QString& value = {},
                      const QString& preset = {});
+    /// One that names a file to be written, and with it --force.
+    VerbLine& output(const QString& name, const QString& about, const QString& value);
+    /// Adds --force, for an argument that names a file to be written.
+    VerbLine& with_force();
     VerbLine& argument(const QString& name, const QString& about, const QString& syntax = {});
 
     /// Parses; where that ends the verb (help asked for, or wrong usage) the exit code to end with.
@@ -45,6 +50,9 @@ public:
     QString text(const QString& name) const { return parser_.value(name); }
     /// All values of an option that may be given several times.
     QStringList texts(const QString& name) const { return parser_.values(name); }
+    /// The file that an option or argument names to be written. Without --force an error where something is there that TouchPhoto
+    /// did not write, or that a person mended.
+    Result<std::filesystem::path> output_file(const QString& word) const;
     /// Makes the folder that an option names, where it is missing; the sentence that says why not, else
     /// empty.
     std::string make_folder(const QString& name) const;
@@ -58,8 +66,11 @@ private:
     QCommandLineParser parser_;
 };
 
+/// The place that a word of the command line names, whole and without "..".
+std::filesystem::path path_given(const QString& word);
+
 /// While it lives, what a verb writes to this path goes through no link that lies beside it or in the album around it.
-ForeignFolder held_around(const QString& output);
+ForeignFolder held_around(const std::filesystem::path& output);
 
 /// Says what is wrong with the usage, on stderr; returns exit_usage.
 int wrong_usage(const QString& verb, const std::string& sentence);

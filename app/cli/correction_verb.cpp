@@ -142,8 +142,11 @@ private:
         drawn.flat = (*after)->flat;
         drawn.profile = (*after)->profile;
         drawn.law = difference_law(*(*before)->law, *(*after)->law);
-        const ForeignFolder held = held_around(line_.text("out"));
-        return write_image(line_.text("out").toStdString(), draw_force_field(drawn, area)).error();
+        const auto out = line_.output_file(line_.text("out"));
+        if (!out)
+            return out.error();
+        const ForeignFolder held = held_around(*out);
+        return write_image(*out, draw_force_field(drawn, area)).error();
     }
 
     const VerbLine& line_;
@@ -159,7 +162,7 @@ int correction_verb(const QStringList& words) {
                   "differently it feels on the surface of the Explore page.");
     line.option("truth", "True contours: then also whether the correction improves what is felt.",
                 "TRUTH.svg")
-        .option("out", "Draws the difference of the force fields.", "DIFFERENCE.png")
+        .output("out", "Draws the difference of the force fields.", "DIFFERENCE.png")
         .argument("PHOTO", "JPEG, PNG or WebP.");
     if (const auto ended = line.parse(words, 1, 1))
         return *ended;

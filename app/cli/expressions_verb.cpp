@@ -108,9 +108,13 @@ private:
         const auto observer = ExpressionObserver::learned_from(examples());
         if (!observer)
             return observer.error();
-        const ForeignFolder held = held_around(name);
-        const std::string reason = replace_file(name.toStdString(), rows_of(observer->model()).toStdString());
-        return reason.empty() ? reason : "What was learned cannot be written to " + name.toStdString() + ": " + reason;
+        const auto file = line_.output_file(name);
+        if (!file)
+            return file.error();
+        const ForeignFolder held = held_around(*file);
+        const std::string reason = replace_file(*file, rows_of(observer->model()).toStdString());
+        return reason.empty() ? reason
+                              : "What was learned cannot be written to " + name.toStdString() + ": " + reason;
     }
 
     /// Who judges whom: the built-in observer, or one that has not seen the person.
@@ -173,8 +177,8 @@ private:
         }
         if (!line_.has("out"))
             return {};
-        const ForeignFolder held = held_around(line_.text("out") + "/name");
-        return write_expressions(line_.text("out").toStdString(), report_).error();
+        const ForeignFolder held = held_around(path_given(line_.text("out")) / "name");
+        return write_expressions(path_given(line_.text("out")), report_).error();
     }
 
     void trouble(const std::string& sentence, const std::string& photo) {
@@ -210,7 +214,7 @@ int expressions_verb(const QStringList& words) {
         .option("across-people",
                 "Judges each person's faces by what the labelled faces of all the others given teach, "
                 "in place of what the program has learned from drawn people.")
-        .option("learn", "Writes what the labelled faces teach, as the program's source holds it.", "FILE")
+        .output("learn", "Writes what the labelled faces teach, as the program's source holds it.", "FILE")
         .option("uncorrected", "Leaves out what a person mended in PHOTO.contours.svg beside a photograph.")
         .option("json", "Writes a line of JSON for each face.")
         .argument("FILE", "A photograph (JPEG, PNG or WebP), or contours (SVG) to be taken as they are.",

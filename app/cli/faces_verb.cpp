@@ -10,6 +10,7 @@
 #include "app/photo/picture/picture_file.hpp"
 #include "app/photo/scene/corrections.hpp"
 #include "app/photo/scene/extra_features.hpp"
+#include "core/files/file_name.hpp"
 #include "core/files/file_words.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/extract/batch.hpp"
@@ -117,8 +118,9 @@ private:
     }
 
     int run(std::vector<FaceExtractor> extractors) {
-        LongWork::step("looking at " + (photos_.size() == 1 ? photos_.front().file.toStdString()
-                                                            : std::to_string(photos_.size()) + " photographs"));
+        LongWork::step("looking at " + (photos_.size() == 1
+                                            ? photos_.front().file.toStdString()
+                                            : std::to_string(photos_.size()) + " photographs"));
         BatchProgress progress(photos_.size());
         std::vector<std::filesystem::path> files;
         for (const Photo& photo : photos_)
@@ -165,21 +167,27 @@ private:
         if (!good)
             say_problem(found.problem, name);
         if (line_.has("svg") && !found.faces.empty()) {
-            const std::string sheet =
-                (line_.text("svg") + "/" + photo.output + ".contours.svg").toStdString();
-            const ForeignFolder held = held_around(QString::fromStdString(sheet));
-            good = (is_correction(sheet, name) ? told(sheet + " holds what a person mended and is kept.")
-                                               : told(write_sheet(sheet, sheet_of(shown)).error())) &&
+            const std::filesystem::path sheet =
+                path_given(line_.text("svg") + "/" + photo.output + ".contours.svg");
+            const ForeignFolder held = held_around(sheet);
+            good = (is_correction(sheet, name)
+                        ? told(name_in_utf8(sheet) + " holds what a person mended and is kept.")
+                        : told(write(sheet, [&] { return write_sheet(sheet, sheet_of(shown)); }))) &&
                    good;
         }
         if (line_.has("overlay") && found.width > 0) {
             const auto picture = read_picture(name);
             if (picture) {
-                const ForeignFolder held = held_around(line_.text("overlay") + "/name");
-                const auto written =
-                    write_image((line_.text("overlay") + "/" + photo.output + ".overlay.png").toStdString(),
-                                draw_overlay(turned(*picture, found.turned_degrees), shown));
-                good = told(written.error()) && good;
+                const std::filesystem::path overlay =
+                    path_given(line_.text("overlay") + "/" + photo.output + ".overlay.png");
+                const ForeignFolder held = held_around(overlay);
+                good =
+                    told(write(overlay,
+                               [&] {
+                                   return write_image(
+                                       overlay, draw_overlay(turned(*picture, found.turned_degrees), shown));
+                               })) &&
+                    good;
             }
         }
         // Last, so that a photograph with a line in the results has all its other results too.
@@ -194,8 +202,15 @@ private:
         return good;
     }
 
+    /// Why not, else empty.
+    template <typename Write>
+    std::string write(const std::filesystem::path& file, Write write) const {
+        const auto free = line_.output_file(QString::fromStdString(name_in_utf8(file)));
+        return free ? write().error() : free.error();
+    }
+
     /// Whether `sheet` is what a person mended of this photograph: it is not to be written over.
-    static bool is_correction(const std::string& sheet, const std::string& photo) {
+    static bool is_correction(const std::filesystem::path& sheet, const std::string& photo) {
         std::error_code ignored;
         return std::filesystem::equivalent(sheet, correction_file(photo), ignored);
     }
@@ -238,6 +253,7 @@ int faces_verb(const QStringList& words) {
                 "embedded")
         .option("no-edges",
                 "Leaves lids and lips where the model puts them, not on their edges in the picture.")
+        .with_force()
         .argument("PHOTO", "JPEG, PNG or WebP.", "PHOTO...");
     if (const auto ended = line.parse(words, 1, 1'000'000))
         return *ended;

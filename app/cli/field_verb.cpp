@@ -12,7 +12,7 @@ int field_verb(const QStringList& words) {
                   "Draws the force field of a scene: the size of the force as colour, arrows along it, the\n"
                   "contours, a scale in newtons and millimetres.");
     line.option("scene", "The scene.", "SCENE.svg")
-        .option("out", "Where the picture goes; its ending says which kind.", "FIELD.png")
+        .output("out", "Where the picture goes; its ending says which kind.", "FIELD.png")
         .option("scale", "Pixels a millimetre.", "px/mm", "5");
     add_guidance_options(line);
     if (const auto ended = line.parse(words, 0, 0))
@@ -23,6 +23,9 @@ int field_verb(const QStringList& words) {
     const auto scale = line.positive("scale");
     if (!options || !scale)
         return wrong_usage("field", options ? scale.error() : options.error());
+    const auto out = line.output_file(line.text("out"));
+    if (!out)
+        return refused(out.error());
     const auto loaded = load_scene(line.text("scene"), *options);
     if (!loaded) {
         say_problem(loaded.error(), line.text("scene").toStdString());
@@ -32,8 +35,8 @@ int field_verb(const QStringList& words) {
     const QImage drawn = draw_force_field(*loaded->haptic, loaded->scene.surface(), *scale, {},
                                           LongWork::stop_token(), LongWork::share);
     LongWork::step("writing the picture");
-    const ForeignFolder held = held_around(line.text("out"));
-    const auto written = write_image(line.text("out").toStdString(), drawn);
+    const ForeignFolder held = held_around(*out);
+    const auto written = write_image(*out, drawn);
     return written ? int{exit_done} : refused(written.error());
 }
 

@@ -65,7 +65,7 @@ int friction_verb(const QStringList& words) {
         "takes one: 0 no friction, 255 all of it, true to scale. Such a display can only resist a\n"
         "finger that moves: the map says how much, where.");
     line.option("scene", "The scene.", "SCENE.svg")
-        .option("out", "Where the picture goes; a PNG, because that keeps each grey.", "MAP.png")
+        .output("out", "Where the picture goes; a PNG, because that keeps each grey.", "MAP.png")
         .option("dots", "Dots a millimetre.", "dots/mm", "10")
         .option("ridge", "How friction rises to a line: flat, tent or rounded.", "name", "rounded")
         .option("width", "Of the ridge on a line, edge to edge.", "mm", "2")
@@ -83,6 +83,9 @@ int friction_verb(const QStringList& words) {
     const auto dots = line.positive("dots");
     if (!choices || !dots)
         return wrong_usage("friction", choices ? dots.error() : choices.error());
+    const auto out = line.output_file(line.text("out"));
+    if (!out)
+        return refused(out.error());
     const auto loaded = load_scene(line.text("scene"), {});
     if (!loaded) {
         say_problem(loaded.error(), line.text("scene").toStdString());
@@ -99,8 +102,8 @@ int friction_verb(const QStringList& words) {
     if (!drawn)
         return refused(drawn.error());
     LongWork::step("writing the picture");
-    const ForeignFolder held = held_around(line.text("out"));
-    const auto written = write_image(line.text("out").toStdString(), *drawn);
+    const ForeignFolder held = held_around(*out);
+    const auto written = write_image(*out, *drawn);
     return written ? int{exit_done} : refused(written.error());
 }
 

@@ -25,7 +25,7 @@ bool is_cut_line(const QByteArray& text) { return text == "{" || text.startsWith
 } // namespace
 
 Result<ResultsFile> ResultsFile::open(const std::filesystem::path& file) {
-    const ForeignFolder held = held_around(QFile::decodeName(file.c_str()));
+    const ForeignFolder held = held_around(file);
     OpenFile opened(file, {.write = true, .make = true, .at_end = true});
     if (!opened.ok())
         return Error{"The results cannot be written to \"" + file.string() + "\": " + reason_of(errno)};

@@ -43,10 +43,11 @@ void say_narrow_eyes(const BuiltScene& built) {
     if (!width || *width >= least_eye_mm)
         return;
     char sentence[160];
-    std::snprintf(sentence, sizeof sentence,
-                  "An eye is %.1f mm wide here, and a finger wants %.0f mm: a single face (--face) or a larger surface "
-                  "makes it wider.",
-                  *width, least_eye_mm);
+    std::snprintf(
+        sentence, sizeof sentence,
+        "An eye is %.1f mm wide here, and a finger wants %.0f mm: a single face (--face) or a larger surface "
+        "makes it wider.",
+        *width, least_eye_mm);
     say(sentence);
 }
 
@@ -55,14 +56,15 @@ void say_narrow_eyes(const BuiltScene& built) {
 int scene_verb(const QStringList& words) {
     const SurfaceSize usual;
     VerbLine line("scene", "Writes the scene that the Explore page would render for a photograph.");
-    line.option("out", "Where the scene goes.", "SCENE.svg")
+    line.output("out", "Where the scene goes.", "SCENE.svg")
         .option("width", "Width of the touch surface.", "mm", QString::number(usual.width_mm))
         .option("height", "Height of the touch surface.", "mm", QString::number(usual.height_mm))
-        .option("spacing",
-                "Writes to stdout which contours come close to each other: gap in mm, the strongest pull\n"
-                "left between them in N, whether a finger can tell them apart, and their names. Proposes\n"
-                "another range and stiffness to stderr where that would help, and says there where an eye is\n"
-                "narrower than 25 mm.")
+        .option(
+            "spacing",
+            "Writes to stdout which contours come close to each other: gap in mm, the strongest pull\n"
+            "left between them in N, whether a finger can tell them apart, and their names. Proposes\n"
+            "another range and stiffness to stderr where that would help, and says there where an eye is\n"
+            "narrower than 25 mm.")
         .option("with", "Adds features to eyes, lips and outline: brows, nose, irises.", "LIST")
         .option("face", "Fits this face (1 is the largest) instead of all of them.", "number")
         .argument("PHOTO", "JPEG, PNG or WebP.");
@@ -70,6 +72,9 @@ int scene_verb(const QStringList& words) {
         return *ended;
     if (!line.has("out"))
         return wrong_usage("scene", "--out SCENE.svg is missing.");
+    const auto out = line.output_file(line.text("out"));
+    if (!out)
+        return refused(out.error());
     const Result<double> width = line.positive("width");
     const Result<double> height = line.positive("height");
     if (!width || !height)
@@ -104,8 +109,8 @@ int scene_verb(const QStringList& words) {
     }
     if (!found.problem.empty())
         say_problem(found.problem, photo);
-    const ForeignFolder held = held_around(line.text("out"));
-    const auto written = write_sheet(line.text("out").toStdString(), sheet_from_scene(built->scene));
+    const ForeignFolder held = held_around(*out);
+    const auto written = write_sheet(*out, sheet_from_scene(built->scene));
     if (!written) {
         say_problem(written.error());
         return exit_bad_input;

@@ -139,9 +139,11 @@ int check_verb(const std::filesystem::path& folder) {
 int export_verb(const VerbLine& line, const std::filesystem::path& folder) {
     if (!line.has("out"))
         return wrong_usage("study", "--out FILE.zip is missing.");
+    const auto out = line.output_file(line.text("out"));
+    if (!out)
+        return refused(out.error());
     LongWork::step("packing the study");
-    const auto done =
-        export_study(folder, line.text("out").toStdString(), share_done, LongWork::stop_token());
+    const auto done = export_study(folder, *out, share_done, LongWork::stop_token());
     if (!done)
         return refused(done.error());
     for (const std::string& remark : done->remarks)
@@ -201,7 +203,7 @@ int study_verb(const QStringList& words) {
                 "With plan and simulate: the study's number; another one is another order. With replicate: "
                 "the first.",
                 "S", "1")
-        .option("out",
+        .output("out",
                 "With report: folder for the results; made where it is missing. With export: the zip. With "
                 "simulate: the study's folder, new or begun. With replicate: the folder of all.",
                 "DIR|FILE")

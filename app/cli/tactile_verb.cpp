@@ -33,23 +33,25 @@ void print_sheet(const TactileSheet& sheet) {
     for (const std::string& note : sheet.notes)
         notes << QString::fromStdString(note);
     const double gap = least_gap(sheet.lines);
-    const QJsonObject object{{"width_mm", sheet.width_mm},
-                             {"height_mm", sheet.height_mm},
-                             {"mm_per_px", sheet.mm_per_px},
-                             {"least_gap_mm", std::isfinite(gap) ? QJsonValue(in_thousandths(gap)) : QJsonValue()},
-                             {"lines", lines},
-                             {"labels", labels},
-                             {"notes", notes}};
+    const QJsonObject object{
+        {"width_mm", sheet.width_mm},
+        {"height_mm", sheet.height_mm},
+        {"mm_per_px", sheet.mm_per_px},
+        {"least_gap_mm", std::isfinite(gap) ? QJsonValue(in_thousandths(gap)) : QJsonValue()},
+        {"lines", lines},
+        {"labels", labels},
+        {"notes", notes}};
     print_json(object);
 }
 
 } // namespace
 
 int tactile_verb(const QStringList& words) {
-    VerbLine line("tactile",
-                  "Writes the faces of a photograph as raised lines for swell paper or an embosser, with their\n"
-                  "names in braille. Print it at 100 %, unscaled. Names come from the photograph's metadata\n"
-                  "unless they are given.");
+    VerbLine line(
+        "tactile",
+        "Writes the faces of a photograph as raised lines for swell paper or an embosser, with their\n"
+        "names in braille. Print it at 100 %, unscaled. Names come from the photograph's metadata\n"
+        "unless they are given.");
     line.option("paper", "a4, letter, a3 or braille (11 × 11.5 inches).", "name", "a4")
         .option("landscape", "The longer side across (of braille paper: the shorter one).")
         .option("face", "Only this face (1 is the largest), fitted to the paper.", "number")
@@ -57,6 +59,7 @@ int tactile_verb(const QStringList& words) {
         .option("language", "Language of the braille: en, de, ko.", "tag", "en")
         .option("title", "A line of print at the foot of the sheet.", "TEXT")
         .option("json", "One JSON object about the sheet on stdout.")
+        .with_force()
         .argument("PHOTO", "JPEG, PNG or WebP.")
         .argument("OUT", "OUT.pdf or OUT.svg.");
     if (const auto ended = line.parse(words, 2, 2))
@@ -76,9 +79,12 @@ int tactile_verb(const QStringList& words) {
     if (const Result<BrailleText> tried = braille_of("", options.language); !tried)
         return wrong_usage("tactile", tried.error());
     options.title = line.text("title").toStdString();
-    const QString out = line.arguments().last();
-    if (!out.endsWith(".pdf") && !out.endsWith(".svg"))
+    const QString name = line.arguments().last();
+    if (!name.endsWith(".pdf") && !name.endsWith(".svg"))
         return wrong_usage("tactile", "The sheet's name ends in .pdf or .svg.");
+    const auto out = line.output_file(name);
+    if (!out)
+        return refused(out.error());
 
     const std::string photo = line.arguments().first().toStdString();
     LongWork::step("looking at " + line.arguments().first().toStdString());
@@ -86,8 +92,8 @@ int tactile_verb(const QStringList& words) {
     if (!extractor)
         return refused(extractor.error());
     const Extraction found = with_corrections(extractor->extract(photo), photo);
-    for (const QString& name : line.texts("name"))
-        options.names.push_back(name.toStdString());
+    for (const QString& named : line.texts("name"))
+        options.names.push_back(named.toStdString());
     if (options.names.empty())
         if (const auto record = read_record(photo))
             options.names = names_of_faces(found, *record);
@@ -96,8 +102,8 @@ int tactile_verb(const QStringList& words) {
         say_problem(sheet.error(), photo);
         return exit_bad_input;
     }
-    const ForeignFolder held = held_around(out);
-    const auto written = write_tactile(out.toStdString(), *sheet);
+    const ForeignFolder held = held_around(*out);
+    const auto written = write_tactile(*out, *sheet);
     if (!written)
         return refused(written.error());
     for (const std::string& note : sheet->notes)

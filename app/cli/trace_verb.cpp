@@ -138,7 +138,7 @@ int trace_verb(const QStringList& words) {
     std::vector<Vec2> way;
     for (const ServoSnapshot& row : trace.rows)
         way.push_back(row.finger());
-    const ForeignFolder held = held_around(folder.filePath("name"));
+    const ForeignFolder held = held_around(path_given(folder.filePath("name")));
     std::string problem = write_csv(folder.filePath("trace.csv"), trace, names);
     if (problem.empty())
         problem = write_image(folder.filePath("trace.png").toStdString(),

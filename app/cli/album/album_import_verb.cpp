@@ -150,27 +150,29 @@ int album_import(const QStringList& words) {
 int album_export(const QStringList& words) {
     VerbLine line("album export", "Writes photographs with everything that belongs to them as one "
                                   ".touchphoto file, which is a ZIP file.");
-    line.option("to", "The file to write.", "FILE.touchphoto")
+    line.output("to", "The file to write.", "FILE.touchphoto")
         .argument("ALBUM", "The album's folder.")
         .argument("PHOTO", "Photographs or folders of the album; all if none is given.", "[PHOTO...]");
     if (const auto over = line.parse(words, 1, 10'000))
         return *over;
     if (!line.has("to"))
         return wrong_usage("album export", "It needs --to FILE.touchphoto.");
+    const auto bundle = line.output_file(line.text("to"));
+    if (!bundle)
+        return refused(bundle.error());
     const fs::path album = path_given(line.arguments().first());
     std::vector<fs::path> photos;
     for (const QString& word : line.arguments().mid(1))
         photos.push_back(path_given(word));
     if (photos.empty())
         photos.push_back(album);
-    LongWork::step("packing " + quoted(path_given(line.text("to")).filename()));
+    LongWork::step("packing " + quoted(bundle->filename()));
     const auto report = [](std::uintmax_t done, std::uintmax_t all) {
         LongWork::share(static_cast<double>(done) / static_cast<double>(std::max<std::uintmax_t>(all, 1)));
     };
-    const ForeignFolder held = held_around(line.text("to"));
+    const ForeignFolder held = held_around(*bundle);
     std::vector<fs::path> left;
-    const std::string problem =
-        export_bundle(path_given(line.text("to")), album, photos, report, LongWork::stop_token(), &left);
+    const std::string problem = export_bundle(*bundle, album, photos, report, LongWork::stop_token(), &left);
     for (const fs::path& link : left)
         say_problem(left_alone(link));
     if (LongWork::stop_asked() && !problem.empty())

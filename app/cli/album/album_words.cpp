@@ -3,21 +3,12 @@
 
 #include "app/cli/terminal.hpp"
 
-#include <QFile>
-
 #include <cstdio>
 #include <system_error>
 
 namespace tp {
 
 namespace fs = std::filesystem;
-
-fs::path path_given(const QString& word) {
-    const fs::path path(QFile::encodeName(word).toStdString());
-    std::error_code error;
-    const fs::path whole = fs::absolute(path, error).lexically_normal();
-    return whole.has_filename() ? whole : whole.parent_path();
-}
 
 int run_sub_verb(const char* verb, std::span<const SubVerb> verbs, const QStringList& words) {
     for (const SubVerb& one : verbs)

@@ -5,13 +5,9 @@
 
 #include <QString>
 
-#include <filesystem>
 #include <span>
 
 namespace tp {
-
-/// A path as the shell gave it, absolute and without dots.
-std::filesystem::path path_given(const QString& word);
 
 /// A verb that other verbs follow.
 struct SubVerb {

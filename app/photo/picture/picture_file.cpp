@@ -17,9 +17,11 @@ Result<std::filesystem::path> write_image(const std::filesystem::path& file, con
         return Error{"The picture " + file.string() + " could not be written: " + why};
     };
     const QByteArray format = QFileInfo(QString::fromStdString(file.string())).suffix().toLatin1();
+    QImage marked = image;
+    marked.setText(QStringLiteral("Software"), QStringLiteral("TouchPhoto")); // as whose it is known again
     QByteArray bytes;
     QBuffer buffer(&bytes);
-    if (!image.save(&buffer, format.isEmpty() ? "png" : format.constData()))
+    if (!marked.save(&buffer, format.isEmpty() ? "png" : format.constData()))
         return problem("the picture is empty, or its ending is neither png nor jpg.");
     const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
     if (const std::string reason = replace_file(file, text); !reason.empty())

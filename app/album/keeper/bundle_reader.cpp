@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/bundle.hpp"
 #include "app/album/keeper/bundle_bytes.hpp"
+#include "app/album/keeper/bundle_names.hpp"
 #include "app/album/keeper/bundle_parts.hpp"
-#include "app/album/keeper/path_text.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
@@ -41,11 +41,9 @@ Result<fs::path> path_of(archive_entry* entry) {
     std::string name = bytes;
     while (name.ends_with('/'))
         name.pop_back();
-    const QString written = QString::fromStdString(name);
-    const auto decoded =
-        written.startsWith(QStringLiteral("%:")) ? tp::path_of(written) : Result<fs::path>(fs::path(name));
-    if (!decoded || !stays_below(*decoded) || name.find('\\') != std::string::npos)
-        return Error{"it holds " + quoted(fs::path(name)) + ", which would lie outside the album."};
+    const auto decoded = path_in_bundle(name);
+    if (!decoded)
+        return decoded;
     if (std::distance(decoded->begin(), decoded->end()) > most_folders)
         return Error{"it holds a file in more folders than any album has."};
     return *decoded;
@@ -65,6 +63,7 @@ public:
         : bundle_(bundle), folder_(folder), limits_(limits), report_(report), stop_(std::move(stop)) {}
 
     std::string unpack() {
+        const Utf8Names names;
         std::error_code error;
         size_ = fs::file_size(bundle_, error);
         if (error || !fs::is_regular_file(bundle_, error))

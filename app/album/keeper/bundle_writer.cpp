@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/bundle.hpp"
+#include "app/album/keeper/bundle_names.hpp"
 #include "app/album/keeper/import_sources.hpp"
 #include "app/album/keeper/path_text.hpp"
 #include "app/album/keeper/photo_files.hpp"
@@ -64,6 +65,7 @@ public:
         : file_(file), report_(report), stop_(std::move(stop)) {}
 
     std::string write(const std::vector<Packed>& files) {
+        const Utf8Names names;
         archive_write_set_format_zip(zip_.get());
         archive_write_set_options(zip_.get(), "zip:compression=store,zip:hdrcharset=UTF-8");
         archive_write_set_bytes_in_last_block(zip_.get(), 1);
@@ -95,7 +97,7 @@ private:
             return link_there(one.file) ? left_alone(one.file) : quoted(one.file) + " cannot be read.";
         const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(),
                                                                                   archive_entry_free);
-        archive_entry_set_pathname_utf8(entry.get(), path_text(one.name).toUtf8().constData());
+        archive_entry_set_pathname_utf8(entry.get(), name_in_bundle(one.name).c_str());
         archive_entry_set_size(entry.get(), static_cast<la_int64_t>(facts->bytes));
         archive_entry_set_filetype(entry.get(), AE_IFREG);
         archive_entry_set_perm(entry.get(), 0600);
@@ -139,8 +141,12 @@ std::string write_bundle(const fs::path& bundle, const fs::path& album, const st
     std::vector<Packed> files;
     FolderCompanions beside;
     for (const fs::path& photo : photos) {
-        if (!stays_below(photo.lexically_relative(album)))
+        const fs::path below = photo.lexically_relative(album);
+        if (!stays_below(below))
             return quoted(photo) + " is not in the album " + quoted(album) + ".";
+        if (std::any_of(below.begin(), below.end(),
+                        [](const fs::path& name) { return name.string().starts_with('.'); }))
+            return quoted(photo) + " is hidden, and an album leaves what is hidden alone.";
         if (const auto link = link_on_the_way(photo)) {
             links.push_back(*link);
             continue;

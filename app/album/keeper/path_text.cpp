@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/keeper/path_text.hpp"
 
+#include "core/files/file_name.hpp"
+
 #include <QByteArray>
 
 #include <string>
@@ -10,22 +12,29 @@ namespace tp {
 namespace fs = std::filesystem;
 
 QString path_text(const fs::path& path) {
-    const QByteArray bytes = QByteArray::fromStdString(path.string());
+    const QByteArray bytes = QByteArray::fromStdString(name_in_utf8(path));
     const QString text = QString::fromUtf8(bytes);
     if (text.toUtf8() == bytes && !text.contains(QLatin1Char('%')) && !bytes.contains('\0'))
         return text;
-    return QStringLiteral("%:") + QString::fromLatin1(bytes.toPercentEncoding("/"));
+    return percent_encoded(path);
 }
 
 Result<fs::path> path_of(const QString& text) {
-    fs::path path;
-    if (text.startsWith(QStringLiteral("%:")))
-        path = fs::path(QByteArray::fromPercentEncoding(text.mid(2).toLatin1()).toStdString());
-    else
-        path = fs::path(text.toStdString());
+    const fs::path path = is_percent_encoded(text) ? percent_decoded(text) : path_named(text.toStdString());
     if (path_text(path) != text)
         return Error{"It names a file in a way that TouchPhoto does not write."};
     return path;
+}
+
+QString percent_encoded(const fs::path& path) {
+    const QByteArray bytes = QByteArray::fromStdString(name_in_utf8(path));
+    return QStringLiteral("%:") + QString::fromLatin1(bytes.toPercentEncoding("/"));
+}
+
+bool is_percent_encoded(const QString& text) { return text.startsWith(QStringLiteral("%:")); }
+
+fs::path percent_decoded(const QString& text) {
+    return path_named(QByteArray::fromPercentEncoding(text.mid(2).toLatin1()).toStdString());
 }
 
 bool stays_below(const fs::path& path) {

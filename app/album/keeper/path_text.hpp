@@ -17,6 +17,12 @@ QString path_text(const std::filesystem::path& path);
 /// An error where the text is not one that `path_text` makes.
 Result<std::filesystem::path> path_of(const QString& text);
 
+// "%:" and the percent-encoded path, whatever the path is.
+QString percent_encoded(const std::filesystem::path& path);
+bool is_percent_encoded(const QString& text);
+/// Of text that is.
+std::filesystem::path percent_decoded(const QString& text);
+
 /// Whether `path` leads to a place below the folder that it is relative to: not empty, not absolute, without
 /// "..", ".", NUL or anything that is no name.
 bool stays_below(const std::filesystem::path& path);

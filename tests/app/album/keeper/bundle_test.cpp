@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "album_folder.hpp"
 #include "app/album/keeper/bundle.hpp"
+#include "app/album/keeper/importer.hpp"
 #include "core/files/file_words.hpp"
 #include "made_zip.hpp"
 #include "places.hpp"
@@ -9,6 +10,7 @@
 #include <QTest>
 
 #include <chrono>
+#include <clocale>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
@@ -51,6 +53,99 @@ private slots:
         const AlbumFolder unpacked;
         QCOMPARE(unpack_bundle(bundle, unpacked.path()), std::string());
         QVERIFY(unpacked.files() == packed);
+    }
+
+    void hard_names_come_back_in_every_locale_data() {
+        QTest::addColumn<QByteArray>("locale");
+        for (const char* locale : {"C", "C.UTF-8", "en_US.ISO-8859-1"})
+            QTest::newRow(locale) << QByteArray(locale);
+    }
+    void hard_names_come_back_in_every_locale() {
+        QFETCH(QByteArray, locale);
+        const std::string before = std::setlocale(LC_ALL, nullptr);
+        if (std::setlocale(LC_ALL, locale.constData()) == nullptr)
+            QSKIP("This machine has no such locale.");
+        const AlbumFolder album;
+        std::vector<fs::path> photos;
+        const std::vector<std::string> names{"\u00E9",
+                                             "e\u0301", // one letter, and the same in two: another file
+                                             "\u00E9/e\u0301",
+                                             "e\u0301/\u00E9",
+                                             "\u1E9B\u0323",
+                                             "\u1E69",
+                                             "s\u0323\u0307",
+                                             "s\u0307\u0323",
+                                             "\u212B",
+                                             "\u00C5",
+                                             "A\u030A",
+                                             "\uAC00",
+                                             "\u1100\u1161",
+                                             "\u0958",
+                                             "\u0915\u093C",
+                                             "a\\b",
+                                             "a\\..\\b",
+                                             "\\",
+                                             "C:\\a",
+                                             "c:a",
+                                             "%",
+                                             "%:a",
+                                             "%41",
+                                             "a%2Fb",
+                                             "100 %",
+                                             "a b",
+                                             " a",
+                                             "a ",
+                                             "a\nb",
+                                             "a\tb",
+                                             "a\x1B[31mb",
+                                             "\xFF",
+                                             "\xC3",
+                                             "J\xF6rg",
+                                             "\xED\xA0\x80",
+                                             "\u202Eabc",
+                                             "\u0645\u0631\u062D\u0628\u0627",
+                                             "\U0001F475\U0001F3FD",
+                                             "*?\"<>|",
+                                             "con",
+                                             "a.",
+                                             "-rf",
+                                             "~",
+                                             "$HOME",
+                                             "a'b",
+                                             "a;b",
+                                             "a..",
+                                             "a/b/c",
+                                             std::string(200, 'n')};
+        for (const std::string& name : names) {
+            photos.push_back(album.write(name + ".jpg", "photo " + name));
+            album.write(name + ".jpg.xmp", "sidecar of " + name);
+        }
+        album.write(names.front() + ".jpg.tags/" + names[1] + ".flac", "sound");
+        const auto packed = album.files();
+        QVERIFY(packed.size() > 2 * 40);
+        const AlbumFolder place, unpacked, imported;
+        const std::string written = write_bundle(place / "b.touchphoto", album.path(), photos);
+        const std::string read = unpack_bundle(place / "b.touchphoto", unpacked.path());
+        const auto report = import_photos(imported.path(), {}, {place / "b.touchphoto"}, {});
+        std::setlocale(LC_ALL, before.c_str());
+        QCOMPARE(written, std::string());
+        QCOMPARE(read, std::string());
+        QVERIFY(unpacked.files() == packed);
+        QVERIFY(report.ok());
+        QCOMPARE(report->count(ImportedPhoto::Fate::imported), photos.size());
+        auto in_album = imported.files();
+        std::erase_if(in_album,
+                      [](const auto& file) { return std::string(file.first).starts_with(".touchphoto"); });
+        QVERIFY(in_album == packed);
+    }
+
+    void what_is_hidden_is_not_exported() {
+        const AlbumFolder album, place;
+        for (const char* const name : {".a.jpg", ".private/a.jpg", "b/.c/a.jpg"}) {
+            const std::string problem = write_bundle(place / "b", album.path(), {album.write(name, "photo")});
+            QVERIFY2(problem.find("is hidden") != std::string::npos, problem.c_str());
+        }
+        QVERIFY(!fs::exists(place / "b"));
     }
 
     /// As other programs unpack it: with the time of each file, for its owner only, and as it was.

@@ -52,6 +52,7 @@ std::string copy_whole(const fs::path& from, const fs::path& to, Readers readers
     auto copy = NewFile::beside(to, readers);
     if (!copy)
         return copy.error();
+    copy->no_more_open_than(from);
     if (std::string reason = copied(source, *copy); !reason.empty())
         return reason;
     if (const int error = copy_times(source, copy->temporary()); error != 0)

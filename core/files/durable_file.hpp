@@ -18,7 +18,7 @@ namespace tp {
 std::string replace_file(const std::filesystem::path& file, std::string_view bytes,
                          Readers readers = Readers::as_usual);
 
-/// A copy with the bytes and the time of change of `from`; `to` must not exist.
+/// A copy with the bytes and the time of change of `from`, open to nobody who may not read that; `to` must not exist.
 std::string copy_whole(const std::filesystem::path& from, const std::filesystem::path& to,
                        Readers readers = Readers::as_usual);
 

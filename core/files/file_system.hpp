@@ -24,7 +24,7 @@ std::optional<FileFacts> facts_of_name(const std::filesystem::path& file);
 int rename_over(const std::filesystem::path& from, const std::filesystem::path& to);
 /// Gives a file another name that nothing has; EEXIST otherwise.
 int rename_to_free(const std::filesystem::path& from, const std::filesystem::path& to);
-/// The same of a file or folder; where the file system cannot do that in one step, a name that is taken meanwhile is lost.
+/// The same of a file or folder.
 int move_to_free(const std::filesystem::path& from, const std::filesystem::path& to);
 /// Each file has the other's name from then on; EINVAL or ENOSYS where that cannot be done in one step.
 int swap_names(const std::filesystem::path& one, const std::filesystem::path& other);
@@ -37,6 +37,14 @@ bool open_to_others(const std::filesystem::path& file);
 /// From then on its owner may read and write a file, and look into a folder, and nobody else; EMLINK of a file that has other
 /// names, which may be somebody's who knows why.
 int only_for_owner(const std::filesystem::path& file);
+
+/// Whether a folder itself says who may read what is made in it (POSIX: its default access control list,
+/// or the mount of a file system without rights, such as exFAT).
+bool names_its_readers(const std::filesystem::path& folder);
+/// Whether others than its owner may do with a file what they may not do with `other`; false of a link.
+bool more_open_than(const std::filesystem::path& file, const std::filesystem::path& other);
+/// From then on they may not.
+int no_more_open_than(const std::filesystem::path& file, const std::filesystem::path& other);
 
 /// EEXIST where something has the name.
 int make_directory(const std::filesystem::path& folder, Readers readers);

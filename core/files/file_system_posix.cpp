@@ -13,6 +13,11 @@
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <sys/wait.h>
+#if defined(__linux__)
+#include <linux/magic.h>
+#include <sys/vfs.h>
+#include <sys/xattr.h>
+#endif
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -86,6 +91,47 @@ std::vector<OpenFile> large_ones(const std::vector<fs::path>& files) {
 
 bool unknown(int error) { return error == EINVAL || error == ENOSYS; }
 
+/// FAT, exFAT and many a FUSE have no second names for a file.
+bool knows_no_links(int error) {
+    return error == EPERM || error == ENOSYS || error == EOPNOTSUPP || error == ENOTSUP || error == EMLINK;
+}
+
+#if defined(__linux__)
+/// Of FAT, exFAT and Windows' shares the mount says for all files alike who may read them; so do drivers in programs (FUSE) that
+/// show all rights of everything, as that of NTFS does.
+bool has_no_rights(int folder) {
+    constexpr std::array<std::uint32_t, 4> such{MSDOS_SUPER_MAGIC, 0x2011BAB0 /* exFAT */,
+                                                0xFF534D42 /* CIFS */, 0xFE534D42 /* SMB 2 */};
+    struct statfs disk {};
+    struct stat about {};
+    if (::fstatfs(folder, &disk) != 0 || ::fstat(folder, &about) != 0)
+        return false;
+    const auto type = static_cast<std::uint32_t>(disk.f_type);
+    return std::find(such.begin(), such.end(), type) != such.end() ||
+           (type == FUSE_SUPER_MAGIC && (about.st_mode & 0777u) == 0777u);
+}
+#endif
+
+/// Where a file system can do it in no one step: takes the free name with something empty, which nobody else can do meanwhile, and
+/// gives what is renamed its place.
+int renamed_over_claim(const Way& from, const Way& to) {
+    const auto about = from.stat_of_name();
+    if (!about)
+        return errno;
+    const bool folder = S_ISDIR(about->st_mode);
+    const int claimed =
+        folder ? ::mkdirat(to.folder(), to.name(), 0700)
+               : ::openat(to.folder(), to.name(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+    if (claimed < 0)
+        return errno;
+    const OpenFile empty(folder ? -1 : claimed);
+    if (::renameat(from.folder(), from.name(), to.folder(), to.name()) == 0)
+        return 0;
+    const int error = errno;
+    ::unlinkat(to.folder(), to.name(), folder ? AT_REMOVEDIR : 0);
+    return error;
+}
+
 } // namespace
 
 std::optional<FileFacts> facts_of(const fs::path& file) {
@@ -130,7 +176,7 @@ int rename_to_free(const fs::path& from, const fs::path& to) {
     if (!unknown(error))
         return error;
     if (::linkat(one.folder(), one.name(), other.folder(), other.name(), 0) != 0)
-        return errno;
+        return knows_no_links(errno) ? renamed_over_claim(one, other) : errno;
     ::unlinkat(one.folder(), one.name(), 0);
     return 0;
 }
@@ -144,7 +190,7 @@ int move_to_free(const fs::path& from, const fs::path& to) {
     const int error = renamed(one, other, Rename::to_free);
     if (!unknown(error))
         return error;
-    return facts_of_name(to) ? EEXIST : rename_over(from, to);
+    return renamed_over_claim(one, other);
 }
 
 int swap_names(const fs::path& one, const fs::path& other) {
@@ -192,6 +238,35 @@ bool open_to_others(const fs::path& file) {
     return about && !S_ISLNK(about->st_mode) && (about->st_mode & 077U) != 0;
 }
 
+bool names_its_readers([[maybe_unused]] const fs::path& folder) {
+#if defined(__linux__)
+    const Way way(folder.empty() ? fs::path(".") : folder);
+    const OpenFile opened(
+        way.error() != 0 ? -1
+                         : ::openat(way.folder(), way.name(),
+                                    O_RDONLY | O_DIRECTORY | O_CLOEXEC | (way.foreign() ? O_NOFOLLOW : 0)));
+    return opened.ok() && (::fgetxattr(opened.number(), "system.posix_acl_default", nullptr, 0) > 0 ||
+                           has_no_rights(opened.number()));
+#else
+    return false;
+#endif
+}
+
+bool more_open_than(const fs::path& file, const fs::path& other) {
+    const auto own = Way(file).stat_of_name();
+    const auto its = Way(other).stat_of_name();
+    return own && its && !S_ISLNK(own->st_mode) && !S_ISLNK(its->st_mode) &&
+           (own->st_mode & 077u & ~its->st_mode) != 0;
+}
+
+int no_more_open_than(const fs::path& file, const fs::path& other) {
+    const OpenFile opened(file, {.follow_link = false});
+    if (!opened.ok())
+        return errno;
+    opened.no_more_open_than(other);
+    return more_open_than(file, other) ? EPERM : 0;
+}
+
 HeldElsewhere::HeldElsewhere(const std::vector<fs::path>& files) {
 #if defined(TP_CAN_LEAVE_PROCESS)
     const std::vector<OpenFile> large = large_ones(files);
@@ -225,7 +300,8 @@ int make_directory(const fs::path& folder, Readers readers) {
     const Way way(folder);
     if (way.error() != 0)
         return way.error();
-    return ::mkdirat(way.folder(), way.name(), readers == Readers::owner_only ? 0700 : 0777) == 0 ? 0 : errno;
+    const bool is_private = readers == Readers::owner_only && !names_its_readers(folder.parent_path());
+    return ::mkdirat(way.folder(), way.name(), is_private ? 0700 : 0777) == 0 ? 0 : errno;
 }
 
 int names_to_disk(const fs::path& folder) {

@@ -82,6 +82,9 @@ int remove_directory(const fs::path& folder) {
 // Who may read a file follows from its folder: a person's own are theirs alone.
 bool open_to_others(const fs::path&) { return false; }
 int only_for_owner(const fs::path&) { return 0; }
+bool names_its_readers(const fs::path&) { return true; } // each takes over what its folder says
+bool more_open_than(const fs::path&, const fs::path&) { return false; }
+int no_more_open_than(const fs::path&, const fs::path&) { return 0; }
 
 HeldElsewhere::HeldElsewhere(const std::vector<fs::path>&) {}
 HeldElsewhere::~HeldElsewhere() = default;

@@ -15,18 +15,18 @@ namespace tp {
 
 /// Who may read a file or folder that is made new. A file that is replaced keeps what it had.
 enum class Readers {
-    as_usual,   ///< as the person's other files (the process's umask)
-    owner_only, ///< 0600: what nobody else on this machine may see or hear
+    as_usual, ///< as the person's other files (the process's umask)
+    owner_only, ///< 0600: what nobody else on this machine may see or hear, but those whom the folder itself names
 };
 
 /// How a file is opened. No program that is started meanwhile has it; a pipe or a device never makes one wait.
 struct OpenMode {
     bool read = true;
     bool write = false;
-    bool make = false;                   ///< where nothing has that name
-    bool only_new = false;               ///< EEXIST where something has it; with `make`
-    bool emptied = false;                ///< what it held is gone
-    bool at_end = false;                 ///< each write goes behind what is there
+    bool make = false;       ///< where nothing has that name
+    bool only_new = false;   ///< EEXIST where something has it; with `make`
+    bool emptied = false;    ///< what it held is gone
+    bool at_end = false;     ///< each write goes behind what is there
     bool follow_link = true; ///< else ELOOP where the name is a link; in a ForeignFolder none is followed
     bool looked_at =
         false; ///< a photograph: read through a link that is its own name, in a ForeignFolder too
@@ -94,6 +94,8 @@ public:
     int bytes_out_of_memory() const;
     /// Whoever may use `other` may use this one from then on, as far as the system lets that be said.
     void give_readers_of(const std::filesystem::path& other) const;
+    /// Nobody but its owner may do with it what they may not do with `other`.
+    void no_more_open_than(const std::filesystem::path& other) const;
 
     /// Held by one opening of the file at a time, of whichever process, and let go when that is closed or its process
     /// dies. Other programs need not heed it. False: EWOULDBLOCK where another holds it, else what the file system says.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/facts_posix.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/open_file.hpp"
 #include "core/files/way_posix.hpp"
 
@@ -91,9 +92,10 @@ OpenFile::OpenFile(const std::filesystem::path& file, const OpenMode& how) {
         errno = error;
         return;
     }
+    const bool is_private =
+        how.make && how.readers == Readers::owner_only && !names_its_readers(file.parent_path());
     const int flags = flags_of(how) & ~(way.foreign() ? O_TRUNC : 0); // emptied when it is known to be ours
-    number_ = ::openat(way.folder(), way.name(), flags | (links ? 0 : O_NOFOLLOW),
-                       how.readers == Readers::owner_only ? 0600 : 0666);
+    number_ = ::openat(way.folder(), way.name(), flags | (links ? 0 : O_NOFOLLOW), is_private ? 0600 : 0666);
     if (ok() && way.foreign())
         error = why_not_used(number_, how);
     if (error != 0) {
@@ -187,6 +189,19 @@ void OpenFile::give_readers_of(const std::filesystem::path& other) const {
     if (way.error() == 0 && ::fstatat(way.folder(), way.name(), &about, way.no_links()) == 0 &&
         !S_ISLNK(about.st_mode)) // where that cannot be kept, the file is still worth writing
         static_cast<void>(::fchmod(number_, about.st_mode & 0777u));
+}
+
+void OpenFile::no_more_open_than(const std::filesystem::path& other) const {
+    const Way way(other);
+    struct stat own {
+    }, its{};
+    if (way.error() != 0 || ::fstatat(way.folder(), way.name(), &its, way.no_links()) != 0 ||
+        S_ISLNK(its.st_mode) || ::fstat(number_, &own) != 0)
+        return;
+    if (const mode_t narrowed = own.st_mode & (its.st_mode | 0600u) & 0777u;
+        narrowed != (own.st_mode & 0777u))
+        static_cast<void>(
+            ::fchmod(number_, narrowed)); // a file system without rights shows all of them alike
 }
 
 bool OpenFile::lock() const { return ::flock(number_, LOCK_EX | LOCK_NB) == 0; }

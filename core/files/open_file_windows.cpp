@@ -204,6 +204,7 @@ int OpenFile::bytes_to_disk() const { return to_disk(); }
 int OpenFile::bytes_out_of_memory() const { return to_disk(); }
 
 void OpenFile::give_readers_of(const std::filesystem::path&) const {}
+void OpenFile::no_more_open_than(const std::filesystem::path&) const {}
 
 bool OpenFile::lock() const { return locked(number_, LOCKFILE_FAIL_IMMEDIATELY); }
 

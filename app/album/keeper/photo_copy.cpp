@@ -39,16 +39,15 @@ bool is_taken(const fs::path& from, const fs::path& to) {
     });
 }
 
-/// Copies a file, or the files of a folder, that are not there yet. A folder holds recordings: nobody else
-/// may hear them.
-std::string bring(const fs::path& from, const fs::path& to, Readers readers = Readers::as_usual) {
+/// Copies what is a photograph's, a file or the files of a folder, that are not there yet: nobody else may read or hear it.
+std::string bring(const fs::path& from, const fs::path& to) {
     if (!folder_there(from))
-        return name_taken(to) ? std::string{} : copy_whole(from, to, readers);
+        return name_taken(to) ? std::string{} : copy_whole(from, to, Readers::owner_only);
     std::string problem = make_folder(to, Readers::owner_only);
     for (const FolderEntry& file : entries_of(from))
         if (problem.empty() && !file.link && file.facts.kind == FileFacts::Kind::file &&
             !is_temporary(file.name))
-            problem = bring(from / file.name, to / file.name, Readers::owner_only);
+            problem = bring(from / file.name, to / file.name);
     return problem;
 }
 

@@ -116,9 +116,10 @@ private:
         if (done)
             return {};
 
-        auto file = NewFile::beside(sidecar_);
+        auto file = NewFile::beside(sidecar_, Readers::owner_only);
         if (!file)
             return failure(file.error());
+        file->no_more_open_than(photo_);
         if (std::string reason = file->write(bytes); !reason.empty())
             return failure(reason);
         if (somebody_wrote())

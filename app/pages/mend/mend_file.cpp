@@ -54,7 +54,7 @@ std::string MendFile::keep_what_others_wrote() {
             path_.parent_path() / (path_.stem().string() + "-" + std::to_string(number) + ".svg");
         if (name_taken(aside))
             continue;
-        const std::string reason = replace_file(aside, **now);
+        const std::string reason = replace_file(aside, **now, Readers::owner_only);
         if (reason.empty())
             kept_aside_ = aside;
         return reason.empty() ? reason : "What another program wrote cannot be saved: " + reason;
@@ -69,7 +69,7 @@ std::string MendFile::save(const MendWork& work) {
     if (std::string problem = keep_what_others_wrote(); !problem.empty())
         return problem;
     if (wanted) {
-        if (const std::string reason = replace_file(path_, *wanted); !reason.empty())
+        if (const std::string reason = replace_file(path_, *wanted, Readers::owner_only); !reason.empty())
             return "The mended contours cannot be saved as " + quoted(path_) + ": " + reason;
     } else {
         const std::string reason = remove_file(path_);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/durable_file.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/first_line.hpp"
 #include "core/files/folder_lock.hpp"
@@ -10,13 +11,19 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#if defined(__linux__)
+#include <sys/xattr.h>
+#endif
 #include <unistd.h>
 
 using namespace tp;
@@ -91,6 +98,65 @@ private slots:
         QCOMPARE(make_folder(root_ / "shared" / "open"), std::string());
         QCOMPARE(mode_of(root_ / "shared"), 0755u);
         QCOMPARE(mode_of(root_ / "shared" / "open"), 0755u);
+    }
+
+    void a_copy_is_no_more_open_than_what_it_is_copied_from() {
+        ::umask(022);
+        for (const auto& [mode, copied] :
+             {std::pair{0600u, 0600u}, {0640u, 0640u}, {0777u, 0644u}, {0400u, 0600u}}) {
+            const fs::path from = root_ / ("from" + std::to_string(mode)),
+                           to = root_ / ("to" + std::to_string(mode));
+            QCOMPARE(replace_file(from, "x"), std::string());
+            ::chmod(from.c_str(), mode);
+            QCOMPARE(copy_whole(from, to), std::string());
+            QCOMPARE(mode_of(to), copied);
+        }
+        ::chmod((root_ / "from384").c_str(), 0640);
+        QVERIFY(more_open_than(root_ / "from384", root_ / "to384"));
+        QVERIFY(!more_open_than(root_ / "to384", root_ / "from384"));
+        QCOMPARE(no_more_open_than(root_ / "from384", root_ / "to384"), 0);
+        QCOMPARE(mode_of(root_ / "from384"), 0600u);
+        QVERIFY(!more_open_than(root_ / "from384", root_ / "to384"));
+        QVERIFY(!more_open_than(root_ / "none", root_ / "to384") &&
+                !more_open_than(root_ / "to384", root_ / "none"));
+    }
+
+    /// As `setfacl -m d:u:1234:r` makes it.
+    void who_a_folder_names_may_read_what_is_made_in_it() {
+#if defined(__linux__)
+        struct Entry {
+            std::uint16_t tag, rights;
+            std::uint32_t who;
+        };
+        constexpr std::uint32_t nobody = 0xFFFFFFFF, version = 2;
+        const std::array<Entry, 5> entries{
+            { {0x01, 7, nobody},
+              {0x02, 4, 1234},
+              {0x04, 0, nobody},
+              {0x10, 4, nobody},
+              { 0x20,
+                0,
+                nobody } }};
+        std::string list(sizeof version + sizeof entries, '\0');
+        std::memcpy(list.data(), &version, sizeof version);
+        std::memcpy(list.data() + sizeof version, entries.data(), sizeof entries);
+        QVERIFY(!names_its_readers(root_));
+        if (::setxattr(root_.c_str(), "system.posix_acl_default", list.data(), list.size(), 0) != 0)
+            QSKIP("The file system of temporary files knows no access control lists.");
+        QVERIFY(names_its_readers(root_));
+        ::umask(077);
+        QCOMPARE(replace_file(root_ / "secret", "x", Readers::owner_only), std::string());
+        QCOMPARE(make_folder(root_ / "own", Readers::owner_only), std::string());
+        QCOMPARE(replace_file(root_ / "own" / "secret", "x", Readers::owner_only), std::string());
+        for (const fs::path& made : {root_ / "secret", root_ / "own" / "secret"}) {
+            QCOMPARE(mode_of(made), 0640u); // the list's mask stands where a group's rights do
+            QVERIFY(::getxattr(made.c_str(), "system.posix_acl_access", nullptr, 0) > 0);
+        }
+        QVERIFY(names_its_readers(root_ / "own"));
+        ::umask(022);
+#else
+        QSKIP("Only Linux has such lists.");
+#endif
     }
 
     void a_replaced_file_keeps_who_may_read_it() {

@@ -88,6 +88,25 @@ private slots:
         struct stat about {};
         QCOMPARE(::stat((album / "Summer/100/IMG_1.JPG.tags/2026-memo.flac").c_str(), &about), 0);
         QCOMPARE(about.st_mode & 0777u, 0600u);
+        QCOMPARE(::stat((album / "Summer/100/IMG_1.JPG.xmp").c_str(), &about), 0);
+        QCOMPARE(about.st_mode & 0777u, 0600u);
+    }
+
+    void what_only_its_owner_may_see_stays_so() {
+        ::umask(022);
+        const AlbumFolder album, card;
+        for (const auto& [name, mode] : {std::pair{"a.jpg", 0600u}, {"b.jpg", 0640u}, {"c.jpg", 0777u}}) {
+            card.write(name, name);
+            card.write(std::string(name) + ".xmp", "sidecar");
+            ::chmod((card / name).c_str(), mode);
+            ::chmod((card / (std::string(name) + ".xmp")).c_str(), 0666);
+        }
+        const auto report = import_photos(album.path(), {}, {card.path()}, {});
+        QCOMPARE(report->count(Fate::imported), std::size_t{3});
+        for (const auto& [name, mode] : {std::pair{"a.jpg", 0600u}, {"b.jpg", 0640u}, {"c.jpg", 0644u}}) {
+            QCOMPARE(fs::status(album / name).permissions(), fs::perms(mode));
+            QCOMPARE(fs::status(album / (std::string(name) + ".xmp")).permissions(), fs::perms(0600));
+        }
     }
 
     /// Anna sends a photograph, Otto adds to it and sends it back; meanwhile she has added to hers.

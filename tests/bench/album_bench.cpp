@@ -4,6 +4,7 @@
 // in FOLDER (default: a temporary one) and kept there for the next time. Scan and questions of each size run
 // in processes of their own, so that memory is that one's alone; the last columns are ratios of neighbouring
 // sizes.
+#include "app/album/check/album_check.hpp"
 #include "app/album/grouping/group_worker.hpp"
 #include "app/album/index/album_queries.hpp"
 #include "app/album/index/album_scan.hpp"
@@ -185,6 +186,30 @@ Figures face_figures(const fs::path& folder, std::size_t count) {
     return figures;
 }
 
+/// All in one folder: photographs with a sidecar each, and as many sidecars of photographs that are gone.
+Figures check_figures(const fs::path& folder, std::size_t count) {
+    const fs::path album = folder / ("check" + std::to_string(count));
+    if (!fs::exists(album)) {
+        const fs::path half = folder / "half";
+        fs::remove_all(half);
+        fs::create_directories(half);
+        SyntheticAlbum drawn(2);
+        for (std::size_t i = 0; i < count; ++i) {
+            drawn.write_photo(half / ("IMG_" + std::to_string(i) + ".jpg"), i);
+            fs::copy_file(half / ("IMG_" + std::to_string(i) + ".jpg.xmp"),
+                          half / ("GONE_" + std::to_string(i) + ".jpg.xmp"));
+        }
+        fs::rename(half, album);
+    }
+    const double begin = cpu_ms();
+    const auto report = check_album(album);
+    if (!report || report->photos != count || report->findings.size() != count)
+        std::exit(1);
+    return {{"check of three files a photograph, CPU ms a photograph",
+             (cpu_ms() - begin) / static_cast<double>(count)},
+            {"memory of the check at most, MB", memory_mb("VmHWM:")}};
+}
+
 void print(const Figures& figures) {
     for (const auto& [name, value] : figures)
         std::printf("%s\t%.6f\n", name.c_str(), value);
@@ -230,6 +255,7 @@ int main(int argc, char** argv) {
     if (argc == 4 && arguments[1].startsWith("--")) {
         const auto figures = arguments[1] == "--scan"    ? scan_figures
                              : arguments[1] == "--pages" ? page_figures
+                             : arguments[1] == "--check" ? check_figures
                                                          : face_figures;
         print(figures(argv[2], std::stoul(argv[3])));
         return 0;
@@ -242,7 +268,7 @@ int main(int argc, char** argv) {
     std::vector<Figures> columns;
     for (const std::string& size : sizes) {
         columns.push_back(of_process({"--scan", folder, QString::fromStdString(size)}));
-        for (const char* const what : {"--pages", "--faces"})
+        for (const char* const what : {"--pages", "--check", "--faces"})
             for (auto& figure : of_process({what, folder, QString::fromStdString(size)}))
                 columns.back().push_back(std::move(figure));
     }

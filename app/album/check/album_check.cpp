@@ -14,7 +14,6 @@
 #include "core/files/file_words.hpp"
 #include "core/files/foreign_folder.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <set>
@@ -68,10 +67,11 @@ void imports_and_trash(Findings& findings) {
             findings.add(Finding::Kind::import_list, list, words_for_list_in_album(list));
     std::vector<std::string> problems;
     findings.keeper().trash().entries(&problems);
-    const std::vector<Finding> told = findings.all(); // its links are told already
+    std::set<std::string> told; // its links are told already
+    for (const Finding& finding : findings.all())
+        told.insert(finding.sentence);
     for (const std::string& problem : problems)
-        if (std::none_of(told.begin(), told.end(),
-                         [&](const Finding& finding) { return finding.sentence == problem; }))
+        if (!told.contains(problem))
             findings.add(Finding::Kind::damaged_trash, findings.keeper().trash().folder(), problem);
 }
 
@@ -108,7 +108,8 @@ public:
 
 private:
     void check_photo(const fs::path& photo) {
-        check_conflict_copies(photo, findings_, report_.told);
+        check_conflict_copies(photo, conflict_copies_, findings_, report_.told);
+        check_readers_of_words(photo, findings_);
         if (!check_sidecar(photo, findings_))
             every_sidecar_was_read_ = false;
         const auto record = read_record(photo);
@@ -117,7 +118,7 @@ private:
             findings_.add(Finding::Kind::unreadable_sidecar, photo, record.error());
             return;
         }
-        report_.recordings += check_recordings(photo, *record, findings_);
+        report_.recordings += check_recordings(photo, *record, deleted_, findings_);
         remember_people(*record);
         if (options_.hashes && !record->content_hash.empty())
             check_content(photo, record->content_hash, findings_);
@@ -143,6 +144,8 @@ private:
     Findings findings_;
     const CheckOptions& options_;
     CheckReport report_;
+    ConflictCopies conflict_copies_;
+    Deleted deleted_;
     PhotosByContent by_hash_;
     std::set<std::string> known_people_; ///< those that a photograph speaks of
     bool every_sidecar_was_read_ = true;

@@ -9,8 +9,8 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 
-#include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -29,11 +29,15 @@ fs::path photo_of(const fs::path& companion) {
     return companion;
 }
 
-bool has_photo_of_stem(const fs::path& stem) {
-    const std::vector<FolderEntry> files = entries_of(stem.parent_path());
-    return std::any_of(files.begin(), files.end(), [&](const FolderEntry& file) {
-        return has_photo_name(file.name) && fs::path(file.name).stem() == stem.filename();
-    });
+/// Folder and stem of every photograph, be it a link to nothing.
+std::set<fs::path> stems_of_photos(const Inventory& there) {
+    std::set<fs::path> stems;
+    for (const fs::path& photo : there.photos)
+        stems.insert(photo.parent_path() / photo.stem());
+    for (const fs::path& link : there.links)
+        if (has_photo_name(link))
+            stems.insert(link.parent_path() / link.stem());
+    return stems;
 }
 
 class Photographs {
@@ -78,10 +82,11 @@ void check_companions(const Inventory& there, PhotosByContent known, Findings& f
     Photographs photographs(findings.album(), std::move(known));
     std::vector<fs::path> companions = there.tags;
     companions.insert(companions.end(), there.others.begin(), there.others.end());
+    const std::set<fs::path> stems = stems_of_photos(there);
     std::map<fs::path, std::vector<fs::path>> by_photo; // that is not there
     for (const fs::path& companion : companions) {
         const fs::path photo = photo_of(companion);
-        const bool of_a_stem = companion.extension() == xmp_end && has_photo_of_stem(photo);
+        const bool of_a_stem = companion.extension() == xmp_end && stems.contains(photo);
         if (!photo_there(photo) && !of_a_stem && !conflict_original(companion.filename().string()) &&
             name_taken(companion))
             by_photo[photo].push_back(companion);

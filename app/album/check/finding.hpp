@@ -16,11 +16,11 @@ struct Finding {
         missing_recording,    ///< a listed recording without its file
         unreadable_recording,
         unreadable_sidecar,
-        left_behind,    ///< a sidecar, contours or recordings whose photograph is not beside them, or a
-                        ///< name of nobody
-        conflict_copy,  ///< another machine changed the same sidecar
-        changed_photo,  ///< its bytes are not those that its sidecar knew
-        open_to_others, ///< recordings that other people on this machine may hear
+        left_behind,   ///< a sidecar, contours or recordings whose photograph is not beside them, or a
+                       ///< name of nobody
+        conflict_copy, ///< another machine changed the same sidecar
+        changed_photo, ///< its bytes are not those that its sidecar knew
+        open_to_others, ///< recordings that other people on this machine may hear, or words of a photograph that they may not see
         unfinished_import,
         damaged_trash,
         link, ///< a link that somebody put there; nothing follows it

@@ -12,9 +12,9 @@ namespace tp {
 struct Inventory {
     std::vector<std::filesystem::path> photos;
     std::vector<std::filesystem::path> temporaries;
-    std::vector<std::filesystem::path> tags;   ///< folders of recordings
-    std::vector<std::filesystem::path> others; ///< sidecars and mended contours
-    std::vector<std::filesystem::path> links;  ///< to whatever; of photographs too
+    std::vector<std::filesystem::path> tags;     ///< folders of recordings
+    std::vector<std::filesystem::path> others;   ///< sidecars and mended contours
+    std::vector<std::filesystem::path> links;    ///< to whatever; of photographs too
     std::vector<std::filesystem::path> no_files; ///< pipes, devices and such
 };
 

@@ -19,15 +19,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void missing_recording(const fs::path& photo, const Tag& tag, Findings& findings) {
+void missing_recording(const fs::path& photo, const Tag& tag, Deleted& deleted, Findings& findings) {
     const fs::path file = tags_folder(photo) / tag.file;
     if (link_on_the_way(file)) // which is told of already
         return;
     const std::string sentence = quoted(file) + " is listed but not there.";
-    if (AlbumKeeper keeper(album_around(photo)); keeper.is_in_trash(photo, tag.file))
+    if (const fs::path album = album_around(photo); deleted.holds(album, file))
         findings.add(Finding::Kind::missing_recording, file, sentence,
                      "It is in the trash, so it is taken off the list.",
-                     [&] { return keeper.forget_recording(photo, tag.file); });
+                     [&] { return AlbumKeeper(album).forget_recording(photo, tag.file); });
     else
         findings.add(Finding::Kind::missing_recording, file,
                      sentence + " Bring it back from a copy of the album.");
@@ -72,7 +72,16 @@ void check_unfinished(const fs::path& folder, Findings& findings) {
                          });
 }
 
-std::size_t check_recordings(const fs::path& photo, const PhotoRecord& record, Findings& findings) {
+bool Deleted::holds(const fs::path& album, const fs::path& file) {
+    const auto [known, is_new] = albums_.try_emplace(album);
+    if (is_new)
+        for (const TrashEntry& entry : Trash(album).entries())
+            known->second.insert(entry.files.begin(), entry.files.end());
+    return known->second.contains(file.lexically_relative(album));
+}
+
+std::size_t check_recordings(const fs::path& photo, const PhotoRecord& record, Deleted& deleted,
+                             Findings& findings) {
     const fs::path folder = tags_folder(photo);
     const std::set<std::string> there = recordings_in(folder);
     for (const std::string& file : there) {
@@ -90,7 +99,7 @@ std::size_t check_recordings(const fs::path& photo, const PhotoRecord& record, F
     }
     for (const Tag& tag : record.tags)
         if (!there.contains(tag.file))
-            missing_recording(photo, tag, findings);
+            missing_recording(photo, tag, deleted, findings);
     check_readers(folder, there, findings);
     return there.size();
 }
@@ -100,7 +109,7 @@ void check_readers(const fs::path& folder, const std::set<std::string>& files, F
     for (const std::string& file : files)
         if (open_to_others(folder / file))
             open.push_back(folder / file);
-    if (!open_to_others(folder) && open.empty())
+    if ((!open_to_others(folder) && open.empty()) || names_its_readers(folder))
         return;
     findings.add(Finding::Kind::open_to_others, folder,
                  "Other people on this machine may listen to recordings in " + quoted(folder) + ".",

@@ -2,10 +2,10 @@
 #include "app/album/check/sidecar_check.hpp"
 
 #include "app/album/keeper/photo_files.hpp"
-#include "app/album/metadata/conflicts.hpp"
 #include "app/album/metadata/read_record.hpp"
 #include "app/album/metadata/sidecar_names.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 
 namespace tp {
@@ -33,8 +33,9 @@ std::string merge(const fs::path& photo, Findings& findings, std::vector<std::st
 
 } // namespace
 
-void check_conflict_copies(const fs::path& photo, Findings& findings, std::vector<std::string>& told) {
-    for (const fs::path& copy : conflict_copies(photo))
+void check_conflict_copies(const fs::path& photo, ConflictCopies& copies, Findings& findings,
+                           std::vector<std::string>& told) {
+    for (const fs::path& copy : copies.of(photo))
         findings.add(Finding::Kind::conflict_copy, copy,
                      quoted(copy) + " is what another machine made of the sidecar of " +
                          quoted(photo.filename()) + ".",
@@ -59,6 +60,18 @@ bool check_sidecar(const fs::path& photo, Findings& findings) {
                          .error();
                  });
     return false;
+}
+
+void check_readers_of_words(const fs::path& photo, Findings& findings) {
+    for (const fs::path& file : {sidecar_of(photo), contours_file(photo)})
+        if (more_open_than(file, photo) && !names_its_readers(file.parent_path()))
+            findings.add(Finding::Kind::open_to_others, file,
+                         "Other people on this machine may read " + quoted(file) +
+                             ", but not see its photograph.",
+                         "Only who may see the photograph may read it from then on.", [&] {
+                             const int error = no_more_open_than(file, photo);
+                             return error != 0 ? reason_of(error) : std::string{};
+                         });
 }
 
 void check_content(const fs::path& photo, const std::string& known_hash, Findings& findings) {

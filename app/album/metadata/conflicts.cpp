@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <iterator>
+#include <set>
 #include <utility>
 
 namespace tp {
@@ -57,26 +59,34 @@ std::string move_to(const fs::path& trash, const fs::path& file) {
 
 } // namespace
 
-std::vector<fs::path> conflict_copies(const fs::path& photo) {
-    const std::string own = photo.filename().string();
-    const std::string shared = photo.stem().string();
-    std::vector<fs::path> copies;
+std::vector<fs::path> ConflictCopies::of(const fs::path& photo) {
     const fs::path folder = photo.has_parent_path() ? photo.parent_path() : fs::path(".");
-    for (const FolderEntry& entry : entries_of(folder)) {
-        const std::string& name = entry.name;
-        if (!is_sidecar_name(name) || entry.link)
-            continue;
-        const auto original = conflict_original(name);
-        if (!original || !is_sidecar_name(*original))
-            continue;
-        const std::string whose = original->substr(0, original->size() - 4);
-        if (whose == own || (whose == shared && photo.has_extension()))
-            copies.push_back(folder / name);
-    }
+    auto read = folders_.find(folder);
+    if (read == folders_.end())
+        read = folders_.emplace(folder, copies_in(folder)).first;
+    std::set<std::string> owners{photo.filename().string()};
+    if (photo.has_extension())
+        owners.insert(photo.stem().string());
+    std::vector<fs::path> copies;
+    for (const std::string& owner : owners)
+        if (const auto own = read->second.find(owner); own != read->second.end())
+            std::copy_if(own->second.begin(), own->second.end(), std::back_inserter(copies), name_taken);
     std::sort(copies.begin(), copies.end(), [](const fs::path& a, const fs::path& b) {
         return std::pair(time_of(a), a) < std::pair(time_of(b), b);
     });
     return copies;
+}
+
+ConflictCopies::ByOwner ConflictCopies::copies_in(const fs::path& folder) {
+    ByOwner found;
+    for (const FolderEntry& entry : entries_of(folder)) {
+        if (!is_sidecar_name(entry.name) || entry.link)
+            continue;
+        const auto original = conflict_original(entry.name);
+        if (original && is_sidecar_name(*original))
+            found[original->substr(0, original->size() - 4)].push_back(folder / entry.name);
+    }
+    return found;
 }
 
 Result<MergedSidecar> merge_sidecar(const fs::path& photo, const fs::path& other, bool other_is_newer,
@@ -106,7 +116,7 @@ Result<MergedSidecar> merge_sidecar(const fs::path& photo, const fs::path& other
 
 Result<std::vector<std::string>> merge_conflicts(const fs::path& photo, const fs::path& trash) {
     std::vector<std::string> sentences;
-    for (const fs::path& copy : conflict_copies(photo)) {
+    for (const fs::path& copy : ConflictCopies().of(photo)) {
         if (const auto packet = packet_in(copy); !packet) {
             sentences.push_back("The conflict copy " + quoted(copy) + " cannot be read: " + packet.error() +
                                 " It stays where it is.");

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,8 +18,20 @@ namespace tp {
 /// Seafile name them; none where it is not one. Copies of copies: the first file's.
 std::optional<std::string> conflict_original(std::string_view file_name);
 
-/// The conflict copies of a photograph's sidecars that lie beside it, oldest first.
-std::vector<std::filesystem::path> conflict_copies(const std::filesystem::path& photo);
+/// The conflict copies of photographs' sidecars that lie beside them. A folder is read once, when the first of its photographs is
+/// asked for, so that many photographs in one folder cost as much each as few.
+class ConflictCopies {
+public:
+    /// Oldest first; of those that were there when the folder was read, those that still are.
+    std::vector<std::filesystem::path> of(const std::filesystem::path& photo);
+
+private:
+    using ByOwner =
+        std::map<std::string, std::vector<std::filesystem::path>>; ///< of a sidecar's name without `.xmp`
+    static ByOwner copies_in(const std::filesystem::path& folder);
+
+    std::map<std::filesystem::path, ByOwner> folders_;
+};
 
 /// What came of one sidecar brought into another.
 struct MergedSidecar {

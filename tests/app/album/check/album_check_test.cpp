@@ -193,6 +193,26 @@ private slots:
         found_and_mended(album.folder, Kind::open_to_others);
     }
 
+    void words_of_a_photograph_that_others_may_not_see_are_shut() {
+        AlbumOfOne album;
+        const fs::path sidecar = album.photo.string() + ".xmp";
+        album.folder.write("2026/IMG_1.jpg.contours.svg", "<svg/>");
+        const fs::path contours = contours_file(album.photo);
+        ::chmod(sidecar.c_str(), 0644); // as the photograph
+        ::chmod(contours.c_str(), 0644);
+        ::chmod(album.photo.c_str(), 0644);
+        QCOMPARE(kinds(check(album.folder, false)), std::vector<Kind>{});
+        for (const fs::path& file : {sidecar, contours}) {
+            ::chmod(album.photo.c_str(), 0640);
+            QCOMPARE(kinds(check(album.folder, false)).size(), std::size_t{2});
+            ::chmod((file == sidecar ? contours : sidecar).c_str(), 0600);
+            found_and_mended(album.folder, Kind::open_to_others);
+            QCOMPARE(fs::status(file).permissions(), fs::perms(0640));
+            ::chmod(sidecar.c_str(), 0644);
+            ::chmod(contours.c_str(), 0644);
+        }
+    }
+
     void names_in_order_are_not_found() {
         AlbumOfOne album; // Anna is whom its recording is about
         QCOMPARE(album.keeper.keep_name_recording("Anna", album.sound), std::string());

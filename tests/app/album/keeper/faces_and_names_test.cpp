@@ -159,6 +159,9 @@ private slots:
         QCOMPARE(kept("Jörg M."), std::string("Jörg M..flac"));
         QCOMPARE(kept("Anna/Maria"), std::string("Anna%2FMaria.flac"));
         QCOMPARE(kept("100 %"), std::string("100 %25.flac"));
+        QCOMPARE(kept("Oma \"Lisl\"?"), std::string("Oma %22Lisl%22%3F.flac")); // on sticks too
+        album.write(".touchphoto/people/Tante: Eva.flac", "spoken before");
+        QCOMPARE(kept("Tante: Eva"), std::string("Tante: Eva.flac"));
         QCOMPARE(kept(".hidden"), std::string("%2Ehidden.flac"));
         QCOMPARE(kept("J\xF6rg"), std::string("J%F6rg.flac"));
         QCOMPARE(kept(std::string(200, 'x')), std::string(200, 'x') + ".flac");

@@ -222,7 +222,7 @@ private slots:
                     packet("", ""));
         write_bytes(sidecar_.parent_path() / "IMG_1.png.sync-conflict-20260501-101500-ABCDEFG.xmp",
                     packet("", ""));
-        QVERIFY(conflict_copies(photo_).empty());
+        QVERIFY(ConflictCopies().of(photo_).empty());
     }
 };
 

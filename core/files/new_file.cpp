@@ -70,7 +70,18 @@ private:
     std::vector<fs::path> files_;
 };
 
+thread_local MadeTogether* made_together = nullptr; ///< the innermost one
+
 } // namespace
+
+MadeTogether::MadeTogether() : outer_(std::exchange(made_together, this)) {}
+
+MadeTogether::~MadeTogether() {
+    made_together = outer_;
+    const auto held = Unfinished::all().hold();
+    for (const fs::path& file : unfinished_)
+        Unfinished::all().drop(file);
+}
 
 Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
     const auto there = place.has_filename() ? facts_of(place) : std::nullopt;
@@ -161,6 +172,14 @@ std::string NewFile::take_place(Existing existing) {
     if (renamed != 0)
         return reason_of(renamed);
     Unfinished::all().drop(temporary_); // what was swapped is somebody's whole file
+    if (made_together && made_together->next_completes_) {
+        for (const fs::path& file : made_together->unfinished_)
+            Unfinished::all().drop(file);
+        made_together->unfinished_.clear();
+    } else if (made_together && existing == Existing::kept) {
+        Unfinished::all().add(place_);
+        made_together->unfinished_.push_back(place_);
+    }
     held.unlock();
     if (!swapped)
         temporary_.clear();

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace tp {
 
@@ -31,6 +32,9 @@ public:
     NewFile(NewFile&& other) noexcept;
     NewFile& operator=(NewFile&&) = delete;
     ~NewFile();
+
+    /// Nobody but its owner may do with it what they may not do with `other`, a photograph whose words it holds, say.
+    void no_more_open_than(const std::filesystem::path& other) { file_.no_more_open_than(other); }
 
     /// Where it lies until it takes its place; a library that writes by name may write there.
     const std::filesystem::path& temporary() const { return temporary_; }
@@ -58,6 +62,25 @@ private:
     std::filesystem::path temporary_;
     OpenFile file_;
     std::size_t in_memory_ = 0; ///< bytes that were written since some were brought to the disk
+};
+
+/// While one lives on a thread, a file that takes a free name there (`Existing::kept`) counts as unfinished although it is whole:
+/// `give_up_all` removes it, until the file that names it has its place too. A recording and the list that it stands in are made so.
+class MadeTogether {
+public:
+    MadeTogether();
+    ~MadeTogether(); ///< what is unfinished yet stays
+    MadeTogether(const MadeTogether&) = delete;
+    MadeTogether& operator=(const MadeTogether&) = delete;
+
+    /// The next file that takes its place on this thread finishes all of them in the same step.
+    void next_completes() { next_completes_ = true; }
+
+private:
+    friend class NewFile;
+    std::vector<std::filesystem::path> unfinished_;
+    bool next_completes_ = false;
+    MadeTogether* outer_;
 };
 
 /// Whether a file of this name is one that `NewFile` was writing; in a folder that nothing writes to, a power

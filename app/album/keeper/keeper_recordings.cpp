@@ -12,11 +12,12 @@
 #include "audio/recordings/trim.hpp"
 #include "audio/video/sound_of_video.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_name.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/foreign_folder.hpp"
+#include "core/files/new_file.hpp"
 
 #include <QDateTime>
-#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -56,7 +57,7 @@ std::string words_for(const Tag& tag) {
 
 /// When a file was last changed, which for a sound is when it ended: ISO 8601 with offset.
 std::string time_of(const fs::path& file) {
-    const QDateTime time = QFileInfo(QFile::decodeName(file.c_str())).lastModified();
+    const QDateTime time = QFileInfo(QString::fromStdString(name_in_utf8(file))).lastModified();
     return time.isValid() ? time.toOffsetFromUtc(time.offsetFromUtc()).toString(Qt::ISODate).toStdString()
                           : std::string{};
 }
@@ -130,9 +131,11 @@ Result<AlbumKeeper::Added> AlbumKeeper::add_recording(const fs::path& photo, con
         notes.chapters = about->notes.chapters;
     if (notes.label.recorded.empty())
         notes.label.recorded = time_of(sound);
+    MadeTogether with_list;
     const auto kept = import_sound(sound, tags_folder(photo), notes);
     if (!kept)
         return Error{quoted(sound) + " cannot be added: " + kept.error()};
+    with_list.next_completes();
     return listed(photo, *kept);
 }
 
@@ -148,11 +151,14 @@ Result<AlbumKeeper::Added> AlbumKeeper::add_video_sound(const fs::path& photo, c
         notes.label.recorded = time_of(file);
     const auto open = [&]() -> Result<std::unique_ptr<SoundStream>> {
         auto sound = sound_of_video(file, video.begin, video.size);
-        if (sound && (*sound)->frames() > longest_video_s * static_cast<std::uint64_t>((*sound)->format().rate))
+        if (sound &&
+            (*sound)->frames() > longest_video_s * static_cast<std::uint64_t>((*sound)->format().rate))
             return Error{"it is longer than a minute, so it is a film and not the photograph's."};
         return sound;
     };
+    MadeTogether with_list;
     const auto kept = import_sound(open, tags_folder(photo), notes);
+    with_list.next_completes();
     if (!kept)
         return Error{"The sound of the video " + std::string(video.begin > 0 ? "in " : "") + quoted(file) +
                      " is not imported: " + kept.error()};
@@ -295,6 +301,7 @@ Result<Tag> AlbumKeeper::trim_recording(const fs::path& photo, const std::string
         const double last = static_cast<double>(about->frames);
         return static_cast<std::uint64_t>(std::llround(std::min(seconds * about->format.rate, last)));
     };
+    MadeTogether with_list;
     const auto part = tp::trim_recording(tags_folder(photo) / file, frame(begin_s), frame(end_s));
     if (!part)
         return Error{quoted(tags_folder(photo) / file) + " cannot be trimmed: " + part.error()};
@@ -306,6 +313,7 @@ Result<Tag> AlbumKeeper::trim_recording(const fs::path& photo, const std::string
     if (!tag)
         return left_whole(tag.error());
     tag->order = whole->order;
+    with_list.next_completes();
     if (const std::string problem = list(photo, *tag, file); !problem.empty())
         return left_whole(problem);
     const auto put = put_recording(photo, *whole);

@@ -70,6 +70,41 @@ private slots:
         QCOMPARE(files_here(), 2L);
     }
 
+    void what_is_made_together_goes_or_stays_together_data() {
+        QTest::addColumn<bool>("list"), QTest::addColumn<bool>("ended"), QTest::addColumn<bool>("stays");
+        QTest::newRow("before the list has its place") << false << false << false;
+        QTest::newRow("when the list has its place") << true << false << true;
+        QTest::newRow("where nothing lists it") << false << true << true;
+    }
+    void what_is_made_together_goes_or_stays_together() {
+        QFETCH(bool, list);
+        QFETCH(bool, ended);
+        QFETCH(bool, stays);
+        fs::remove(root_ / "sound");
+        const pid_t child = ::fork();
+        if (child == 0) {
+            ::alarm(20);
+            auto together = std::make_unique<MadeTogether>();
+            auto made = NewFile::beside(root_ / "sound");
+            bool done = made->write("whole").empty() && made->take_place(Existing::kept).empty();
+            if (list) {
+                together->next_completes();
+                auto listed = NewFile::beside(root_ / "a");
+                done = done && listed->write("list").empty() && listed->take_place(Existing::swapped).empty();
+            }
+            if (ended)
+                together.reset();
+            NewFile::give_up_all();
+            ::_exit(done ? 7 : 1);
+        }
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        QVERIFY(WIFEXITED(status));
+        QCOMPARE(WEXITSTATUS(status), 7);
+        QCOMPARE(fs::exists(root_ / "sound"), stays);
+        QCOMPARE(content("a"), std::string(list ? "list" : "a"));
+    }
+
     /// What was swapped out is somebody's whole file, and no half one of ours.
     void a_process_that_gives_up_leaves_what_was_swapped_out() {
         const pid_t child = ::fork();

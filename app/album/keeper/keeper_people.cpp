@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace tp {
@@ -82,18 +83,31 @@ std::vector<std::string> persons_after(std::vector<std::string> persons, const s
     return persons;
 }
 
+/// Whether a name can be a file's on every system: on sticks too, which have Windows' file systems.
+bool is_name_of_files(const QByteArray& name) {
+    constexpr std::string_view refused = "\"*:<>?\\|";
+    return std::none_of(name.begin(), name.end(), [&](char c) {
+        return (c >= 0 && c < ' ') || refused.find(c) != std::string_view::npos;
+    });
+}
+
 /// Where the name of a person, spoken, is kept: readable where the name can be a file's.
 fs::path name_file(const fs::path& album, const std::string& person) {
     constexpr qsizetype longest = 200; // bytes; a file's name has at most 255
     const QByteArray name = QByteArray::fromStdString(person);
-    QByteArray file = name.toPercentEncoding(" ", "/%.\\");
-    if (QString::fromUtf8(name).toUtf8() == name && !name.contains('/') && !name.contains('%') &&
-        !name.contains('\0') && !name.startsWith('.'))
-        file = name;
-    if (file.size() > longest)
-        file = file.left(longest) + "-" +
-               QCryptographicHash::hash(name, QCryptographicHash::Sha256).toHex().left(16);
-    return album / ".touchphoto" / "people" / (file.toStdString() + ".flac");
+    const auto place = [&](QByteArray file) {
+        if (file.size() > longest)
+            file = file.left(longest) + "-" +
+                   QCryptographicHash::hash(name, QCryptographicHash::Sha256).toHex().left(16);
+        return album / ".touchphoto" / "people" / (file.toStdString() + ".flac");
+    };
+    const bool plain = QString::fromUtf8(name).toUtf8() == name && !name.contains('/') &&
+                       !name.contains('%') && !name.contains('\0') && !name.startsWith('.');
+    const bool everywhere = plain && is_name_of_files(name);
+    // An album that has not been on a stick may have it by the name itself.
+    if (everywhere || (plain && name_taken(place(name))))
+        return place(name);
+    return place(name.toPercentEncoding(" ", "/%.\\"));
 }
 
 } // namespace

@@ -42,7 +42,7 @@ class FailingDiskTest : public QObject {
     }
     long files_here() const { return std::distance(fs::directory_iterator(root_), fs::directory_iterator()); }
     void heal() {
-        file_sync_error = folder_sync_error = flag_error = rename_error = 0;
+        file_sync_error = folder_sync_error = flag_error = rename_error = link_error = 0;
         read_error = lock_error = time_error = interruptions = inherited = 0;
         most_at_once = SIZE_MAX;
         somebody_is_sooner = false;
@@ -249,13 +249,18 @@ private slots:
 
     /// Some network and memory-stick file systems know no such flags.
     void without_the_system_s_flags_nothing_is_written_over_either_data() {
-        QTest::addColumn<int>("error");
-        QTest::newRow("EINVAL") << EINVAL;
-        QTest::newRow("ENOSYS") << ENOSYS;
+        QTest::addColumn<int>("error"), QTest::addColumn<int>("of_links");
+        QTest::newRow("NFS") << EINVAL << 0;
+        QTest::newRow("an old system") << ENOSYS << 0;
+        QTest::newRow("exFAT") << EINVAL << EPERM;
+        QTest::newRow("FUSE") << EINVAL << ENOSYS;
+        QTest::newRow("SMB by FUSE") << ENOSYS << EOPNOTSUPP;
     }
     void without_the_system_s_flags_nothing_is_written_over_either() {
         QFETCH(int, error);
+        QFETCH(int, of_links);
         flag_error = error;
+        link_error = of_links;
         const std::string taken = "there is a file of that name already.";
         QCOMPARE(move_file(root_ / "a", root_ / "b"), taken);
         QCOMPARE(copy_whole(root_ / "a", root_ / "b"), taken);
@@ -275,6 +280,21 @@ private slots:
         }
         QCOMPARE(content("b"), std::string("new"));
         QCOMPARE(files_here(), 3L);
+        QCOMPARE(make_folder(root_ / "one"), std::string());
+        QCOMPARE(replace_file(root_ / "one" / "inside", "x"), std::string());
+        QCOMPARE(make_folder(root_ / "other"), std::string());
+        QCOMPARE(move_file(root_ / "one", root_ / "other"), taken);
+        QCOMPARE(move_file(root_ / "one", root_ / "third"), std::string());
+        QCOMPARE(content("third/inside"), std::string("x"));
+        rename_error = ENOSPC;
+        QCOMPARE(move_file(root_ / "third", root_ / "fourth"), std::string("the disk is full."));
+        if (of_links != 0)
+            QCOMPARE(copy_whole(root_ / "b", root_ / "fourth"), std::string("the disk is full."));
+        QVERIFY(!name_taken(root_ / "fourth")); // what claimed the name is gone
+        rename_error = 0;
+        link_error = EACCES;
+        QCOMPARE(copy_whole(root_ / "b", root_ / "fourth"),
+                 std::string("you are not allowed to write there."));
     }
 
     void what_else_the_system_says_is_passed_on() {

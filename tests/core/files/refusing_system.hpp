@@ -22,6 +22,7 @@ inline int file_sync_error = 0;             ///< errno of every fsync of a file;
 inline int folder_sync_error = 0;           ///< of a folder
 inline int flag_error = 0;                  ///< of renameat2
 inline int rename_error = 0;                ///< of renameat
+inline int link_error = 0;                  ///< of every second name
 inline int read_error = 0;                  ///< of every read of a file
 inline int lock_error = 0;                  ///< of every lock
 inline int time_error = 0;                  ///< where a file is given its time
@@ -72,6 +73,12 @@ extern "C" int renameat(int old_folder, const char* from, int new_folder, const 
     if (rename_error != 0)
         return refused(rename_error);
     return static_cast<int>(::syscall(SYS_renameat2, old_folder, from, new_folder, to, 0));
+}
+
+extern "C" int linkat(int old_folder, const char* from, int new_folder, const char* to, int flags) noexcept {
+    if (link_error != 0)
+        return refused(link_error);
+    return static_cast<int>(::syscall(SYS_linkat, old_folder, from, new_folder, to, flags));
 }
 
 extern "C" ssize_t read(int descriptor, void* bytes, std::size_t count) {

@@ -4583,6 +4583,14 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>The recording &quot;%1&quot; of &quot;%2&quot; was not imported: %3</source>
         <translation>Die Aufnahme „%1“ von „%2“ wurde nicht importiert: %3</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is hidden, and an album leaves what is hidden alone.</source>
+        <translation>„%1“ ist versteckt, und ein Album lässt Verstecktes unangetastet.</translation>
+    </message>
+    <message>
+        <source>The JPEG file goes over its picture more often than any program does; it was not read.</source>
+        <translation>Die JPEG-Datei geht öfter über ihr Bild, als irgendein Programm es tut; sie wurde nicht gelesen.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

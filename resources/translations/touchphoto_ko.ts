@@ -4559,6 +4559,14 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>The recording &quot;%1&quot; of &quot;%2&quot; was not imported: %3</source>
         <translation>녹음 “%1”(“%2”): 가져오지 못했습니다. %3</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is hidden, and an album leaves what is hidden alone.</source>
+        <translation>“%1”: 숨긴 파일입니다. 앨범은 숨긴 파일을 건드리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The JPEG file goes over its picture more often than any program does; it was not read.</source>
+        <translation>이 JPEG 파일은 어떤 프로그램보다 그림을 여러 번 거칩니다. 읽지 않았습니다.</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>

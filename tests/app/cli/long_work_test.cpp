@@ -4,6 +4,8 @@
 #include "lab_process.hpp"
 #include "long_verbs.hpp"
 
+#include <QDataStream>
+#include <QDir>
 #include <QRegularExpression>
 #include <QStringList>
 #include <QTest>
@@ -12,6 +14,7 @@
 #include <csignal>
 #include <iterator>
 #include <optional>
+#include <random>
 #include <set>
 
 using tp::test::LongVerb;
@@ -25,6 +28,26 @@ constexpr int longest_silence_ms = 120'000;
 
 QByteArray list_of(const std::set<QString>& names) {
     return QStringList(names.begin(), names.end()).join(", ").toUtf8();
+}
+
+/// WAV, 8 kHz, 16 bit, mono: nothing that is packed or unpacked at once.
+QByteArray a_noise(int frames) {
+    QByteArray samples(2 * frames, '\0');
+    std::minstd_rand random(1);
+    for (char& byte : samples)
+        byte = static_cast<char>(random() >> 9);
+    QByteArray wav;
+    QDataStream out(&wav, QIODevice::WriteOnly);
+    out.setByteOrder(QDataStream::LittleEndian);
+    const auto bytes = static_cast<quint32>(samples.size());
+    out.writeRawData("RIFF", 4);
+    out << quint32{36 + bytes};
+    out.writeRawData("WAVEfmt ", 8);
+    out << quint32{16} << quint16{1} << quint16{1} << quint32{8000} << quint32{16000} << quint16{2}
+        << quint16{16};
+    out.writeRawData("data", 4);
+    out << bytes;
+    return wav + samples;
 }
 
 } // namespace
@@ -79,6 +102,30 @@ private slots:
         const Run replayed = lab({"devices", "replay", inputs_->path("long.rec")});
         QCOMPARE(replayed.code, 0);
         QCOMPARE(replayed.err, QByteArray());
+    }
+
+    /// The end comes at the moment when the file has appeared, or soon after: it goes, or is in the list.
+    void a_recording_that_was_stopped_is_not_left_unlisted() {
+        const QString photo = inputs_->path("one.jpg"), sound = inputs_->path("noise.wav");
+        written(sound, a_noise(600 * 8000));
+        const QDir tags(photo + ".tags");
+        for (int round = 0; round < 24; ++round) {
+            QProcess process;
+            process.start(tp::test::in_build("bin/touchphoto-lab"),
+                          {"album", "tag", "add", photo, "--from", sound});
+            while (tags.entryList({"*.flac"}).isEmpty() && process.state() != QProcess::NotRunning)
+                process.waitForFinished(1);
+            process.waitForFinished(round / 2 * 25 + 1); // ms, up to where its list is whole
+            ::kill(static_cast<pid_t>(process.processId()), round % 2 == 0 ? SIGINT : SIGTERM);
+            QVERIFY(process.waitForFinished(longest_answer_ms));
+            const Run listed = lab({"album", "tag", "list", photo, "--json"});
+            QCOMPARE(listed.code, 0);
+            const QStringList there = tags.entryList({"*.flac"});
+            QVERIFY2(listed.out.count("\"file\"") == there.size(), listed.out + there.join(' ').toUtf8());
+            QVERIFY2(there.size() == 1 || process.exitCode() >= 128, "it said that it was done");
+            if (!there.isEmpty())
+                QCOMPARE(lab({"album", "tag", "delete", photo, there.front()}).code, 0);
+        }
     }
 
     /// A trial's path is on the disk before the trial: where the end comes in between, it is done again.

@@ -70,7 +70,7 @@ private:
     std::vector<fs::path> files_;
 };
 
-thread_local MadeTogether* made_together = nullptr; ///< the innermost one
+alignas(64) thread_local MadeTogether* made_together = nullptr; ///< the innermost one
 
 } // namespace
 

@@ -24,6 +24,8 @@ public:
 
     void* data() const { return data_; }
     std::size_t size() const { return size_; } ///< bytes
+    /// The process takes no memory for that part until it is looked at again; it holds what it held.
+    void rest(std::size_t begin, std::size_t bytes) const;
 
 private:
     void* data_;

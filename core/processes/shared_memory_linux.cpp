@@ -23,6 +23,13 @@ Mapping::~Mapping() {
         ::munmap(data_, size_);
 }
 
+void Mapping::rest(std::size_t begin, std::size_t bytes) const {
+    static const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    const std::size_t first = begin / page * page; // what lies before in that page is looked at again
+    if (begin + bytes <= size_)
+        ::madvise(static_cast<char*>(data_) + first, begin + bytes - first, MADV_DONTNEED);
+}
+
 std::optional<SharedMemory> SharedMemory::make(std::size_t bytes) {
     Descriptor descriptor(::memfd_create("touchphoto", MFD_CLOEXEC | MFD_ALLOW_SEALING));
     if (!descriptor.ok() || bytes == 0 || ::ftruncate(descriptor.number(), static_cast<off_t>(bytes)) != 0 ||

@@ -28,6 +28,8 @@ bool lasts(const Descriptor& memory) {
 
 } // namespace
 
+void Mapping::rest(std::size_t, std::size_t) const {} // pages of a section come and go as the system likes
+
 Mapping::~Mapping() {
     if (data_ != nullptr)
         UnmapViewOfFile(data_);

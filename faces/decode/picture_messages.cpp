@@ -17,6 +17,11 @@ constexpr int largest_shrink = 8;
 constexpr double most_decoded_px =
     1.05 * largest_picture_px; ///< with what some encoders fill up to whole blocks
 
+/// A decoder of JPEG rounds up, shrinking planes down.
+bool is_shrunk(int pixels, int whole, int shrink) {
+    return pixels == whole / shrink || pixels == whole / shrink + (whole % shrink != 0 ? 1 : 0);
+}
+
 Error no_answer_of_a_decoder() { return {"The picture cannot be decoded."}; }
 
 /// Zero where it is no number of an int.
@@ -79,8 +84,8 @@ Result<PictureAnswer> picture_answer(Message& message, std::optional<Mapping>& t
     if (reader.has_descriptor())
         tray = received(reader.descriptor());
     const bool can_be = reader.whole() && answer.shrink >= 1 && answer.shrink <= largest_shrink &&
-                        answer.size.width / answer.shrink == pixels.width &&
-                        answer.size.height / answer.shrink == pixels.height &&
+                        is_shrunk(pixels.width, answer.size.width, answer.shrink) &&
+                        is_shrunk(pixels.height, answer.size.height, answer.shrink) &&
                         static_cast<double>(answer.size.width) * answer.size.height <= most_decoded_px;
     if (can_be)
         answer.pixels = pixels_in(tray, pixels);

@@ -8,6 +8,7 @@ namespace tp {
 namespace {
 
 constexpr std::size_t kept_bytes = std::size_t{3} * 3200 * 2400;
+constexpr std::size_t bytes_at_a_time = 4 << 20;
 
 } // namespace
 
@@ -41,8 +42,17 @@ cv::Mat pixels_in(std::optional<Mapping>& tray, cv::Size size) {
     const std::size_t bytes =
         std::size_t{3} * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     cv::Mat picture;
-    if (bytes <= tray->size())
-        cv::Mat(size, CV_8UC3, tray->data()).copyTo(picture);
+    if (bytes <= tray->size()) {
+        const cv::Mat in_tray(size, CV_8UC3, tray->data());
+        const std::size_t row = 3 * static_cast<std::size_t>(size.width);
+        const int rows = std::max(1, static_cast<int>(bytes_at_a_time / row));
+        picture.create(size, CV_8UC3);
+        for (int y = 0; y < size.height; y += rows) { // never both whole in memory
+            const int end = std::min(size.height, y + rows);
+            in_tray.rowRange(y, end).copyTo(picture.rowRange(y, end));
+            tray->rest(static_cast<std::size_t>(y) * row, static_cast<std::size_t>(end - y) * row);
+        }
+    }
     if (tray->size() > kept_bytes)
         tray.reset();
     return picture;

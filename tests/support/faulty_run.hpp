@@ -27,8 +27,8 @@ inline QByteArray faulty_run(const QString& program, const QStringList& argument
     QProcess worker;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     // By its folder: the name of a library that is preloaded ends at a blank.
-    environment.insert("LD_LIBRARY_PATH",
-                       in_build("tests/app/album/keeper") + ':' + environment.value("LD_LIBRARY_PATH"));
+    environment.insert("LD_LIBRARY_PATH", QString(in_build("tests/app/album/keeper")) + QLatin1Char(':') +
+                                              environment.value("LD_LIBRARY_PATH"));
     environment.insert("LD_PRELOAD", "libfailing_files.so");
     environment.insert("TP_FAULT_BELOW", QString::fromStdString(below.string()));
     environment.insert("TP_FAULT", QString::fromLatin1(fault));

@@ -57,7 +57,7 @@ QByteArray tangle() {
         return QByteArray::number(0.1 * static_cast<double>(random() % (10 * below)));
     };
     QByteArray path = "M 0 0";
-    for (int i = 0; i < 500'000; ++i)
+    for (int i = 0; i < 1'000'000; ++i)
         path += " L " + place(260) + ' ' + place(160);
     return "<svg xmlns='http://www.w3.org/2000/svg' width='260mm' height='160mm' viewBox='0 0 260 160'><path "
            "id='tangle' d='" +
@@ -196,7 +196,7 @@ void write_long_inputs(const QString& folder) {
         make(folder + name);
     for (int i = 0; i < 200; ++i)
         link(folder + "/large.jpg", folder + QStringLiteral("/heavy/%1.jpg").arg(i));
-    for (int i = 0; i < 8'000; ++i)
+    for (int i = 0; i < 40'000; ++i)
         link(folder + "/one.jpg", folder + QStringLiteral("/album/%1.jpg").arg(i));
     link(folder + "/long.wav", folder + "/large_models/yunet.onnx");
     run({"devices", "record", folder + "/short.rec", "--seconds", "0.1"});

@@ -31,12 +31,8 @@ public:
         axis(panel_.y, false);
         painter_.save();
         painter_.setClipRect(box_.adjusted(-4, -4, 4, 4));
-        for (const PlotPanel::Dot& dot : panel_.dots) {
-            painter_.setPen(QPen(dot.colour, 1.6));
-            painter_.setBrush(dot.hollow ? Qt::NoBrush : QBrush(dot.colour));
-            painter_.drawEllipse(place(dot.place), 4.0, 4.0);
-        }
-        painter_.setBrush(Qt::NoBrush);
+        for (const PlotPanel::Dot& dot : panel_.dots)
+            draw_dot(place(dot.place), dot.colour, dot.hollow);
         for (const PlotPanel::Line& line : panel_.lines) {
             painter_.setPen(QPen(line.colour, 2.0, line.dashed ? Qt::DashLine : Qt::SolidLine));
             for (std::size_t i = 1; i < line.points.size(); ++i)
@@ -141,6 +137,13 @@ private:
         }
     }
 
+    void draw_dot(const QPointF& at, const QColor& colour, bool hollow) {
+        painter_.setPen(QPen(colour, 1.6));
+        painter_.setBrush(hollow ? Qt::NoBrush : QBrush(colour));
+        painter_.drawEllipse(at, 4.0, 4.0);
+        painter_.setBrush(Qt::NoBrush);
+    }
+
     void legend() {
         constexpr double row_height = 19.0;
         const auto named = std::count_if(panel_.lines.begin(), panel_.lines.end(),
@@ -158,12 +161,9 @@ private:
                 painter_.drawLine(QPointF(box_.left() + 10, y + 8), QPointF(box_.left() + 36, y + 8));
                 row(line.name);
             }
-        for (const auto& [name, colour] : panel_.dot_names) {
-            painter_.setPen(QPen(colour, 1.6));
-            painter_.setBrush(colour);
-            painter_.drawEllipse(QPointF(box_.left() + 23, y + 8), 4.0, 4.0);
-            painter_.setBrush(Qt::NoBrush);
-            row(name);
+        for (const PlotPanel::DotName& dot : panel_.dot_names) {
+            draw_dot(QPointF(box_.left() + 23, y + 8), dot.colour, dot.hollow);
+            row(dot.name);
         }
     }
 

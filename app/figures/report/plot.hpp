@@ -22,7 +22,7 @@ struct PlotAxis {
     QString label;
     double low = 0.0;
     double high = 1.0;
-    bool logarithmic = false; ///< low > 0
+    bool logarithmic = false;                        ///< low > 0
     std::vector<std::pair<double, QString>> names{}; ///< in place of numbers at the ticks; empty: numbers
 };
 
@@ -39,6 +39,11 @@ struct PlotPanel {
         QColor colour;
         bool hollow = false;
     };
+    struct DotName {
+        QString name;
+        QColor colour;
+        bool hollow = false;
+    };
     struct Text {
         Vec2 place; ///< its lower middle
         QString words;
@@ -50,8 +55,8 @@ struct PlotPanel {
     std::vector<Line> lines;
     std::vector<Dot> dots;
     std::vector<Text> texts;
-    std::vector<std::pair<QString, QColor>> dot_names; ///< legend of the dots
-    bool legend_at_bottom = false;                     ///< else at the top
+    std::vector<DotName> dot_names; ///< legend of the dots
+    bool legend_at_bottom = false;  ///< else at the top
 };
 
 /// Draws the panels side by side to FILE.png and FILE.svg (`stem` without an ending).

@@ -74,7 +74,7 @@ void add_published(PlotPanel& panel, const StudyReport& report, const StudyMeasu
                     any = true;
                 }
     if (any)
-        panel.dot_names = {{QStringLiteral("here"), blue}, {QStringLiteral("published, people"), red}};
+        panel.dot_names = {{QStringLiteral("here"), blue}, {QStringLiteral("published, people"), red, true}};
 }
 
 /// Round what is shown, with some room.
@@ -195,7 +195,7 @@ PlotPanel beside_published(const std::vector<ComparedResult>& results, std::stri
     panel.note =
         QStringLiteral("bars: from the smallest to the largest of the studies; K stiffness, d range");
     panel.dot_names = {{QStringLiteral("here, mean of the studies"), blue},
-                       {QStringLiteral("published, people"), red}};
+                       {QStringLiteral("published, people"), red, true}};
     panel.legend_at_bottom = true;
     panel.x.low = 0.5;
     panel.x.high = at + 0.5;
@@ -229,7 +229,7 @@ PlotPanel means_beside_published(const std::vector<ComparedResult>& results, std
     panel.note = QStringLiteral(
         "bars: from the smallest to the largest of the studies; published: a value, or from where to where");
     panel.dot_names = {{QStringLiteral("here, mean of the studies"), blue},
-                       {QStringLiteral("published, people"), red}};
+                       {QStringLiteral("published, people"), red, true}};
     panel.legend_at_bottom = true;
     panel.x.low = 0.5;
     panel.x.high = at + 0.5;

@@ -80,6 +80,8 @@ private slots:
         row("JPEG 2000", written("a.jp2", gradient(300, 200)));
         row("raw", raw());
         row("JPEG", written("a.jpg", gradient(300, 200)));
+        row("large JPEG of an odd size",
+            written("odd.jpg", large()(cv::Rect(0, 0, large().cols - 3, large().rows - 5))));
         row("one pixel", written("one.png", gradient(1, 1)));
     }
     void its_pixels_are_the_same() {
@@ -226,6 +228,8 @@ private slots:
         };
         row("as it should be", {4, 2, 4, 2, 1, 0}, 24, true);
         row("shrunk as it should be", {4, 2, 9, 5, 2, 1}, 24, true);
+        row("shrunk and rounded up", {5, 3, 9, 5, 2, 1}, 45, true);
+        row("rounded up where there is nothing to round", {5, 3, 8, 4, 2, 1}, 45, false);
         row("no memory", {4, 2, 4, 2, 1, 0}, 0, false);
         row("too little memory", {4, 2, 4, 2, 1, 0}, 23, false);
         row("no width", {0, 2, 0, 2, 1, 0}, 24, false);
@@ -253,7 +257,9 @@ private slots:
         const auto answer = picture_answer(made, tray);
         QCOMPARE(answer.ok(), good);
         if (good)
-            QVERIFY(answer->pixels.size() == cv::Size(4, 2) && answer->pixels.type() == CV_8UC3);
+            QVERIFY(answer->pixels.size() ==
+                        cv::Size(static_cast<int>(numbers[0]), static_cast<int>(numbers[1])) &&
+                    answer->pixels.type() == CV_8UC3);
     }
 
     void an_answers_sentence_is_made_readable() {

@@ -172,7 +172,7 @@ private slots:
         for (const char* const name : {"seed-7/participant-002.csv", "seed-8/participant-002.csv",
                                        "published.csv", "published.html", "published.png", "published.svg"})
             QVERIFY2(QFile::exists(path(QString("again/") + name)), name);
-        for (const std::uint64_t seed : {7, 8}) {
+        for (const std::uint64_t seed : {7U, 8U}) {
             const auto study = tp::read_study(path("again/seed-%1").arg(seed).toStdString());
             QVERIFY(study && study->terms && study->terms->seed == seed);
         }

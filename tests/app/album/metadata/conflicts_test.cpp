@@ -217,6 +217,29 @@ private slots:
         QVERIFY(fs::exists(sidecar_.parent_path() / syncthing));
     }
 
+    /// Also those of the sidecar that is named by the stem, which two photographs share.
+    void a_copy_belongs_to_the_photographs_of_its_name_and_stem() {
+        const fs::path folder = photo_.parent_path();
+        const std::string mark = ".sync-conflict-20260501-101500-ABCDEFG";
+        const fs::path whole = folder / ("IMG_1.jpg" + mark + ".xmp"),
+                       shared = folder / ("IMG_1" + mark + ".XMP");
+        for (const fs::path& copy : {whole, shared})
+            write_bytes(copy, packet("", ""));
+        make_newer(whole, shared);
+        write_bytes(folder / ("IMG_1.jpg" + mark + ".jpg"), "another machine's photograph");
+        write_bytes(folder / "IMG_1 (1).jpg.xmp", packet("", ""));
+        fs::create_symlink(whole, folder / ("IMG_1.jpg.sync-conflict-20260502-101500-ABCDEFG.xmp"));
+        ConflictCopies copies;
+        QVERIFY(copies.of(photo_) == (std::vector<fs::path>{shared, whole})); // oldest first
+        QVERIFY(copies.of(folder / "IMG_1.nef") == std::vector<fs::path>{shared});
+        QVERIFY(copies.of(folder / "IMG_1") == std::vector<fs::path>{shared}); // its own name
+        QVERIFY(copies.of(folder / "IMG_2.jpg").empty());
+        QVERIFY(copies.of(folder / "elsewhere" / "IMG_1.jpg").empty());
+        fs::remove(shared);
+        QVERIFY(copies.of(photo_) == std::vector<fs::path>{whole});
+        QVERIFY(copies.of(folder / "IMG_1.nef").empty());
+    }
+
     void another_photos_copy_is_not_ours() {
         write_bytes(sidecar_.parent_path() / "IMG_11.jpg.sync-conflict-20260501-101500-ABCDEFG.xmp",
                     packet("", ""));

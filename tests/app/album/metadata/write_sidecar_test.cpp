@@ -66,6 +66,20 @@ class WriteSidecarTest : public QObject {
     }
 
 private slots:
+    void a_sidecar_is_no_more_open_than_its_photograph() {
+        ::umask(022);
+        const auto mode = [&] { return fs::status(sidecar_).permissions(); };
+        QCOMPARE(write_sidecar(photo_, keyword("one")), std::string());
+        QCOMPARE(mode(), fs::perms(0600));
+        ::chmod(sidecar_.c_str(), 0666); // as somebody wants it
+        ::chmod(photo_.c_str(), 0644);
+        QCOMPARE(write_sidecar(photo_, keyword("two")), std::string());
+        QCOMPARE(mode(), fs::perms(0644));
+        ::chmod(photo_.c_str(), 0600);
+        QCOMPARE(write_sidecar(photo_, keyword("three")), std::string());
+        QCOMPARE(mode(), fs::perms(0600));
+    }
+
     void init() {
         const fs::path folder = fs::path(dir_.path().toStdString()) / QTest::currentTestFunction();
         fs::create_directory(folder);

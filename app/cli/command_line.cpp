@@ -24,10 +24,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What stands at the beginning or the end of each kind of file that a verb writes: in words, in a PDF's words, and in the list
-/// of a packed study.
-constexpr std::array<std::string_view, 3> marks{
-    "TouchPhoto", {"T\0o\0u\0c\0h\0P\0h\0o\0t\0o", 19}, "/sittings.csv"};
+/// What stands at the beginning or the end of each kind of file that a verb writes: contours, tables, pictures, sheets, a packed
+/// study. "TouchPhoto" alone stands in photographs too that were taken with it.
+constexpr std::array<std::string_view, 6> marks{"TouchPhoto contours",
+                                                "\"made_by\": \"TouchPhoto\"",
+                                                "TouchPhoto-drawing",
+                                                "data-name=\"orientation mark\"",
+                                                {"T\0o\0u\0c\0h\0P\0h\0o\0t\0o", 19},
+                                                "/sittings.csv"};
 
 /// The photograph whose mended contours a file holds, where it is there.
 std::optional<fs::path> photo_of_contours(const fs::path& file) {

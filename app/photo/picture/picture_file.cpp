@@ -18,7 +18,8 @@ Result<std::filesystem::path> write_image(const std::filesystem::path& file, con
     };
     const QByteArray format = QFileInfo(QString::fromStdString(file.string())).suffix().toLatin1();
     QImage marked = image;
-    marked.setText(QStringLiteral("Software"), QStringLiteral("TouchPhoto")); // as whose it is known again
+    marked.setText(QStringLiteral("Software"),
+                   QStringLiteral("TouchPhoto-drawing")); // other than a photograph that was taken
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!marked.save(&buffer, format.isEmpty() ? "png" : format.constData()))

@@ -210,10 +210,12 @@ private slots:
         const QString file = path("narrow.svg");
         const Run wide = lab({"scene", sample, "--out", file, "--spacing"});
         QVERIFY2(!wide.err.contains("finger wants"), wide.err.constData());
-        const Run narrow = lab({"scene", sample, "--out", file, "--spacing", "--width", "90", "--height", "70"});
+        const Run narrow =
+            lab({"scene", sample, "--out", file, "--spacing", "--width", "90", "--height", "70"});
         QCOMPARE(narrow.code, 0);
         QVERIFY2(narrow.err.contains(" mm wide here, and a finger wants 25 mm"), narrow.err.constData());
-        QVERIFY(!lab({"scene", sample, "--out", file, "--width", "90", "--height", "70"}).err.contains("finger wants"));
+        QVERIFY(!lab({"scene", sample, "--out", file, "--width", "90", "--height", "70"})
+                     .err.contains("finger wants"));
     }
 
     void features_are_added_where_they_are_asked_for() {
@@ -404,6 +406,47 @@ private slots:
         }
         qInfo("largest difference between the trace and the law: %.3f N", worst);
         QVERIFY(worst < 0.45);
+    }
+
+    void a_file_of_another_s_is_written_over_by_force_alone() {
+        const QString svg = scene();
+        const auto draws = [&](const QString& file, bool force = false) {
+            QStringList words{"field", "--scene", svg, "--out", file, "--scale", "1"};
+            return lab(force ? words << "--force" : words);
+        };
+        const auto bytes = [](const QString& file) {
+            QFile opened(file);
+            return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray();
+        };
+        QVERIFY(QFile::copy(sample, path("taken.jpg")));
+        QProcess exiftool; // as Capture writes it
+        exiftool.start("exiftool", {"-q", "-overwrite_original", "-Software=TouchPhoto", path("taken.jpg")});
+        QVERIFY(exiftool.waitForFinished(-1) && exiftool.exitCode() == 0);
+        QVERIFY(QFile::copy(sample, path("other.png")));
+        for (const QString& photo : {path("taken.jpg"), path("other.png")}) {
+            const QByteArray before = bytes(photo);
+            const Run run = draws(photo);
+            QCOMPARE(run.code, 1);
+            QVERIFY2(run.err.contains("--force"), run.err);
+            QCOMPARE(bytes(photo), before);
+            QCOMPARE(draws(photo, true).code, 0);
+            QVERIFY(bytes(photo) != before);
+            QCOMPARE(draws(photo).code, 0); // ours now
+        }
+        write("empty.png", {});
+        QCOMPARE(draws(path("empty.png")).code, 0);
+        for (const char* const sheet : {"sheet.svg", "sheet.pdf", "scene"})
+            for (int i = 0; i < 2; ++i)
+                QCOMPARE(lab(QString(sheet).startsWith("sheet")
+                                 ? QStringList{"tactile", sample, path(sheet)}
+                                 : QStringList{"scene", sample, "--out", path("made.svg")})
+                             .code,
+                         0);
+        QVERIFY(QFile::copy(sample, path("mended.jpg")) &&
+                QFile::copy(path("made.svg"), path("mended.jpg.contours.svg")));
+        const Run refused = lab({"scene", sample, "--out", path("mended.jpg.contours.svg")});
+        QCOMPARE(refused.code, 1);
+        QVERIFY2(refused.err.contains("mended"), refused.err);
     }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/participant/felt_shape.hpp"
 
+#include "core/participant/way_belief.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,6 +29,16 @@ using Turns = std::array<std::optional<double>, parts>;
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 Vec2 rotated(Vec2 v, double angle) {
     return {std::cos(angle) * v.x - std::sin(angle) * v.y, std::sin(angle) * v.x + std::cos(angle) * v.y};
+}
+
+/// Standard deviations of what is remembered of a shape of this size (mm from its middle).
+struct Memory {
+    double place_mm, heading_deg;
+};
+
+Memory memory_of(const Person& person, double size_mm) {
+    return {std::max(person.joint_mm, std::min(person.place_mm, person.length_share * size_mm)),
+            std::hypot(person.heading_deg, std::atan2(person.joint_mm, size_mm) * 360.0 / once)};
 }
 
 Vec2 middle_of(std::span<const FeltPlace> round) {
@@ -181,7 +193,7 @@ std::optional<ShapeMisfits> misfits_of(std::span<const FeltPlace> round, const P
     const Vec2 middle = middle_of(round);
     for (const FeltPlace& felt : round)
         size = std::max(size, length(felt.place - middle));
-    const double error_mm = std::min(person.place_mm, person.length_share * size);
+    const auto [error_mm, error_deg] = memory_of(person, size);
     // Twice smoothed, so that places near each other keep their order.
     Vec2 drift{chance.normal(), chance.normal()};
     Vec2 error = drift / std::sqrt(2.0);
@@ -197,7 +209,7 @@ std::optional<ShapeMisfits> misfits_of(std::span<const FeltPlace> round, const P
             turn = kept * turn + fresh * chance.normal();
         }
         places.push_back(round[i].place + std::sqrt(2.0) * error_mm * error);
-        remembered.push_back({places.back(), rotated(round[i].heading, radians(person.heading_deg) * turn)});
+        remembered.push_back({places.back(), rotated(round[i].heading, radians(error_deg) * turn)});
     }
     const auto radii = radii_of(places, middle_of(round));
     if (!radii)
@@ -220,6 +232,8 @@ std::optional<int> ShapeNamer::hear(std::span<const FeltPlace> trail) {
     if (trail.size() == looked_at_)
         return std::nullopt;
     looked_at_ = trail.size();
+    if (const auto named = by_the_way(trail))
+        return named;
     const auto end = round_end(trail, from_, person_.place_mm);
     if (!end)
         return std::nullopt;
@@ -233,6 +247,43 @@ std::optional<int> ShapeNamer::hear(std::span<const FeltPlace> trail) {
     ShapeMisfits sorted = misfits_;
     std::ranges::sort(sorted);
     return rounds_ >= person_.most_rounds || sorted[1] > sure * sorted[0] ? guess() : std::nullopt;
+}
+
+/// Where the way is long enough since it was asked last. What is remembered of a place stays as it is.
+std::optional<int> ShapeNamer::by_the_way(std::span<const FeltPlace> trail) {
+    constexpr std::size_t between = 10; // places
+    // How near the line a finger is that follows it, and for how long it keeps to that side (assumed).
+    constexpr WayError tracked_mm{2.0, 20.0};
+    constexpr double steered_way_mm = 30.0;
+    errors_.resize(std::min(errors_.size(), trail.size()));
+    believed_at_ = std::min(believed_at_, trail.size());
+    for (std::size_t i = errors_.size(); i < trail.size(); ++i) {
+        const double kept =
+            i == 0 ? 0.0 : std::exp(-length(trail[i].place - trail[i - 1].place) / error_changes_mm);
+        drift_ = kept * drift_ + std::sqrt(1.0 - kept * kept) * Vec2{chance_.normal(), chance_.normal()};
+        error_ = kept * error_ + (1.0 - kept) * drift_;
+        turn_ = kept * turn_ + std::sqrt(1.0 - kept * kept) * chance_.normal();
+        errors_.push_back({std::sqrt(2.0) * error_, turn_});
+    }
+    if (trail.size() < believed_at_ + between)
+        return std::nullopt;
+    believed_at_ = trail.size();
+    double size = 0.0;
+    const Vec2 middle = middle_of(trail);
+    for (const FeltPlace& felt : trail)
+        size = std::max(size, length(felt.place - middle));
+    const auto [error_mm, error_deg] = memory_of(person_, size);
+    std::vector<FeltPlace> way;
+    for (std::size_t i = 0; i < trail.size(); i += 2)
+        way.push_back({trail[i].place + error_mm * errors_[i].place,
+                       rotated(trail[i].heading, radians(error_deg) * errors_[i].turn)});
+    const ShapeBeliefs beliefs = beliefs_of(
+        way, {WayError{error_mm, 4.0 * error_changes_mm}, tracked_mm},
+        {WayError{error_deg, 2.0 * error_changes_mm}, WayError{person_.direction_deg, steered_way_mm}});
+    const auto best = std::ranges::max_element(beliefs);
+    return *best >= sure_belief
+               ? std::optional(shape_corners[static_cast<std::size_t>(best - beliefs.begin())])
+               : std::nullopt;
 }
 
 std::optional<int> ShapeNamer::guess() const {

@@ -24,6 +24,7 @@ Person person_of(int number, std::uint64_t seed) {
           &person.place_mm, &person.answer_s, &person.touch_mm})
         spread(*manner, 0.25);
     spread(person.heading_deg, 0.15);
+    spread(person.joint_mm, 0.15);
     // The same damping ratio for everybody: arms that are stiffer are more damped.
     const Person typical;
     person.damping_n_s_per_m *= std::sqrt(person.mass_kg * person.stiffness_n_per_mm /

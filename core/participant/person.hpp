@@ -50,7 +50,7 @@ struct Person {
     double caution =
         0.6; ///< its speed after the line was lost, as a share of that before; also at first (assumed)
     double trust_per_s =
-        0.15; ///< by which share the speed grows in a second along a line that is kept (assumed)
+        0.15; ///< by which share the speed grows in a second without a pull, and falls at twice `brake_n` (assumed)
 
     // What is remembered.
     /// Standard deviation of a felt place from where it was, mm: position sense of an unseen hand (order of van Beers, Sittig, Denier
@@ -60,6 +60,10 @@ struct Person {
     /// 5 to 10 % (Durlach and others, "Manual discrimination and identification of length by the finger-span method", Percept
     /// Psychophys 46, 1989).
     double length_share = 0.1;
+    /// And however near, no better than that, mm: fingers' joints are told apart at 2.5° (Tan, Srinivasan, Eberman, Cheng, "Human
+    /// factors for the design of force-reflecting haptic interfaces", ASME DSC 55-1, 1994), some 90 mm from the knuckle to the tip. So
+    /// neither is the direction of a short side known better than that over its length.
+    double joint_mm = 4.0;
     /// Standard deviation of the remembered direction in which the hand went, degrees: angles between two ways of the arm are told apart
     /// at 4.7, three times in four (Voisin, Benoit, Chapman, "Haptic discrimination of object shape in humans: two-dimensional angle
     /// discrimination", Exp Brain Res 145, 2002), which is 3.5 for either way.

@@ -21,9 +21,11 @@ constexpr double widest_circle_mm = 40.0;
 constexpr double again_mm = 12.0;      // slipping off so near the last time is at a corner
 constexpr double on_way_back_mm = 6.0; // along places that were passed the other way
 constexpr double smallest_trust = 0.1;
-constexpr double most_lean = 1.0; // rad
-constexpr double slip_s = 0.15;
-constexpr double slip_cosine = -0.1;
+constexpr double most_lean = 1.0;     // rad
+constexpr double slip_s = 0.15;       // so long nothing is felt until it may have left the line
+constexpr double recent_s = 0.3;      // in which the strongest pull of a moment ago is forgotten
+constexpr double left_share = 0.35;   // of the strongest pull ever: what was felt before leaving is stronger
+constexpr double on_line_share = 0.5; // of the strongest pull: below that the finger is on the line
 
 Vec2 across(Vec2 v) { return {-v.y, v.x}; }
 Vec2 turned(Vec2 v, double angle) {
@@ -37,22 +39,27 @@ StudyHand::StudyHand(const Person& person, const Rect& area, Vec2 start, bool on
                      std::uint64_t seed)
     : person_(person), area_(area), dt_s_(dt_s), chance_(seed), sense_(person, dt_s, seed + 1),
       along_noise_(person.noise_s), across_noise_(person.noise_s),
-      mode_(on_line ? Mode::follow : Mode::search),
-      places_(static_cast<std::size_t>(std::max(1L, std::lround(person.delay_s / dt_s))), start),
-      hand_(start), heading_(turned({1.0, 0.0}, chance_.between(0.0, 2.0 * std::numbers::pi))),
+      mode_(on_line ? Mode::follow : Mode::search), on_line_(on_line),
+      places_(static_cast<std::size_t>(std::max(1L, std::lround(person.delay_s / dt_s))),
+              {start, {1.0, 0.0}}),
+      line_at_(start), hand_(start),
+      heading_(turned({1.0, 0.0}, chance_.between(0.0, 2.0 * std::numbers::pi))),
       side_(chance_.happens(0.5) ? 1.0 : -1.0), trust_(person.caution), sway_from_(start) {}
 
 Vec2 StudyHand::step(Vec2 finger, Vec2 force) {
     const Vec2 felt = sense_.feel(force);
-    felt_at_ = places_[next_place_];
-    places_[next_place_] = finger;
+    felt_at_ = places_[next_place_].place;
+    felt_heading_ = places_[next_place_].heading;
+    places_[next_place_] = {finger, heading_};
+    strongest_n_ = std::max(strongest_n_, length(felt));
+    recent_n_ = std::max(length(felt), recent_n_ * std::exp(-dt_s_ / recent_s));
     next_place_ = (next_place_ + 1) % places_.size();
     if (mode_ == Mode::search)
         search(felt);
     else if (mode_ == Mode::go_back)
         go_back();
     else
-        follow(finger, felt);
+        follow(felt);
     const double noise = person_.motor_noise * speed_ * dt_s_;
     hand_ += noise * (along_noise_.next(chance_, dt_s_) * heading_ +
                       across_noise_.next(chance_, dt_s_) * across(heading_));
@@ -96,6 +103,9 @@ void StudyHand::go_back() {
     hand_ = found_at_;
     mode_ = Mode::follow;
     unfelt_s_ = 0.0;
+    last_felt_ = Vec2(0.0);
+    recent_n_ = 0.0;
+    on_line_ = false;
 }
 
 void StudyHand::turn_across(Vec2 felt) {
@@ -106,7 +116,9 @@ void StudyHand::turn_across(Vec2 felt) {
         along = -along;
     const double lean = std::min(most_lean, person_.lean_rad_n * strength);
     along = std::cos(lean) * along + std::sin(lean) / strength * felt;
-    const double off = std::atan2(cross(heading_, along), glm::dot(heading_, along));
+    const double then = std::atan2(cross(felt_heading_, along), glm::dot(felt_heading_, along));
+    const double since = std::atan2(cross(felt_heading_, heading_), glm::dot(felt_heading_, heading_));
+    const double off = std::remainder(then - since, 2.0 * std::numbers::pi);
     const double turn = std::min(1.0, dt_s_ / person_.turn_s) * strength / (strength + ease_n) * off;
     heading_ = turned(heading_, turn);
     turn_rate_ += dt_s_ / 0.3 * (turn / dt_s_ - turn_rate_);
@@ -118,7 +130,7 @@ double StudyHand::bend_factor() const {
     return std::cbrt(std::clamp(radius / person_.preferred_radius_mm, 0.05, 1.0));
 }
 
-void StudyHand::follow(Vec2 finger, Vec2 felt) {
+void StudyHand::follow(Vec2 felt) {
     const bool feels = felt != Vec2(0.0);
     unfelt_s_ = feels ? 0.0 : unfelt_s_ + dt_s_;
     if (mode_ == Mode::sway || mode_ == Mode::circle) {
@@ -132,7 +144,7 @@ void StudyHand::follow(Vec2 finger, Vec2 felt) {
     }
     if (feels && length(felt) >= 2.0 * person_.threshold_n) {
         last_felt_ = felt;
-        last_felt_at_ = felt_at_;
+        line_at_ = last_felt_at_ = felt_at_;
     }
     if (slipped_off()) {
         lose();
@@ -147,6 +159,7 @@ void StudyHand::follow(Vec2 finger, Vec2 felt) {
             heading_ = length(towards) > 0.1 ? towards / length(towards) : across(heading_);
         }
         last_felt_ = Vec2(0.0);
+        trail_.resize(std::min(trail_.size(), trail_sure_)); // what came after was not on the line
         return;
     }
     if (unfelt_s_ > person_.doubt_s) {
@@ -157,21 +170,29 @@ void StudyHand::follow(Vec2 finger, Vec2 felt) {
     if (feels) {
         turn_across(felt);
         wanted *= std::clamp(1.0 + glm::dot(felt, heading_) / person_.brake_n, 0.0, 1.0);
-        trust_ = std::min(1.5, trust_ * (1.0 + person_.trust_per_s * dt_s_));
     }
+    trust_ = std::clamp(trust_ * (1.0 + person_.trust_per_s * dt_s_ * (1.0 - length(felt) / person_.brake_n)),
+                        smallest_trust, 1.5);
     speed_ += dt_s_ / (wanted < speed_ ? stop_s : gather_s) * (wanted - speed_);
     hand_ += dt_s_ * (speed_ * heading_ + person_.yield_mm_s_n * felt);
-    remember(finger);
+    const bool weak = length(felt) < on_line_share * strongest_n_;
+    on_line_ = on_line_ ? weak || !feels : weak && feels;
+    if (on_line_) {
+        if (feels)
+            trail_sure_ = trail_.size();
+        remember(felt_at_);
+    }
 }
 
 /// The pull faded while the hand went against it, or nothing is felt at the surface's edge: on a line it fades as the hand goes with it.
 bool StudyHand::slipped_off() const {
     if (unfelt_s_ < slip_s || last_felt_ == Vec2(0.0))
         return false;
+    if (recent_n_ * std::exp(unfelt_s_ / recent_s) > left_share * strongest_n_)
+        return true;
     const Vec2 off = glm::abs(hand_ - area_.centre());
     const bool at_edge = off.x >= 0.5 * area_.width() || off.y >= 0.5 * area_.height();
-    return at_edge || glm::dot(hand_ - last_felt_at_, last_felt_) <
-                          slip_cosine * length(hand_ - last_felt_at_) * length(last_felt_);
+    return at_edge;
 }
 
 void StudyHand::lose() {
@@ -199,7 +220,7 @@ void StudyHand::sway() {
     const double wide = first_sway_mm + wider_mm_s * swayed_s_;
     if (wide > lost_sway_mm) {
         lose();
-        begin(Mode::circle, trail_.empty() ? hand_ : trail_.back().place);
+        begin(Mode::circle, line_at_);
         return;
     }
     swayed_turns_ += dt_s_ * std::min(sway_hz, person_.search_speed_mm_s / (2.0 * std::numbers::pi * wide));

@@ -68,15 +68,77 @@ constexpr std::array<Rect, 4> face_places{Rect{{-0.25, -0.25}, {0.25, 0.05}},
                                           Rect{{0.05, 0.22}, {0.35, 0.47}}, Rect{{-0.5, -0.5}, {0.5, 0.5}}};
 constexpr double passed_mm = 3.0;      // a place of a contour was felt where the finger came as near
 constexpr double enough_of_line = 0.5; // a line of which less was felt tells nothing (assumed)
+constexpr double thinks_s = 0.5;       // between two thoughts about what it is (assumed)
 
-/// Looks one place of the face after the other through, lane by lane, and follows what it meets; in the end it knows what the contours
-/// tell of which it felt enough. The force on it is felt at once and exactly, unlike with StudyHand.
+/// The contours of a face, and which of their places a finger has passed.
+class PassedContours {
+public:
+    explicit PassedContours(const std::vector<Contour>& contours) {
+        for (const Contour& contour : contours) {
+            const Polyline flat = flatten(contour);
+            lines_.push_back({contour.name,
+                              resampled(flat, static_cast<std::size_t>(2.0 + length_of(flat) / 2.0)).points,
+                              {},
+                              0});
+            lines_.back().passed.resize(lines_.back().places.size());
+        }
+    }
+    void pass(Vec2 finger) {
+        for (Line& line : lines_)
+            for (std::size_t i = 0; i < line.places.size(); ++i)
+                if (!line.passed[i] && length(line.places[i] - finger) <= passed_mm) {
+                    line.passed[i] = true;
+                    ++line.count;
+                }
+    }
+    /// Enough of it to know how it runs.
+    bool knows(std::string_view name) const {
+        const auto line = std::ranges::find(lines_, name, &Line::name);
+        return line != lines_.end() &&
+               static_cast<double>(line->count) >= enough_of_line * static_cast<double>(line->places.size());
+    }
+    bool knows(Cue cue) const {
+        switch (cue) {
+        case Cue::mouth_width:
+        case Cue::outer_corner_lift:
+            return knows("outer_lip");
+        case Cue::mouth_opening:
+        case Cue::inner_corner_lift:
+            return knows("inner_lip");
+        case Cue::lip_height:
+            return knows("outer_lip") && knows("inner_lip");
+        case Cue::chin_depth:
+            return knows("outline");
+        default: // one eye is like the other
+            return knows("left_eye") || knows("right_eye");
+        }
+    }
+
+private:
+    struct Line {
+        std::string name;
+        std::vector<Vec2> places;
+        std::vector<bool> passed;
+        std::size_t count = 0;
+    };
+    std::vector<Line> lines_;
+};
+
+/// Looks one place of the face after the other through, lane by lane, and follows what it meets; answers as soon as one expression is as
+/// probable as `sure_belief` by the contours of which it felt enough, or at the end. The force on it is felt at once and exactly, unlike
+/// with StudyHand.
 class FaceFeeler final : public SimulatedHand {
 public:
     FaceFeeler(const StudyTrial& trial, const Person& person, double dt_s, std::uint64_t seed)
-        : contours_(trial.scene.contours), person_(person), dt_s_(dt_s), seed_(seed),
-          surface_(trial.scene.surface()), finger_(place(0), manner_of(person)),
-          last_s_(trial.longest_s ? std::max(0.0, *trial.longest_s - person.answer_s - 0.05) : 1e9) {}
+        : person_(person), dt_s_(dt_s), surface_(trial.scene.surface()), passed_(trial.scene.contours),
+          finger_(place(0), manner_of(person)),
+          last_s_(trial.longest_s ? std::max(0.0, *trial.longest_s - person.answer_s - 0.05) : 1e9) {
+        touch_.noise_mm = person.touch_mm;
+        touch_.eyes_mm = eyes_mm(trial.scene.contours);
+        std::mt19937_64 random(seed);
+        if (const auto exact = expression_cues(trial.scene.contours))
+            cues_ = felt(*exact, touch_, random);
+    }
 
     Vec2 step(Vec2 finger, Vec2 force) override {
         time_s_ += dt_s_;
@@ -85,24 +147,17 @@ public:
         return finger_.step(finger, length(force) >= person_.threshold_n ? force : Vec2(0.0), dt_s_);
     }
     std::optional<std::string> knows(std::span<const FingerSample> path) override {
-        return (finger_.finished() && at_ + 1 == face_places.size()) || time_s_ >= last_s_
-                   ? std::optional(guess(path))
-                   : std::nullopt;
+        hear(path);
+        const bool ends = (finger_.finished() && at_ + 1 == face_places.size()) || time_s_ >= last_s_;
+        if (!ends && time_s_ < thinks_at_s_)
+            return std::nullopt;
+        thinks_at_s_ = time_s_ + thinks_s;
+        const ExpressionShares shares = beliefs();
+        return ends || *std::ranges::max_element(shares) >= sure_belief ? named(shares) : std::nullopt;
     }
     std::string guess(std::span<const FingerSample> path) override {
-        const auto exact = expression_cues(contours_);
-        if (!exact)
-            return {};
-        const ExpressionObserver observer = ExpressionObserver::built_in();
-        FingerTouch touch;
-        touch.noise_mm = person_.touch_mm;
-        touch.eyes_mm = eyes_mm();
-        std::mt19937_64 random(seed_);
-        ExpressionCues cues = felt(*exact, touch, random);
-        for (std::size_t cue = 0; cue < cue_count; ++cue)
-            if (!knows_cue(static_cast<Cue>(cue), path)) // as if it were like that of all expressions
-                cues[cue] = usual(observer.model()[cue]);
-        return std::string(name_of(answer_of(observer.judge(cues, paper_choices, touch))));
+        hear(path);
+        return named(beliefs()).value_or("");
     }
 
 private:
@@ -118,67 +173,44 @@ private:
         manner.felt = person.threshold_n;
         return manner;
     }
-    static double usual(const ExpressionObserver::CueModel& model) {
-        double sum = 0.0, count = 0.0;
-        for (std::size_t e = 0; e < expression_count; ++e)
-            if (paper_choices[e]) {
-                sum += model.means[e];
-                count += 1.0;
-            }
-        return sum / count;
+    void hear(std::span<const FingerSample> path) {
+        for (; heard_ < path.size(); ++heard_)
+            passed_.pass({path[heard_].x_mm, path[heard_].y_mm});
     }
-    const Contour* line(std::string_view name) const {
-        const auto found = std::ranges::find(contours_, name, &Contour::name);
-        return found == contours_.end() ? nullptr : &*found;
+    ExpressionShares beliefs() const {
+        if (!cues_)
+            return {};
+        MetCues met{};
+        for (std::size_t cue = 0; cue < cue_count; ++cue)
+            met[cue] = passed_.knows(static_cast<Cue>(cue));
+        return ExpressionObserver::built_in().judge(*cues_, paper_choices, touch_, met);
     }
-    bool felt_enough(std::string_view name, std::span<const FingerSample> path) const {
-        const Contour* const contour = line(name);
-        if (contour == nullptr)
-            return false;
-        const Polyline flat = flatten(*contour);
-        const Polyline places = resampled(flat, static_cast<std::size_t>(2.0 + length_of(flat) / 2.0));
-        const auto passed = std::ranges::count_if(places.points, [&](Vec2 place) {
-            return std::ranges::any_of(path, [&](const FingerSample& sample) {
-                return length(Vec2(sample.x_mm, sample.y_mm) - place) <= passed_mm;
-            });
-        });
-        return static_cast<double>(passed) >= enough_of_line * static_cast<double>(places.points.size());
+    std::optional<std::string> named(const ExpressionShares& shares) const {
+        return cues_ ? std::optional(std::string(name_of(answer_of(shares)))) : std::nullopt;
     }
-    bool knows_cue(Cue cue, std::span<const FingerSample> path) const {
-        switch (cue) {
-        case Cue::mouth_width:
-        case Cue::outer_corner_lift:
-            return felt_enough("outer_lip", path);
-        case Cue::mouth_opening:
-        case Cue::inner_corner_lift:
-            return felt_enough("inner_lip", path);
-        case Cue::lip_height:
-            return felt_enough("outer_lip", path) && felt_enough("inner_lip", path);
-        case Cue::chin_depth:
-            return felt_enough("outline", path);
-        default:
-            return felt_enough("left_eye", path) && felt_enough("right_eye", path);
-        }
-    }
-    double eyes_mm() const {
+    static double eyes_mm(const std::vector<Contour>& contours) {
+        const auto line = [&](std::string_view name) {
+            const auto found = std::ranges::find(contours, name, &Contour::name);
+            return found == contours.end() ? Polyline() : flatten(*found);
+        };
         double apart = 1.0;
-        const Contour* const left = line("left_eye");
-        const Contour* const right = line("right_eye");
-        if (left != nullptr && right != nullptr)
-            for (const Vec2 one : flatten(*left).points)
-                for (const Vec2 other : flatten(*right).points)
-                    apart = std::max(apart, length(one - other));
+        const Polyline right = line("right_eye");
+        for (const Vec2 one : line("left_eye").points)
+            for (const Vec2 other : right.points)
+                apart = std::max(apart, length(one - other));
         return apart;
     }
 
-    std::vector<Contour> contours_;
     Person person_;
     double dt_s_;
-    std::uint64_t seed_;
     Rect surface_;
-    std::size_t at_ = 0; ///< of face_places
+    PassedContours passed_;
+    std::size_t heard_ = 0; ///< samples of the path
+    FingerTouch touch_;
+    std::optional<ExpressionCues> cues_; ///< as this person takes them; nothing: it is no face
+    std::size_t at_ = 0;                 ///< of face_places
     ExploringFinger finger_;
-    double last_s_, time_s_ = 0.0;
+    double last_s_, time_s_ = 0.0, thinks_at_s_ = thinks_s;
 };
 
 } // namespace

@@ -105,6 +105,18 @@ private slots:
         for (std::size_t i = 1; i < way.places.size(); ++i)
             QVERIFY(length(way.places[i] - way.places[i - 1]) < 400.0 * dt);
     }
+    /// On the line the pull fades as the hand comes to it; outside it is gone while it was strong.
+    void a_strong_pull_that_is_gone_is_a_line_that_was_left_and_a_weak_one_is_the_line() {
+        for (const bool leaves : {true, false}) {
+            StudyHand hand(Person{}, {{-100, -100}, {100, 100}}, Vec2(0.0), true, dt, 4);
+            Vec2 finger(0.0);
+            for (double time = 0.0; time < 2.4; time += dt) {
+                const double pull = time >= 2.0 ? 0.0 : leaves ? 0.8 : 0.4 * (2.0 - time);
+                finger = hand.step(finger, {0.0, -pull});
+            }
+            QCOMPARE(hand.times_lost(), std::size_t(leaves ? 1 : 0));
+        }
+    }
     void its_trail_lies_where_it_was() {
         const StudyTrial one = trial("circle", 3);
         const auto scene = haptic_scene_of(one).value();

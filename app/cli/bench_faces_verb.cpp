@@ -54,7 +54,7 @@ void show(const std::vector<HarderRow>& rows) {
 
 /// A sentence where something is wrong; else empty.
 std::string run_harder(const std::vector<PlacedPortrait>& portraits, const std::filesystem::path& out) {
-    std::vector<FaceContender> contenders = face_contenders([](const std::string&) {});
+    std::vector<FaceContender> contenders = face_contenders();
     std::erase_if(contenders, [](const FaceContender& contender) {
         return contender.name != "embedded" && !contender.name.starts_with("mesh");
     });
@@ -89,8 +89,7 @@ std::string run(const VerbLine& line) {
         return problem;
     if (line.has("harder"))
         return run_harder(*portraits, path_named(folder.path().toStdString()));
-    const auto contenders = face_contenders([](const std::string& why) { say("Left out: " + why); });
-    const auto rows = run_face_bench(*portraits, contenders, {0, 640, 320, 160}, say_step);
+    const auto rows = run_face_bench(*portraits, face_contenders(), {0, 640, 320, 160}, say_step);
     if (!rows)
         return rows.error();
     say_step("a batch on one core and on all");
@@ -111,20 +110,19 @@ int bench_faces_verb(const QStringList& words) {
     VerbLine line(
         "bench faces",
         "Weighs speed against accuracy of face contours: milliseconds a photograph and error against\n"
-        "contours placed by hand, for the embedded nets after each of their refinements and for the models\n"
-        "that are installed (YuNet, a face mesh, a Haar cascade alone and with an LBF facemark), over\n"
-        "sizes of the pictures. Writes faces.csv, faces.png and faces.svg. With --wild, photographs without\n"
-        "such contours instead: found or not, how far our contours are from the face mesh's, what is said\n"
-        "about them, milliseconds. Writes wild.csv, wild_summary.csv, wild.png, wild.svg and worst.png, the\n"
-        "worst twenty enlarged. With --identity, how well portraits of one person are told from others', as "
-        "they\n"
-        "are and made harder, and how they are grouped. Writes identity.csv, identity.png and identity.svg.");
+        "contours placed by hand, for our nets after each of their refinements, for YuNet and for the\n"
+        "face mesh, over sizes of the pictures. Writes faces.csv, faces.png and faces.svg. With --wild,\n"
+        "photographs without such contours instead: found or not, how far our contours are from the face\n"
+        "mesh's, what is said about them, milliseconds. Writes wild.csv, wild_summary.csv, wild.png,\n"
+        "wild.svg and worst.png, the worst twenty enlarged. With --identity, how well portraits of one\n"
+        "person are told from others', as they are and made harder, and how they are grouped. Writes\n"
+        "identity.csv, identity.png and identity.svg.");
     line.option("photos", "Where the photographs are.", "DIR")
         .option("truth", "Their contours placed by hand, JSON (faces/evaluation/placed_truth.hpp).", "FILE")
         .option(
             "harder",
             "Instead, portraits made harder: blurred, small, lit from the side, covered, turned, with open\n"
-            "mouths; the embedded nets beside the face mesh where it is installed. Writes harder.csv.")
+            "mouths; our nets beside the face mesh. Writes harder.csv.")
         .option("wild", "Photographs without truth: a folder and the folders in it, or a single one.", "DIR")
         .option("identity", "Portraits whose names begin with the person's and _: 002_03.jpg, 002_08.jpg.",
                 "DIR")

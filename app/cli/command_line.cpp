@@ -48,7 +48,9 @@ bool is_free_or_ours(const fs::path& file) {
     constexpr std::uint64_t looked_at = 64 << 10; // bytes at each end
     OpenFile opened(file, {});
     const auto facts = opened.ok() ? opened.facts() : std::nullopt;
-    if (!facts || facts->kind != FileFacts::Kind::file || facts->bytes == 0)
+    if (!facts)
+        return is_gone(file);
+    if (facts->kind != FileFacts::Kind::file || facts->bytes == 0)
         return true; // what cannot be written to either says so itself
     if (file.extension() == ".touchphoto")
         return true;

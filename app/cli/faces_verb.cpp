@@ -188,6 +188,8 @@ private:
                                        overlay, draw_overlay(turned(*picture, found.turned_degrees), shown));
                                })) &&
                     good;
+            } else {
+                good = told(readable(name) + ": " + picture.error()) && good;
             }
         }
         // Last, so that a photograph with a line in the results has all its other results too.
@@ -247,10 +249,8 @@ int faces_verb(const QStringList& words) {
         .option("overlay", "Writes the photograph with its contours as PHOTO.overlay.png.", "folder")
         .option("with", "Adds features to those of --svg and --overlay: brows, nose, irises.", "LIST")
         .option("uncorrected", "Leaves out what a person mended in PHOTO.contours.svg beside a photograph.")
-        .option("detector", "Finds the faces: embedded, yunet, haar, or a file (.onnx, .xml).", "name",
-                "embedded")
-        .option("model", "Finds the contours: embedded, mesh, lbf, or a file (.onnx, .yaml).", "name",
-                "embedded")
+        .option("detector", "Finds the faces: embedded or yunet.", "name", "embedded")
+        .option("model", "Finds the contours: embedded or mesh.", "name", "embedded")
         .option("no-edges",
                 "Leaves lids and lips where the model puts them, not on their edges in the picture.")
         .with_force()

@@ -22,7 +22,7 @@ struct Verb {
 constexpr std::array<Verb, 17> verbs{{
     {"album", "photographs, people and recordings: scan, search, import, export, check", album_verb},
     {"faces", "find the faces of photographs and their contours", faces_verb},
-    {"models", "list, check and fetch the models that faces can use", models_verb},
+    {"models", "list and check the nets inside the program", models_verb},
     {"scene", "write the scene that the Explore page would render for a photograph", scene_verb},
     {"tactile", "write a photograph's faces as a sheet for swell paper or an embosser", tactile_verb},
     {"correction", "say what the mended contours beside a photograph change", correction_verb},

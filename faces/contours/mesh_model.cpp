@@ -3,8 +3,6 @@
 
 #include "core/geometry/polyline.hpp"
 #include "faces/contours/crop.hpp"
-#include "faces/decode/quiet_opencv.hpp"
-#include "faces/models/onnx_file.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -105,23 +103,6 @@ double moved_px(const Points& one, const Points& other, const std::array<std::si
 }
 
 } // namespace
-
-Result<std::unique_ptr<LandmarkModel>> MeshModel::load(const std::filesystem::path& file) {
-    const Error unusable{"The file \"" + file.string() + "\" is not a 478-point face mesh that can be used."};
-    try {
-        quiet_opencv();
-        const HushedThread hushed;
-        auto net = onnx_net(file);
-        if (!net)
-            return unusable;
-        const cv::Mat blank = cv::Mat::zeros(64, 64, CV_8UC3);
-        if (run(*net, blank, {Vec2(32.0), 64.0, 0.0}).points.empty())
-            return unusable;
-        return std::unique_ptr<LandmarkModel>(std::make_unique<MeshModel>(std::move(*net)));
-    } catch (const std::exception&) {
-        return unusable;
-    }
-}
 
 std::optional<Landmarks> MeshModel::locate(const cv::Mat& picture, const Detection& face) {
     const Vec2 eyes = face.left_eye - face.right_eye;

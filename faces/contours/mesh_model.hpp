@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/result.hpp"
 #include "faces/base/landmarks.hpp"
 
 #include <opencv2/dnn/dnn.hpp>
 
-#include <filesystem>
-#include <memory>
+#include <utility>
 
 namespace tp {
 
 /// The 478-point face mesh of MediaPipe's face landmarker v2, converted to ONNX (input 256 px RGB, outputs
-/// `t473` points and `t472` presence); the file is the user's. The outline is the silhouette of the projected
-/// mesh.
+/// `t473` points and `t472` presence). The outline is the silhouette of the projected mesh.
 class MeshModel : public LandmarkModel {
 public:
-    /// An error where the file is not such a mesh.
-    static Result<std::unique_ptr<LandmarkModel>> load(const std::filesystem::path& file);
     explicit MeshModel(cv::dnn::Net net) : net_(std::move(net)) {}
     std::optional<Landmarks> locate(const cv::Mat& picture, const Detection& face) override;
 

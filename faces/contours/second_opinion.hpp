@@ -5,6 +5,8 @@
 #include "faces/contours/mesh_model.hpp"
 
 #include <array>
+#include <memory>
+#include <optional>
 
 namespace tp {
 

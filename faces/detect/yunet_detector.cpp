@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/detect/yunet_detector.hpp"
 
-#include "faces/decode/quiet_opencv.hpp"
-#include "faces/models/onnx_file.hpp"
-
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -78,23 +75,6 @@ bool is_near(const Detection& face) {
 }
 
 } // namespace
-
-Result<std::unique_ptr<Detector>> YunetDetector::load(const std::filesystem::path& file) {
-    const Error unusable{"The file \"" + file.string() + "\" is not a YuNet detector that can be used."};
-    try {
-        quiet_opencv();
-        const HushedThread hushed;
-        auto net = onnx_net(file);
-        if (!net)
-            return unusable;
-        auto detector = std::make_unique<YunetDetector>(std::move(*net));
-        detector->detect(cv::Mat::zeros(64, 64, CV_8UC3),
-                         Effort::usual); // a net of another kind fails here, not later
-        return std::unique_ptr<Detector>(std::move(detector));
-    } catch (const std::exception&) {
-        return unusable;
-    }
-}
 
 std::vector<Detection> YunetDetector::detect(const cv::Mat& picture, Effort effort, Looks&,
                                              const std::stop_token&) {

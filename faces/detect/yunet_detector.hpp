@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/result.hpp"
 #include "faces/detect/detector.hpp"
 
 #include <opencv2/dnn/dnn.hpp>
 
-#include <filesystem>
-#include <memory>
+#include <utility>
 
 namespace tp {
 
-/// YuNet (Wu, Peng, Yu 2023) as OpenCV 4.5.4 to 4.6 run it, with outputs `loc`, `conf` and `iou`; the file is
-/// the user's. Read here and not by cv::FaceDetectorYN, which believes that the outputs are as large as its
-/// anchors and reads beyond those of other nets.
+/// YuNet (Wu, Peng, Yu 2023) as OpenCV 4.5.4 to 4.6 run it, with outputs `loc`, `conf` and `iou`.
+/// cv::FaceDetectorYN takes a file by its name; this one takes the net that is inside the program.
 class YunetDetector : public Detector {
 public:
-    /// An error where the file is not such a YuNet.
-    static Result<std::unique_ptr<Detector>> load(const std::filesystem::path& file);
     /// `usual_side`: px, to which a usual look shrinks the longer side of a picture.
     explicit YunetDetector(cv::dnn::Net net, int usual_side = 320)
         : net_(std::move(net)), usual_side_(usual_side) {}

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "faces/evaluation/golden_set.hpp"
 
-#include "faces/models/model_catalog.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
@@ -67,14 +65,8 @@ std::string failed_people(const std::vector<PortraitErrors>& measured) {
 
 } // namespace
 
-std::map<std::string, ExtractorChoice> golden_choices(const std::filesystem::path& models) {
-    std::map<std::string, ExtractorChoice> choices{
-        {"embedded", {}},
-        {"yunet", {(models / "yunet.onnx").string(), "embedded"}},
-        {"mesh", {"embedded", (models / "teacher_face_mesh.onnx").string()}}};
-    if (const auto cascade = installed_file(haar_model))
-        choices["haar"] = {cascade->string(), "embedded"};
-    return choices;
+std::map<std::string, ExtractorChoice> golden_choices() {
+    return {{"embedded", {}}, {"yunet", {"yunet", "embedded"}}, {"mesh", {"embedded", "mesh"}}};
 }
 
 GoldenRow golden_row(const std::vector<PortraitErrors>& measured) {

@@ -25,10 +25,9 @@ struct GoldenRow {
 /// By the names of golden_choices.
 using GoldenSet = std::map<std::string, GoldenRow>;
 
-/// The choices that the golden set holds: our nets, ours where YuNet or the Haar cascade finds the face, the
-/// face mesh with our edges. `models` holds yunet.onnx and teacher_face_mesh.onnx; the cascade is left out
-/// where this machine has none.
-std::map<std::string, ExtractorChoice> golden_choices(const std::filesystem::path& models);
+/// The choices that the golden set holds: our nets, ours where YuNet finds the face, the face mesh with our
+/// edges.
+std::map<std::string, ExtractorChoice> golden_choices();
 
 GoldenRow golden_row(const std::vector<PortraitErrors>& measured);
 

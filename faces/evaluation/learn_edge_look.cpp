@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// learn_edge_look TRUTH.json PHOTOS MESH.onnx [--keep GROUP]...: prints faces/edges/edge_look_weights.inc,
-// learned from the people who are not held out of training (faces/training/holdout.txt), from where the
-// embedded nets and the face mesh put their lines. The rows of a group that is kept (eyes, outer_lip,
+// learn_edge_look TRUTH.json PHOTOS [--keep GROUP]...: prints faces/edges/edge_look_weights.inc, learned
+// from the people who are not held out of training (faces/training/holdout.txt), from where the embedded
+// nets and the face mesh put their lines. The rows of a group that is kept (eyes, outer_lip,
 // shut_mouth, open_mouth) are those that are compiled in; these have no other influence on what is printed.
 //
 // The weights of a kind of edge are a share of the likeliest ones (place_choice.hpp): points of a line see
@@ -19,6 +19,7 @@
 #include "faces/evaluation/located_face.hpp"
 #include "faces/evaluation/placed_truth.hpp"
 #include "faces/evaluation/training_half.hpp"
+#include "faces/models/model_catalog.hpp"
 
 #include <algorithm>
 #include <array>
@@ -151,10 +152,10 @@ void tell(const std::vector<EdgePupil>& pupils, const std::array<Setting, group_
                      settings[group].ridge, settings[group].price_level);
 }
 
-/// Which groups the arguments from the fourth on want to keep; nothing where they cannot be understood.
+/// Which groups the arguments from the third on want to keep; nothing where they cannot be understood.
 std::optional<std::array<bool, group_count>> kept_groups(int argc, char** argv) {
     std::array<bool, group_count> kept{};
-    for (int i = 4; i < argc; i += 2) {
+    for (int i = 3; i < argc; i += 2) {
         const auto named = [&](const Group& group) {
             return i + 1 < argc && group.name == std::string_view(argv[i + 1]);
         };
@@ -170,8 +171,8 @@ std::optional<std::array<bool, group_count>> kept_groups(int argc, char** argv) 
 
 int main(int argc, char** argv) {
     const auto kept = kept_groups(argc, argv);
-    if (argc < 4 || !kept) {
-        std::fputs("learn_edge_look TRUTH.json PHOTOS MESH.onnx [--keep "
+    if (argc < 3 || !kept) {
+        std::fputs("learn_edge_look TRUTH.json PHOTOS [--keep "
                    "eyes|outer_lip|shut_mouth|open_mouth]... > TABLE\n",
                    stderr);
         return 2;
@@ -187,11 +188,9 @@ int main(int argc, char** argv) {
     const auto portraits = read_placed_truth(argv[1], argv[2]);
     if (!portraits)
         return refused(portraits.error());
-    const auto mesh = MeshModel::load(argv[3]);
-    if (!mesh)
-        return refused(mesh.error());
     ContourNets nets;
-    const auto pupils = edge_pupils(*portraits, *held_out, nets, **mesh);
+    MeshModel mesh(embedded_net(EmbeddedModel::mesh));
+    const auto pupils = edge_pupils(*portraits, *held_out, nets, mesh);
     if (!pupils)
         return refused(pupils.error());
 

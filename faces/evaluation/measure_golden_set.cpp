@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// measure_golden_set SHARED_FACES GOLDEN_SET: measures every choice of the golden set that this machine has
-// on the people held out of all training, and keeps the better of the file's figures and these in the file.
+// measure_golden_set SHARED_FACES GOLDEN_SET: measures every choice of the golden set on the people held out
+// of all training, and keeps the better of the file's figures and these in the file.
 // What is worse by more than the margin is told, and then the program ends in 1.
 #include "faces/evaluation/golden_set.hpp"
 
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
         return 1;
     }
     bool worse = false;
-    for (const auto& [name, choice] : golden_choices(shared / "models")) {
+    for (const auto& [name, choice] : golden_choices()) {
         const auto measured = measured_errors(choice, *people);
         if (!measured) {
             std::fprintf(stderr, "%s\n", measured.error().c_str());

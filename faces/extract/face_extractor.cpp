@@ -5,13 +5,11 @@
 #include "faces/contours/contour_nets.hpp"
 #include "faces/contours/dark_glasses.hpp"
 #include "faces/contours/hidden_jaw.hpp"
-#include "faces/contours/lbf_model.hpp"
 #include "faces/contours/mesh_model.hpp"
 #include "faces/contours/second_opinion.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/quiet_opencv.hpp"
 #include "faces/detect/embedded_detector.hpp"
-#include "faces/detect/haar_detector.hpp"
 #include "faces/detect/yunet_detector.hpp"
 #include "faces/edges/edge_fit.hpp"
 #include "faces/extract/face_search.hpp"
@@ -43,28 +41,16 @@ constexpr double least_shrunk_face_px = 300.0;
 /// Few people wear any: half of those from whom the net learned did.
 constexpr double least_evidence_of_glasses = 1.0;
 
-Result<std::unique_ptr<Detector>> load_detector(const ChosenModel& model) {
-    if (model.file.empty())
-        return std::unique_ptr<Detector>(std::make_unique<YunetDetector>(embedded_net(*model.kind->inside)));
-    return model.kind == &haar_model ? HaarDetector::load(model.file) : YunetDetector::load(model.file);
-}
-
-Result<std::unique_ptr<LandmarkModel>> load_landmarks(const ChosenModel& model) {
-    if (model.file.empty())
-        return std::unique_ptr<LandmarkModel>(std::make_unique<MeshModel>(embedded_net(*model.kind->inside)));
-    return model.kind == &lbf_model ? LbfModel::load(model.file) : MeshModel::load(model.file);
-}
-
 Result<std::unique_ptr<Detector>> make_detector(const std::string& choice) {
     if (choice == "embedded")
         return std::unique_ptr<Detector>(std::make_unique<EmbeddedDetector>());
-    const auto model = find_model(choice, PluggableModel::Role::detector);
-    return model ? load_detector(*model) : Error{model.error()};
+    if (choice == "yunet")
+        return std::unique_ptr<Detector>(std::make_unique<YunetDetector>(embedded_net(EmbeddedModel::yunet)));
+    return Error{"There is no detector named \"" + choice + "\": choose \"embedded\" or \"yunet\"."};
 }
 
-Result<std::unique_ptr<LandmarkModel>> make_other_model(const std::string& choice) {
-    const auto model = find_model(choice, PluggableModel::Role::landmarks);
-    return model ? load_landmarks(*model) : Error{model.error()};
+std::string unusable(const std::exception& reason) {
+    return std::string("The nets that find faces cannot be used: ") + reason.what();
 }
 
 /// What is covered is where the mesh sees it, and not on an edge of what covers it.
@@ -292,24 +278,18 @@ Result<FaceExtractor> FaceExtractor::create(const ExtractorChoice& choice) {
                 parts->glasses = std::make_unique<DarkGlasses>();
             }
             parts->model = std::move(nets);
+        } else if (choice.model == "mesh") {
+            parts->model = std::make_unique<MeshModel>(embedded_net(EmbeddedModel::mesh));
         } else {
-            auto model = make_other_model(choice.model);
-            if (!model)
-                return Error{model.error()};
-            parts->model = std::move(*model);
+            return Error{"There is no model named \"" + choice.model +
+                         "\": choose \"embedded\" or \"mesh\"."};
         }
         parts->search =
             std::make_unique<FaceSearch>(std::move(*detector), *parts->model, parts->second.get());
         return FaceExtractor(std::move(parts));
     } catch (const std::exception& reason) {
-        return Error{std::string("The nets that find faces cannot be used: ") + reason.what()};
+        return Error{unusable(reason)};
     }
-}
-
-std::string problem_with_model(const PluggableModel& model, const std::filesystem::path& file) {
-    quiet_opencv();
-    return model.role == PluggableModel::Role::detector ? load_detector({&model, file}).error()
-                                                        : load_landmarks({&model, file}).error();
 }
 
 Extraction FaceExtractor::extract(const std::filesystem::path& photo, const std::stop_token& stop) {
@@ -366,6 +346,18 @@ Extraction FaceExtractor::extract(const cv::Mat& picture, const std::stop_token&
         return true;
     });
     return result;
+}
+
+std::string FaceExtractor::problem() {
+    try {
+        const cv::Mat blank = cv::Mat::zeros(64, 64, CV_8UC3);
+        SearchTimes times;
+        parts_->search->upright(blank, Effort::usual, times, {});
+        parts_->model->locate(blank, {{{16.0, 16.0}, {48.0, 48.0}}, {26.0, 28.0}, {38.0, 28.0}, 1.0});
+        return {};
+    } catch (const std::exception& reason) {
+        return unusable(reason);
+    }
 }
 
 } // namespace tp

@@ -14,13 +14,10 @@
 
 namespace tp {
 
-struct PluggableModel;
-
-/// Which nets to use: "embedded" (ours, inside the program) or the name or file of another model that the
-/// user has (faces/models/MODELS.md lists which kinds can be plugged in and where names are looked up).
+/// Which of the nets inside the program find faces and place their points (faces/models/MODELS.md).
 struct ExtractorChoice {
-    std::string detector = "embedded";
-    std::string model = "embedded";
+    std::string detector = "embedded"; ///< or "yunet"
+    std::string model = "embedded";    ///< or "mesh"
     RefinementStage refinement = RefinementStage::onto_edges;
 };
 
@@ -28,7 +25,7 @@ struct ExtractorChoice {
 /// One extractor belongs to one thread at a time.
 class FaceExtractor {
 public:
-    /// An error where a chosen model is missing or cannot be used.
+    /// An error where nothing has a chosen name, or the nets cannot be used.
     static Result<FaceExtractor> create(const ExtractorChoice& choice = {});
     FaceExtractor(FaceExtractor&&) noexcept;
     FaceExtractor& operator=(FaceExtractor&&) noexcept;
@@ -40,14 +37,14 @@ public:
     /// The same for a picture already upright in memory, 8-bit BGR.
     Extraction extract(const cv::Mat& picture, const std::stop_token& stop = {});
 
+    /// Why its nets cannot be used, in a sentence; empty: they can. Lets detector and model look once at a blank
+    /// picture.
+    std::string problem();
+
 private:
     struct Parts;
     explicit FaceExtractor(std::unique_ptr<Parts> parts);
     std::unique_ptr<Parts> parts_;
 };
-
-/// Why `file` cannot be used as a model of that kind, in a sentence; empty: it can. Loads it and lets it run
-/// once.
-std::string problem_with_model(const PluggableModel& model, const std::filesystem::path& file);
 
 } // namespace tp

@@ -189,10 +189,10 @@ class Judge:
 
     def _run_test(self, test: Test, program: pathlib.Path, seconds: float, processor_seconds: float,
                   folder: pathlib.Path) -> int:
-        for link in self._program.links_beside(test):
-            beside = folder / link.name
+        for other in self._program.programs_beside(test):
+            beside = folder / other.name
             beside.unlink(missing_ok=True)
-            beside.symlink_to(link.resolve())
+            beside.symlink_to(other.resolve())
         # A short name: that of a socket below it has 107 letters at most.
         with tempfile.TemporaryDirectory(prefix="mutant-", dir=_place_for_homes(), ignore_cleanup_errors=True) as home:
             os.chmod(home, 0o755)  # a test may look at what it made as somebody else

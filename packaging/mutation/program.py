@@ -100,10 +100,11 @@ class Program:
         return {self.archive_of(unit) for unit in units} - {
             self.archive_of(unit) for unit in self._commands if unit not in units and "/cmake_pch." not in unit}
 
-    def links_beside(self, test: Test) -> list[pathlib.Path]:
-        """What the test's program finds beside itself: other programs."""
+    def programs_beside(self, test: Test) -> list[pathlib.Path]:
+        """Those other than tests that the test's program finds beside itself."""
         folder = (self.build / self.target(test)).parent
-        return [path for path in folder.iterdir() if path.is_symlink()]
+        return [path for path in folder.iterdir()
+                if path.is_file() and os.access(path, os.X_OK) and not path.name.startswith("test_")]
 
     def tests_folder(self, room: str) -> str:
         """tests/ROOM; a room within a room, such as a device's protocol, is tested with the one around it."""

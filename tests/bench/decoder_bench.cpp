@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What it costs to decode in another process: decoder_bench PHOTOGRAPH…. Each is decoded in this process and in
-// touchphoto-decoder, by turns, as the search for faces reads it, to fit a screen, and whole; the medians, in
-// milliseconds of the clock on the wall.
+// touchphoto-decoder, by turns, as the search for faces reads it, to fit a screen, whole, and what it says of itself; the
+// medians, in milliseconds of the clock on the wall.
 #include "core/processes/foreign_decoder.hpp"
 #include "core/processes/our_programs.hpp"
 #include "faces/decode/picture.hpp"
+#include "faces/exiv2/stated_metadata.hpp"
 
 #include <opencv2/core.hpp>
 
@@ -52,8 +53,8 @@ void compare(const char* what, const fs::path& file, const std::function<void()>
         there.push_back(ms_of(work));
     }
     const double first = median(here), second = median(there);
-    std::printf("%-28s %-8s %9.1f %9.1f %+8.1f %7.2f\n", file.filename().c_str(), what, first, second, second - first,
-                second / first);
+    std::printf("%-28s %-8s %9.2f %9.2f %+8.2f %7.2f\n", file.filename().c_str(), what, first, second,
+                second - first, second / first);
 }
 
 } // namespace
@@ -76,6 +77,9 @@ int main(int count, char** words) {
         compare(
             "to fit", file, [&] { look_at(*read_picture_to_fit(file, screen)); }, decoders);
         compare("whole", file, [&] { look_at(*read_picture(file)); }, decoders);
+        compare(
+            "metadata", file, [&] { benchmark::DoNotOptimize(stated_metadata(OpenFile(file, OpenMode{}))); },
+            decoders);
         std::printf("%-28s %-8s %29.1f\n", file.filename().c_str(), "first", start);
     }
 }

@@ -50,7 +50,7 @@ class HostileAlbum:
                         self.bait], check=True)
         self.port = port
         self.words = {where: self.hostile(where) for where in
-                      ("person", "caption", "keyword", "transcript", "speaker", "place", "title", "model", "device")}
+                      ("person", "caption", "keyword", "transcript", "speaker", "place", "title", "device")}
         # A slash cannot be in a file's name, but its entity can.
         self.words["file"] = f"Ann <img src=http:&#47;&#47;127.0.0.1:{port}&#47;file.png> B"
         self.words["camera"] = self.words["file"].replace("file", "camera")

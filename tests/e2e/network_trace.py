@@ -11,7 +11,7 @@ CALL = re.compile(r"(?:\d+\s+)?(\w+)\((.*)$")
 OTHER = re.compile(r"(?:\d+\s+)?(\+\+\+ |--- |<\.\.\. \w+ resumed>)|strace: Process \d+ (attached|detached)")
 # A thread that was ended on the doorstep of a call: the kernel lets nobody in after that, and strace can no longer ask
 # which call it was. It is one only where that thread's end follows.
-NEVER_BEGUN = re.compile(r"(\d+)\s+(\?+\(\s*<unfinished \.\.\.>|<\.\.\. \?+ resumed>\) += \?)$")
+NEVER_BEGUN = re.compile(r"(\d+)\s+(\?+\(\s*<unfinished \.\.\.>|<\.\.\. \?+ resumed>\) += \?|\?+\(\) += \?)$")
 END = re.compile(r"(\d+)\s+\+\+\+ (?:exited with|killed by) ")
 ADDRESS = re.compile(r"sa_family=(\w+)(?:, sun_path=(@?\"[^\"]*\"))?")
 # Calls whose addresses are where something is sent to; in others they are who we are, or who is asking.

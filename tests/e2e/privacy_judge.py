@@ -82,6 +82,7 @@ class Judge(unittest.TestCase):
 11 --- SIGTERM {si_signo=SIGTERM} ---
 12 ???( <unfinished ...>
 12 <... ??? resumed>) = ?
+12 ???()                             = ?
 12 +++ exited with 0 +++
 11 +++ killed by SIGTERM +++
 """
@@ -105,13 +106,14 @@ class Judge(unittest.TestCase):
         '11 a line that nobody knows',
         '12 ???( <unfinished ...>',  # and it lives on: what did it call?
         '13 <... ??? resumed>) = ?',
+        '13 ???()                             = ?',
     )
 
     def test_local_servers_are_known_by_name(self):
         found = network_trace.judged(self.ALLOWED, SERVERS)
         self.assertEqual(found.offences, [])
         self.assertEqual(dict(found.servers), {"display": 1, "sound": 1})
-        self.assertEqual((found.lines, found.ended), (14, 2))
+        self.assertEqual((found.lines, found.ended), (15, 2))
 
     def test_each_offence_is_said_by_its_call(self):
         for line in self.REFUSED:

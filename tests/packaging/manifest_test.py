@@ -13,7 +13,8 @@ PORTS = {
     "glm": ["glm"], "PkgConfig": ["pkgconf"], "louis": ["liblouis"], "pugixml": ["pugixml"], "exiv2": ["exiv2"],
     "sndfile": ["libsndfile"], "ebur128": ["libebur128"], "soundtouch": ["soundtouch"], "libav": ["ffmpeg"],
     "libheif": ["libheif"], "archive": ["libarchive"], "zlib": ["zlib"], "hidapi": ["hidapi"], "libusb": ["libusb"],
-    "turbojpeg": ["libjpeg-turbo"], "OpenCV": ["opencv4"], "Boost": ["boost-math"], "nanoflann": ["nanoflann"],
+    "turbojpeg": ["libjpeg-turbo"], "png": ["libpng"],
+    "OpenCV": ["opencv4"], "Boost": ["boost-math"], "nanoflann": ["nanoflann"],
     "Qt6": ["qtbase", "qtdeclarative", "qtmultimedia", "qtspeech", "qtsvg", "qttools"],
 }
 NO_PORT = {

@@ -10,6 +10,7 @@
 #include "audio/recordings/recording_file.hpp"
 #include "core/files/file_words.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -114,10 +115,11 @@ int tag_label(const QStringList& words) {
     const auto record = read_record(photo_given(line));
     if (!record)
         return refused(record.error());
-    RecordingLabel before;
-    for (const Tag& tag : record->tags)
-        if (tag.file == file)
-            before = tag.label;
+    const auto listed = std::ranges::find_if(record->tags, [&](const Tag& tag) { return tag.file == file; });
+    const bool is_listed = listed != record->tags.end();
+    if (!is_listed && !record->problems.empty()) // a list that cannot be read now may be the next moment
+        return refused(record->problems.front());
+    const RecordingLabel before = is_listed ? listed->label : RecordingLabel{};
     const auto label = labelled(line, before);
     if (!label)
         return wrong_usage("album tag label", label.error());

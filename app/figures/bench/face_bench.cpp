@@ -6,13 +6,11 @@
 #include "faces/evaluation/contour_error.hpp"
 #include "faces/evaluation/harder_ways.hpp"
 #include "faces/extract/batch.hpp"
-#include "faces/models/model_catalog.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <thread>
 #include <utility>
 
@@ -115,25 +113,15 @@ double FaceBenchRow::mean_error_percent() const {
     return sum / static_cast<double>(error_percent.size());
 }
 
-std::vector<FaceContender> face_contenders(const std::function<void(const std::string&)>& left_out) {
+std::vector<FaceContender> face_contenders() {
     using enum RefinementStage;
-    std::vector<FaceContender> all{{"embedded", {}},
-                                   {"embedded_without_edges", {"embedded", "embedded", close_looks}},
-                                   {"embedded_two_looks", {"embedded", "embedded", second_look}},
-                                   {"embedded_one_look", {"embedded", "embedded", first_look}}};
-    const FaceContender optional[] = {{"yunet_and_embedded", {"yunet", "embedded"}},
-                                      {"mesh", {"embedded", "mesh"}},
-                                      {"mesh_without_edges", {"embedded", "mesh", close_looks}},
-                                      {"haar_and_embedded", {"haar", "embedded"}},
-                                      {"haar_and_lbf", {"haar", "lbf"}},
-                                      {"haar_and_lbf_without_edges", {"haar", "lbf", close_looks}}};
-    std::set<std::string> said;
-    for (const FaceContender& contender : optional)
-        if (const auto extractor = FaceExtractor::create(contender.choice))
-            all.push_back(contender);
-        else if (said.insert(extractor.error()).second)
-            left_out(extractor.error());
-    return all;
+    return {{"embedded", {}},
+            {"embedded_without_edges", {"embedded", "embedded", close_looks}},
+            {"embedded_two_looks", {"embedded", "embedded", second_look}},
+            {"embedded_one_look", {"embedded", "embedded", first_look}},
+            {"yunet_and_embedded", {"yunet", "embedded"}},
+            {"mesh", {"embedded", "mesh"}},
+            {"mesh_without_edges", {"embedded", "mesh", close_looks}}};
 }
 
 Result<std::vector<FaceBenchRow>> run_face_bench(const std::vector<PlacedPortrait>& portraits,

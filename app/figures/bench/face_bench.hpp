@@ -15,14 +15,12 @@ namespace tp {
 
 /// A way to find contours that is weighed against others.
 struct FaceContender {
-    /// Detector and model, such as "haar_and_lbf"; the embedded detector goes without saying.
+    /// Detector and model, such as "yunet_and_embedded"; the embedded detector goes without saying.
     std::string name;
     ExtractorChoice choice;
 };
-/// The embedded nets, after each of their refinements, and of the other models those that the user has:
-/// YuNet, the face mesh, a Haar cascade, and that with OpenCV's LBF facemark. `left_out` hears a sentence for
-/// each model that is missing or cannot be used.
-std::vector<FaceContender> face_contenders(const std::function<void(const std::string&)>& left_out);
+/// Our nets, after each of their refinements, then YuNet and the face mesh.
+std::vector<FaceContender> face_contenders();
 
 /// What one contender took and how far it was off, at one size of the pictures.
 struct FaceBenchRow {

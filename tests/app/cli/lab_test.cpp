@@ -89,7 +89,8 @@ private slots:
         QTest::newRow("a study") << QStringList{"study", "check", name};
         QTest::newRow("an experiment") << QStringList{"study", "plan", hostile_name(), "--participant", "1"};
         QTest::newRow("a device") << QStringList{"devices", "test", hostile_name()};
-        QTest::newRow("a model") << QStringList{"models", "fetch", hostile_name()};
+        QTest::newRow("a detector") << QStringList{"faces", "--detector", hostile_name(), sample};
+        QTest::newRow("a model") << QStringList{"faces", "--model", hostile_name(), sample};
     }
     void what_strangers_wrote_does_not_reach_the_terminal() {
         QFETCH(QStringList, words);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "faces/decode/picture.hpp"
+#include "faces/decode/quiet_opencv.hpp"
 #include "faces/detect/yunet_detector.hpp"
-#include "portraits.hpp"
+#include "faces/models/model_catalog.hpp"
+#include "places.hpp"
 
 #include <QSize>
 #include <QTest>
@@ -8,33 +11,35 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/objdetect/face.hpp>
 
+#include <cmath>
+#include <string>
+
 using namespace tp;
 
 class YunetDetectorTest : public QObject {
     Q_OBJECT
 
-    const std::filesystem::path known_ = portraits::folder() / "models/yunet.onnx";
+    YunetDetector detector_{embedded_net(EmbeddedModel::yunet)};
 
 private slots:
+    void initTestCase() { quiet_opencv(); }
+
     void its_faces_are_those_of_opencv_data() {
         QTest::addColumn<QSize>("size");
         for (const QSize size : {QSize(320, 320), QSize(301, 240), QSize(97, 120), QSize(96, 64)})
             QTest::addRow("%d x %d", size.width(), size.height()) << size;
     }
     void its_faces_are_those_of_opencv() {
-        if (!std::filesystem::exists(known_))
-            QSKIP("needs ../shared/faces: a YuNet");
         QFETCH(QSize, size);
-        const auto detector = std::move(YunetDetector::load(known_)).value();
-        const auto opencv =
-            cv::FaceDetectorYN::create(known_.string(), "", {size.width(), size.height()}, 0.6F, 0.3F, 5000);
+        const auto opencv = cv::FaceDetectorYN::create(tp::test::in_source("resources/models/yunet.onnx"), "",
+                                                       {size.width(), size.height()}, 0.6F, 0.3F, 5000);
         std::size_t faces = 0;
         for (const char* name : {"anna_smiling", "ben_angry", "clara_sad"}) {
             const std::string photo = tp::test::in_source("resources/samples/") + std::string(name) + ".jpg";
             cv::Mat picture, expected;
             cv::resize(*read_picture(photo), picture, {size.width(), size.height()}, 0, 0, cv::INTER_AREA);
             opencv->detect(picture, expected);
-            const auto found = detector->detect(picture, Effort::usual);
+            const auto found = detector_.detect(picture, Effort::usual);
             QCOMPARE(static_cast<int>(found.size()), expected.rows);
             faces += found.size();
             for (int i = 0; i < expected.rows; ++i) {
@@ -52,11 +57,8 @@ private slots:
     }
     /// Its answer has to be as large as the anchors in a picture of any size.
     void any_size_is_searched() {
-        if (!std::filesystem::exists(known_))
-            QSKIP("needs ../shared/faces: a YuNet");
-        const auto detector = std::move(YunetDetector::load(known_)).value();
         for (int width = 64; width < 84; ++width)
-            QVERIFY(detector->detect(cv::Mat(150 - width, width, CV_8UC3, cv::Scalar::all(90)), Effort::usual)
+            QVERIFY(detector_.detect(cv::Mat(150 - width, width, CV_8UC3, cv::Scalar::all(90)), Effort::usual)
                         .empty());
     }
 };

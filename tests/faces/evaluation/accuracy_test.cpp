@@ -22,8 +22,6 @@ using Limits = std::array<double, feature_count>; ///< of felt_features, percent
 /// What no mean error may pass, whatever the golden set says.
 constexpr Limits own_limits{0.46, 0.47, 0.72, 0.29, 1.30}, mesh_limits{0.55, 0.55, 0.7, 0.37, 1.25};
 
-std::string path_of(const char* model) { return (portraits::folder() / "models" / model).string(); }
-
 } // namespace
 
 /// Errors over all people held out of the training.
@@ -55,21 +53,18 @@ private slots:
 
     void contours_are_as_exact_as_the_golden_set_data() {
         QTest::addColumn<QString>("row");
-        for (const char* row : {"embedded", "yunet", "haar", "mesh"})
+        for (const char* row : {"embedded", "yunet", "mesh"})
             QTest::newRow(row) << row;
     }
     void contours_are_as_exact_as_the_golden_set() {
         NEEDS_PORTRAITS();
         QFETCH(QString, row);
         const std::string name = row.toStdString();
-        const auto choices = golden_choices(portraits::folder() / "models");
-        if (!choices.contains(name))
-            QSKIP("needs Debian's package opencv-data");
         const auto golden = read_golden_set(tp::test::in_source(golden_file));
         QVERIFY2(golden.ok(), golden.error().c_str());
         QVERIFY(golden->contains(name));
 
-        const auto& errors = measured(choices.at(name));
+        const auto& errors = measured(golden_choices().at(name));
         const auto median = [&](auto milliseconds) {
             std::vector<double> all;
             for (const PortraitErrors& person : errors)
@@ -100,7 +95,7 @@ private slots:
     void edges_make_every_feature_better_data() {
         QTest::addColumn<QString>("model");
         QTest::newRow("embedded") << "embedded";
-        QTest::newRow("mesh") << QString::fromStdString(path_of("teacher_face_mesh.onnx"));
+        QTest::newRow("mesh") << "mesh";
     }
     /// The looks of the edges (edge_look.hpp) were not learned from these people either.
     void edges_make_every_feature_better() {
@@ -136,7 +131,7 @@ private slots:
         NEEDS_PORTRAITS();
         constexpr Limits most{0.45, 0.45, 0.60, 0.50, 1.00};
         auto own = FaceExtractor::create();
-        auto mesh = FaceExtractor::create({"embedded", path_of("teacher_face_mesh.onnx")});
+        auto mesh = FaceExtractor::create({"embedded", "mesh"});
         QVERIFY(own.ok() && mesh.ok());
         Limits sum{};
         const auto people = portraits::held_out();

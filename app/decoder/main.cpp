@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// touchphoto-decoder: started by TouchPhoto when it first meets a photograph or a video whose decoding takes
-// a large library. It decodes what it is handed, in a process that can do nothing else, so that what a
-// hostile file brings about in such a library ends here. Its word says which libraries it loads.
+// touchphoto-decoder: started by TouchPhoto at the first photograph or video that is for it. It decodes what it
+// is handed, or reads its metadata, in a process that can do nothing else, so that what a hostile file brings
+// about in a library ends here. Its word says which libraries it loads.
 //
-//     touchphoto-decoder heif|jpegs|pictures|videos|films
+//     touchphoto-decoder heif|jpegs|pictures|metadata|videos|films
 //     touchphoto-decoder --version
 //
 // Descriptor 3 is the program that asks.
@@ -13,6 +13,8 @@
 #include "core/processes/message.hpp"
 #include "core/version/version.hpp"
 #include "faces/decode/picture_service.hpp"
+#include "faces/exiv2/metadata_messages.hpp"
+#include "faces/exiv2/prepare_exiv2.hpp"
 
 #include <cstdint>
 #include <cstdio>
@@ -40,6 +42,11 @@ void decode_pictures(void (*load)()) {
     answer_by([&](tp::MessageReader& question) { return pictures.answer(question); });
 }
 
+void read_metadata() {
+    tp::prepare_exiv2();
+    answer_by(tp::metadata_answer);
+}
+
 template <typename Service>
 void decode_videos() {
     tp::load_video_decoders();
@@ -57,6 +64,8 @@ int main(int count, char** words) {
         decode_pictures([] {}); // its library is linked
     else if (what == "pictures")
         decode_pictures(tp::load_picture_decoders);
+    else if (what == "metadata")
+        read_metadata();
     else if (what == "videos")
         decode_videos<tp::SoundService>();
     else if (what == "films")

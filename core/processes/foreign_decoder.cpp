@@ -14,8 +14,8 @@ std::atomic<ForeignDecoders*> in_use{nullptr};
 
 ForeignDecoders::ForeignDecoders(const std::filesystem::path& program, HelperPatience patience)
     : heif(program, {"heif"}, patience), jpegs(program, {"jpegs"}, patience),
-      pictures(program, {"pictures"}, patience), videos(program, {"videos"}, patience),
-      films(program, {"films"}, patience) {}
+      pictures(program, {"pictures"}, patience), metadata(program, {"metadata"}, patience),
+      videos(program, {"videos"}, patience), films(program, {"films"}, patience) {}
 
 void decode_in_helpers(ForeignDecoders* decoders) { in_use = decoders; }
 

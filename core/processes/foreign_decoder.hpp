@@ -16,6 +16,7 @@ struct ForeignDecoders {
     HelperPool heif;     ///< HEIC and AVIF
     HelperPool jpegs;    ///< JPEG
     HelperPool pictures; ///< PNG, WebP, TIFF, BMP, JPEG 2000, raw files
+    HelperPool metadata; ///< what photographs say of themselves
     HelperPool videos;   ///< their sound
     HelperPool films;    ///< the pictures of videos
 };

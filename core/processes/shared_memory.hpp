@@ -57,4 +57,8 @@ private:
 /// Windows it has whole pages.
 std::optional<Mapping> received(const Descriptor& memory);
 
+/// A file that is open for reading, whole, to be read. Where it becomes shorter meanwhile, looking at what is gone ends
+/// this process, so this is for a helper. None where it is empty or the system has no room.
+std::optional<Mapping> mapped_file(const Descriptor& file);
+
 } // namespace tp

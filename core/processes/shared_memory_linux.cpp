@@ -53,4 +53,9 @@ std::optional<Mapping> received(const Descriptor& memory) {
     return mapped(memory, static_cast<std::size_t>(size), PROT_READ);
 }
 
+std::optional<Mapping> mapped_file(const Descriptor& file) {
+    const off_t size = ::lseek(file.number(), 0, SEEK_END);
+    return size > 0 ? mapped(file, static_cast<std::size_t>(size), PROT_READ) : std::nullopt;
+}
+
 } // namespace tp

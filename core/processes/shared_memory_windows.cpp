@@ -65,4 +65,18 @@ std::optional<Mapping> received(const Descriptor& memory) {
     return pages.State == MEM_COMMIT ? std::optional(std::move(mapping)) : std::nullopt;
 }
 
+std::optional<Mapping> mapped_file(const Descriptor& file) {
+    LARGE_INTEGER size{};
+    if (!GetFileSizeEx(handle_of(file), &size))
+        return std::nullopt;
+    const HANDLE made = CreateFileMappingW(handle_of(file), nullptr, PAGE_READONLY, 0, 0, nullptr);
+    if (made == nullptr) // of an empty file too
+        return std::nullopt;
+    const Descriptor section(reinterpret_cast<DescriptorNumber>(made));
+    void* const data = MapViewOfFile(made, FILE_MAP_READ, 0, 0, 0);
+    return data == nullptr
+               ? std::nullopt
+               : std::optional<Mapping>(std::in_place, data, static_cast<std::size_t>(size.QuadPart));
+}
+
 } // namespace tp

@@ -25,7 +25,7 @@ enum class JpegDamage {
 /// Decodes a JPEG to 8-bit BGR as it is stored, grey and CMYK included; `shrink` times smaller (1, 2, 4 or 8; sides
 /// rounded up), which costs less, because fewer coefficients of each block are transformed (libjpeg's scaled inverse
 /// DCT). Harmless oddities are ignored; a file that is cut short or damaged is an error, unless damage is `shown`; one
-/// of more than 500 scans always is. The caller has looked at the size.
+/// of more than 100 scans always is. The caller has looked at the size.
 Result<cv::Mat> decode_jpeg(const Bytes& bytes, const JpegHeader& header, int shrink = 1,
                             JpegDamage damage = JpegDamage::refused);
 

@@ -8,7 +8,7 @@
 
 namespace tp {
 
-/// The pixels of a PNG, WebP, TIFF, BMP or JPEG 2000 file, 8-bit BGR, as they are stored (OpenCV turns a TIFF
+/// The pixels of a WebP, TIFF, BMP or JPEG 2000 file, 8-bit BGR, as they are stored (OpenCV turns a TIFF
 /// by itself); empty where the bytes are damaged. OpenCV's decoders are loaded at the first call: with them
 /// come a hundred libraries, 40 MB and a tenth of a second, for which a JPEG has no use. An error where they
 /// are not on this machine.

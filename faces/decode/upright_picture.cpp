@@ -99,7 +99,24 @@ Result<cv::Mat> decode_heif(const Bytes& bytes, PictureKind kind, double largest
                   : Error{pixels.error()};
 }
 
-/// As it is stored; a JPEG or HEIC, which is quicker so, already as small as it fits into `box`.
+/// One that can be read.
+Result<cv::Size> size_of_png(const Bytes& bytes, double largest_px) {
+    const Result<PngSize> size = png_size(bytes);
+    if (!size)
+        return Error{size.error()};
+    if (auto objection = objection_to_size(size->width, size->height, PictureKind::png, largest_px);
+        !objection.empty())
+        return Error{objection};
+    return cv::Size(static_cast<int>(size->width), static_cast<int>(size->height));
+}
+
+/// As it is stored, `shrink` times smaller.
+Result<cv::Mat> shrunk_while_decoded(const Bytes& png, cv::Size whole, int shrink) {
+    const Result<Bytes> bare = bare_png(png);
+    return bare ? decode_png(*bare, whole, shrink) : Error{bare.error()};
+}
+
+/// As it is stored; a JPEG, PNG or HEIC, which takes less so, already as small as it fits into `box`.
 Result<cv::Mat> decode(const Bytes& bytes, PictureKind kind, const PictureMetadata& metadata,
                        double largest_px, cv::Size box) {
     if (kind == PictureKind::jpeg) {
@@ -116,14 +133,11 @@ Result<cv::Mat> decode(const Bytes& bytes, PictureKind kind, const PictureMetada
     if (is_heif(kind))
         return decode_heif(bytes, kind, largest_px, box);
     if (kind == PictureKind::png) {
-        const Result<PngSize> size = png_size(bytes);
-        if (!size)
-            return Error{size.error()};
-        if (auto objection = objection_to_size(size->width, size->height, kind, largest_px);
-            !objection.empty())
-            return Error{objection};
-        const Result<Bytes> bare = bare_png(bytes);
-        return bare ? decode_by_opencv(*bare, kind) : Error{bare.error()};
+        const Result<cv::Size> whole = size_of_png(bytes, largest_px);
+        if (!whole)
+            return Error{whole.error()};
+        const Result<cv::Mat> picture = shrunk_while_decoded(bytes, *whole, shrink_to_fill(*whole, box));
+        return picture ? Result<cv::Mat>(resized(*picture, fitted(*whole, box))) : picture;
     }
     if (kind == PictureKind::webp && is_webp_cut_short(bytes))
         return Error{"The WebP file is cut short: a part of the picture is missing."};
@@ -275,9 +289,23 @@ Result<ShrunkPicture> shrunk_heif(const StoredPicture& stored, int longest_px) {
                          [all = *pixels] { return all_of(all); }};
 }
 
+Result<ShrunkPicture> shrunk_png(const StoredPicture& stored, int longest_px) {
+    const Result<cv::Size> whole = size_of_png(stored.bytes, largest_picture_px);
+    if (!whole)
+        return Error{whole.error()};
+    const int shrink = even_shrink(*whole, longest_px, stored.orientation != 1);
+    const Result<cv::Mat> pixels = shrunk_while_decoded(stored.bytes, *whole, shrink);
+    if (!pixels)
+        return Error{pixels.error()};
+    return ShrunkPicture{
+        upright(*pixels, stored.orientation), across(*whole, stored.orientation), shrink, {}};
+}
+
 Result<ShrunkPicture> shrunk_upright(const StoredPicture& stored, int longest_px) {
     if (is_heif(stored.kind))
         return shrunk_heif(stored, longest_px);
+    if (stored.kind == PictureKind::png)
+        return shrunk_png(stored, longest_px);
     return stored.kind == PictureKind::jpeg ? shrunk_jpeg(stored, longest_px) : not_shrunk(stored);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What touchphoto-decoder decodes, against the same files decoded in this process.
 #include "core/processes/foreign_decoder.hpp"
-#include "core/processes/our_programs.hpp"
 #include "core/processes/shared_memory.hpp"
 #include "faces/decode/foreign_picture.hpp"
 #include "faces/decode/picture.hpp"
 #include "faces/decode/picture_messages.hpp"
 #include "made_pictures.hpp"
+#include "places.hpp"
 
 #include <QTest>
 #include <QVector>
@@ -201,7 +201,7 @@ private slots:
 
     void a_decoder_that_ends_is_one_sentence() {
         const fs::path file = written("a.png", gradient(30, 20));
-        ForeignDecoders ending(beside_this_program("ending_decoder"));
+        ForeignDecoders ending(test::in_build("tests/faces/decode/ending_decoder"));
         const InHelpers in_helpers(ending);
         const QString sentence =
             "The picture cannot be decoded: decoding it broke off. The file may be damaged.";

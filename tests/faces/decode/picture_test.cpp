@@ -191,11 +191,18 @@ private slots:
             }
     }
 
-    void a_jpeg_is_shrunk_to_places_that_lie_where_they_lay() {
+    void what_is_shrunk_lies_where_it_lay_data() {
+        QTest::addColumn<QString>("ending");
+        QTest::newRow("JPEG") << ".jpg";
+        QTest::newRow("PNG") << ".png";
+    }
+    void what_is_shrunk_lies_where_it_lay() {
+        QFETCH(QString, ending);
         for (const cv::Size size : {cv::Size(800, 600), cv::Size(803, 597)})
             for (int orientation = 1; orientation <= 8; ++orientation) {
                 const fs::path file = written(
-                    "shrunk.jpg", encoded(stored_as(sample(size.width, size.height), orientation), ".jpg"));
+                    "shrunk" + ending.toStdString(),
+                    encoded(stored_as(sample(size.width, size.height), orientation), qPrintable(ending)));
                 tag_orientation(file, orientation);
                 const cv::Mat whole = *read_picture(file);
                 const auto shrunk = read_picture_shrunk(file, 200);
@@ -216,10 +223,10 @@ private slots:
             }
     }
 
-    void what_is_no_large_jpeg_is_not_shrunk() {
+    void what_is_small_or_of_another_kind_is_not_shrunk() {
         const fs::path small = written("small.jpg", encoded(sample(299, 201), ".jpg"));
-        const fs::path png = written("large.png", encoded(sample(900, 700), ".png"));
-        for (const fs::path& file : {small, png}) {
+        const fs::path webp = written("large.webp", encoded(sample(900, 700), ".webp"));
+        for (const fs::path& file : {small, webp}) {
             const auto shrunk = read_picture_shrunk(file, 200);
             QVERIFY(shrunk.ok());
             QCOMPARE(shrunk->shrink, 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/album/metadata/change_sidecar.hpp"
 
+#include "app/album/metadata/merge.hpp"
 #include "app/album/metadata/photo_metadata.hpp"
 #include "app/album/metadata/sidecar_names.hpp"
 #include "app/album/metadata/xmp_names.hpp"
@@ -17,6 +18,7 @@
 #include <string_view>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace tp {
 
@@ -70,9 +72,12 @@ public:
         for (int tries = 0; tries < most_tries; ++tries) {
             bool done = false;
             std::string failed = attempt(done);
+            if (!failed.empty())
+                give_back();
             if (done || !failed.empty())
                 return failed;
         }
+        give_back();
         return failure("another program keeps writing to it.");
     }
 
@@ -96,6 +101,7 @@ private:
         auto bytes = read_whole(sidecar_, XmpPacket::most_bytes);
         if (!bytes)
             return failure(bytes.error());
+        leave_base();
         expected_ = base_ = *std::move(bytes);
         return {};
     }
@@ -107,6 +113,9 @@ private:
         auto packet = start.empty() ? Result<XmpPacket>(XmpPacket{}) : XmpPacket::from(start);
         if (!packet)
             return failure(packet.error() + " It was left as it is.");
+        for (const std::string& bytes : missed_)
+            if (const auto other = XmpPacket::from(bytes))
+                bring_in(*other, *packet);
         if (std::string refused = change_(*packet, behind_); !refused.empty())
             return refused;
         std::string bytes = packet->bytes();
@@ -125,22 +134,31 @@ private:
         if (somebody_wrote())
             return look_again();
         std::string reason = file->take_place(expected_ ? Existing::swapped : Existing::kept);
+        if (!reason.empty() && expected_ &&
+            lies_there(bytes)) { // and nobody knows for how long: theirs comes back
+            file->take_place(Existing::swapped);
+            return failure(reason);
+        }
         if (!reason.empty())
             return somebody_wrote() ? look_again() : failure(reason);
         done = !expected_ || file->temporary().empty();
         return done ? std::string{} : check_displaced(*file, std::move(bytes), done);
     }
 
+    bool lies_there(const std::string& bytes) const {
+        const auto there = read_whole(sidecar_, XmpPacket::most_bytes);
+        return there && *there == bytes;
+    }
     bool somebody_wrote() const {
         if (!name_taken(sidecar_))
             return expected_.has_value();
-        const auto bytes = read_whole(sidecar_, XmpPacket::most_bytes);
-        return !expected_ || !bytes || *bytes != *expected_;
+        return !expected_ || !lies_there(*expected_);
     }
 
     /// A program that writes in place leaves half a file for a moment.
     std::string look_again() {
         if (!name_taken(sidecar_)) {
+            leave_base();
             expected_.reset();
             base_.reset();
             return {};
@@ -169,9 +187,32 @@ private:
             const std::string reason = file.take_place(Existing::swapped);
             return failure("another program is writing to it." + (reason.empty() ? "" : " " + reason));
         }
+        leave_base();
         expected_ = std::move(bytes);
         base_ = *std::move(displaced);
+        base_is_displaced_ = true;
+        displaced_.push_back(std::move(file));
         return {};
+    }
+
+    /// Another program wrote over ours of before, which holds nothing of what that displaced.
+    void leave_base() {
+        if (std::exchange(base_is_displaced_, false))
+            missed_.push_back(*std::move(base_));
+    }
+
+    /// What ours displaced was not changed in the end: it gets its place again, unless somebody has written there since.
+    void give_back() {
+        if (!displaced_.empty() && !somebody_wrote())
+            displaced_.back().take_place(Existing::swapped);
+    }
+
+    /// What another program keeps in a sidecar.
+    void bring_in(const XmpPacket& other, XmpPacket& packet) const {
+        RecordParts keywords;
+        keywords.keywords = parts_from_xmp(other, own_.shape).keywords;
+        edit(packet, merged(parts_from_xmp(packet, own_.shape), keywords, false).changes, behind_);
+        add_foreign(packet, other);
     }
 
     static bool is_whole(const Result<std::string>& bytes) { return bytes && XmpPacket::from(*bytes).ok(); }
@@ -189,6 +230,9 @@ private:
     Behind behind_;
     std::optional<std::string> base_;     ///< what is to be changed; none: nothing is there
     std::optional<std::string> expected_; ///< what should lie at the sidecar's place
+    std::vector<NewFile> displaced_;      ///< by ours, until what they say is in the sidecar too
+    bool base_is_displaced_ = false;
+    std::vector<std::string> missed_; ///< displaced sidecars of which the base knows nothing
 };
 
 } // namespace

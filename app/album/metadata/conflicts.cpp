@@ -8,6 +8,7 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/free_name.hpp"
 #include "core/files/whole_file.hpp"
 
 #include <algorithm>
@@ -46,15 +47,11 @@ Result<XmpPacket> packet_in(const fs::path& sidecar) {
 std::string move_to(const fs::path& trash, const fs::path& file) {
     if (std::string reason = make_folder(trash, Readers::owner_only); !reason.empty())
         return reason;
-    constexpr int most_tries = 1000;
-    fs::path place = trash / file.filename();
-    for (int i = 2; i < most_tries; ++i) {
-        if (!name_taken(place))
-            return move_file(file, place);
-        place = trash / file.stem();
-        place += std::string(" ").append(std::to_string(i)).append(file.extension().string());
-    }
-    return "the trash is full of files of that name.";
+    const auto place = free_name([&](int number) {
+        const std::string end = number == 1 ? "" : " " + std::to_string(number);
+        return std::vector{trash / (file.stem().string() + end + file.extension().string())};
+    });
+    return place ? move_file(file, *place) : place.error();
 }
 
 } // namespace
@@ -89,8 +86,11 @@ ConflictCopies::ByOwner ConflictCopies::copies_in(const fs::path& folder) {
     return found;
 }
 
-Result<MergedSidecar> merge_sidecar(const fs::path& photo, const fs::path& other, bool other_is_newer,
-                                    const std::function<bool(const Tag&)>& wanted) {
+namespace {
+
+/// `choose` leaves of what the other says what is wanted.
+Result<MergedSidecar> brought_in(const fs::path& photo, const fs::path& other, bool other_is_newer,
+                                 const std::function<void(RecordParts&)>& choose) {
     const auto packet = packet_in(other);
     if (!packet)
         return Error{"The sidecar " + quoted(other) + " cannot be read: " + packet.error()};
@@ -99,8 +99,7 @@ Result<MergedSidecar> merge_sidecar(const fs::path& photo, const fs::path& other
     const auto add_other = [&](XmpPacket& sidecar, const Behind& behind) {
         const std::string before = sidecar.bytes();
         RecordParts parts = parts_from_xmp(*packet, behind.shape);
-        if (parts.tags && wanted)
-            std::erase_if(*parts.tags, [&](const Tag& tag) { return !wanted(tag); });
+        choose(parts);
         Merge merge = merged(parts_from_xmp(sidecar, behind.shape), parts, other_is_newer);
         result.told = std::move(merge.told);
         const auto foreign = add_foreign(sidecar, *packet);
@@ -112,6 +111,24 @@ Result<MergedSidecar> merge_sidecar(const fs::path& photo, const fs::path& other
     if (std::string failed = change_sidecar(photo, add_other); !failed.empty() && failed != unchanged)
         return Error{std::move(failed)};
     return result;
+}
+
+} // namespace
+
+Result<MergedSidecar> merge_sidecar(const fs::path& photo, const fs::path& other, bool other_is_newer,
+                                    const std::function<bool(const Tag&)>& wanted) {
+    return brought_in(photo, other, other_is_newer, [&](RecordParts& parts) {
+        if (parts.tags && wanted)
+            std::erase_if(*parts.tags, [&](const Tag& tag) { return !wanted(tag); });
+    });
+}
+
+Result<MergedSidecar> merge_foreign(const fs::path& photo, const fs::path& displaced) {
+    return brought_in(photo, displaced, false, [](RecordParts& parts) {
+        RecordParts keywords;
+        keywords.keywords = std::move(parts.keywords);
+        parts = std::move(keywords);
+    });
 }
 
 Result<std::vector<std::string>> merge_conflicts(const fs::path& photo, const fs::path& trash) {

@@ -46,6 +46,11 @@ struct MergedSidecar {
 Result<MergedSidecar> merge_sidecar(const std::filesystem::path& photo, const std::filesystem::path& other,
                                     bool other_is_newer, const std::function<bool(const Tag&)>& wanted = {});
 
+/// Brings in only what other programs wrote into a sidecar that ours displaced at that very moment: their own properties and
+/// keywords. Faces, persons, tags and texts are left, because what displaced it may have taken them away.
+Result<MergedSidecar> merge_foreign(const std::filesystem::path& photo,
+                                    const std::filesystem::path& displaced);
+
 /// Brings every conflict copy of a photograph's sidecars into `IMG_1.jpg.xmp` and then moves the copy to
 /// `trash`, as `merge_sidecar` does. Returns sentences for the person who looks after the album, empty where there was no
 /// copy. A copy that cannot be read stays where it is, and a sentence says so. An error: nothing was changed,

@@ -96,6 +96,8 @@ std::vector<HeifBox> boxes_in(const ByteSource& file, std::uint64_t begin, std::
     const std::uint64_t end = begin + std::min(size, file.size() - std::min(begin, file.size()));
     while (boxes.size() < most_boxes && begin + 8 <= end) {
         Numbers head(file, begin, 16);
+        if (head.bytes().size() < 8) // a disk's fault
+            break;
         std::uint64_t whole = head.next(4), head_size = 8;
         std::string type(head.bytes().substr(4, 4));
         head.next(4);

@@ -11,15 +11,13 @@
 #include "core/files/file_words.hpp"
 #include "core/files/foreign_folder.hpp"
 #include "core/files/open_file.hpp"
-#include "faces/exiv2/exif_orientation.hpp"
-#include "faces/exiv2/prepare_exiv2.hpp"
-
-#include <exiv2/exiv2.hpp>
+#include "faces/exiv2/stated_metadata.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
+#include <string>
+#include <unordered_set>
 #include <utility>
 
 namespace tp {
@@ -46,105 +44,45 @@ std::string utf8_from(std::string text) {
     return result;
 }
 
-std::string exif_text(const Exiv2::ExifData& exif, const char* key) {
-    const auto found = exif.findKey(Exiv2::ExifKey(key));
-    return found == exif.end() || found->count() == 0 ? std::string{} : utf8_from(found->toString());
-}
-
-/// Degrees, minutes and seconds as three fractions; none where one is missing or makes no sense.
-std::optional<double> exif_degrees(const Exiv2::ExifData& exif, const char* key) {
-    const auto found = exif.findKey(Exiv2::ExifKey(key));
-    if (found == exif.end() || found->count() < 1)
+std::optional<Place> exif_place(const StatedMetadata& stated, std::vector<std::string>& problems) {
+    if (!stated.latitude || !stated.longitude)
         return std::nullopt;
-    double sum = 0.0;
-    double unit = 1.0;
-    for (long i = 0; i < std::min(3L, static_cast<long>(found->count())); ++i, unit /= 60.0) {
-        const Exiv2::Rational part = found->toRational(i);
-        if (part.second == 0 || part.first < 0 || part.second < 0)
-            return std::nullopt;
-        sum += unit * static_cast<double>(part.first) / static_cast<double>(part.second);
-    }
-    return sum;
-}
-
-std::optional<Place> exif_place(const Exiv2::ExifData& exif, std::vector<std::string>& problems) {
-    auto latitude = exif_degrees(exif, "Exif.GPSInfo.GPSLatitude");
-    auto longitude = exif_degrees(exif, "Exif.GPSInfo.GPSLongitude");
-    if (!latitude || !longitude)
+    const Place place{*stated.latitude, *stated.longitude};
+    if (place.latitude == 0.0 &&
+        place.longitude == 0.0) // what cameras write that have not found where they are
         return std::nullopt;
-    if (*latitude == 0.0 && *longitude == 0.0) // what cameras write that have not found where they are
-        return std::nullopt;
-    if (exif_text(exif, "Exif.GPSInfo.GPSLatitudeRef").starts_with('S'))
-        *latitude = -*latitude;
-    if (exif_text(exif, "Exif.GPSInfo.GPSLongitudeRef").starts_with('W'))
-        *longitude = -*longitude;
-    if (std::abs(*latitude) <= 90.0 && std::abs(*longitude) <= 180.0)
-        return Place{*latitude, *longitude};
+    if (std::abs(place.latitude) <= 90.0 && std::abs(place.longitude) <= 180.0)
+        return place;
     problems.push_back("The position is not a place on Earth and is left out.");
     return std::nullopt;
 }
 
-RecordParts parts_from_exif(const Exiv2::ExifData& exif) {
+RecordParts parts_from_exif(const StatedMetadata& stated) {
     RecordParts parts;
-    parts.taken = exif_time(exif_text(exif, "Exif.Photo.DateTimeOriginal"),
-                            exif_text(exif, "Exif.Photo.OffsetTimeOriginal"));
-    parts.place = exif_place(exif, parts.problems);
+    parts.taken = exif_time(utf8_from(stated.taken), utf8_from(stated.taken_offset));
+    parts.place = exif_place(stated, parts.problems);
     return parts;
 }
 
-std::vector<std::string> iptc_texts(const Exiv2::IptcData& iptc, const char* key) {
-    std::vector<std::string> texts;
-    const Exiv2::IptcKey wanted(key);
-    for (const Exiv2::Iptcdatum& datum : iptc) {
-        if (datum.key() != wanted.key())
-            continue;
-        std::string text = utf8_from(datum.toString());
-        if (!text.empty() && std::find(texts.begin(), texts.end(), text) == texts.end())
-            texts.push_back(std::move(text));
-    }
-    return texts;
-}
-
-std::string iptc_text(const Exiv2::IptcData& iptc, const char* key) {
-    const auto texts = iptc_texts(iptc, key);
-    return texts.empty() ? std::string{} : texts.front();
-}
-
-RecordParts parts_from_iptc(const Exiv2::IptcData& iptc) {
+RecordParts parts_from_iptc(const StatedMetadata& stated) {
     RecordParts parts;
-    parts.taken = iptc_time(iptc_text(iptc, "Iptc.Application2.DateCreated"),
-                            iptc_text(iptc, "Iptc.Application2.TimeCreated"));
-    if (std::string caption = iptc_text(iptc, "Iptc.Application2.Caption"); !caption.empty())
+    parts.taken = iptc_time(utf8_from(stated.date), utf8_from(stated.time));
+    if (std::string caption = utf8_from(stated.caption); !caption.empty())
         parts.description = LanguageTexts{{"x-default", std::move(caption)}};
-    if (auto keywords = iptc_texts(iptc, "Iptc.Application2.Keywords"); !keywords.empty())
+    std::vector<std::string> keywords;
+    std::unordered_set<std::string> known;
+    for (const std::string& text : stated.keywords)
+        if (std::string keyword = utf8_from(text); !keyword.empty() && known.insert(keyword).second)
+            keywords.push_back(std::move(keyword));
+    if (!keywords.empty())
         parts.keywords = std::move(keywords);
     std::string place;
-    for (const char* key :
-         {"Iptc.Application2.City", "Iptc.Application2.ProvinceState", "Iptc.Application2.CountryName"})
-        if (const std::string name = iptc_text(iptc, key); !name.empty())
+    for (const std::string& text : stated.places)
+        if (const std::string name = utf8_from(text); !name.empty())
             place += (place.empty() ? "" : ", ") + name;
     if (!place.empty())
         parts.place_name = std::move(place);
     return parts;
-}
-
-/// The XMP of a photograph; of some formats Exiv2 only keeps what it made of it.
-std::string xmp_of(Exiv2::Image& image) {
-    if (!image.xmpPacket().empty() || image.xmpData().empty())
-        return image.xmpPacket();
-    std::string packet;
-    Exiv2::XmpParser::encode(packet, image.xmpData());
-    return packet;
-}
-
-/// Each kind of metadata by itself, so that one that is broken does not take the others with it.
-template <typename Read>
-void try_to(std::vector<std::string>& problems, const char* sentence, Read read) {
-    try {
-        read();
-    } catch (...) {
-        problems.emplace_back(sentence);
-    }
 }
 
 /// How a HEIC or AVIF file says that it is turned; none for other files.
@@ -153,68 +91,71 @@ std::optional<int> own_orientation(const OpenFile& photo) {
     return bytes ? heif_orientation(**bytes) : std::nullopt;
 }
 
+/// What is wrong with a packet of XMP; empty where it is read.
+std::string read_packet(const std::string& bytes, PhotoMetadata& metadata) {
+    auto packet = XmpPacket::from(bytes);
+    if (!packet)
+        return packet.error();
+    complete(metadata.parts, parts_from_xmp(*packet, metadata.shape));
+    metadata.xmp = std::move(*packet);
+    return {};
+}
+
 /// `turned`: how the file itself says that it is turned, whatever EXIF says.
-void read_image(Exiv2::Image& image, std::optional<int> turned, PhotoMetadata& metadata) {
+PhotoMetadata metadata_from(const StatedMetadata& stated, std::optional<int> turned) {
+    PhotoMetadata metadata;
+    metadata.shape.width = stated.width;
+    metadata.shape.height = stated.height;
+    metadata.shape.orientation = turned ? *turned : stated.orientation.value_or(metadata.shape.orientation);
     std::vector<std::string> problems;
-    try_to(problems, "The photograph's own metadata is damaged; what could be read of it is used.",
-           [&] { image.readMetadata(); });
-    metadata.shape.width = std::llabs(image.pixelWidth());
-    metadata.shape.height = std::llabs(image.pixelHeight());
-    try_to(problems, "The photograph's EXIF is damaged.", [&] {
-        metadata.shape.orientation = exif_orientation(image.exifData()).value_or(metadata.shape.orientation);
-        complete(metadata.parts, parts_from_exif(image.exifData()));
-    });
-    metadata.shape.orientation = turned.value_or(metadata.shape.orientation);
-    try_to(problems, "The photograph's XMP is damaged.", [&] {
-        const std::string bytes = xmp_of(image);
-        if (bytes.empty())
-            return;
-        auto packet = XmpPacket::from(bytes);
-        if (!packet) {
-            problems.push_back("The photograph's XMP cannot be read: " + packet.error());
-            return;
-        }
-        complete(metadata.parts, parts_from_xmp(*packet, metadata.shape));
-        metadata.xmp = std::move(*packet);
-    });
-    try_to(problems, "The photograph's IPTC is damaged.",
-           [&] { complete(metadata.parts, parts_from_iptc(image.iptcData())); });
+    if (stated.is_damaged)
+        problems.emplace_back("The photograph's own metadata is damaged; what could be read of it is used.");
+    if (stated.exif_is_damaged)
+        problems.emplace_back("The photograph's EXIF is damaged.");
+    complete(metadata.parts, parts_from_exif(stated));
+    if (stated.xmp_is_damaged)
+        problems.emplace_back("The photograph's XMP is damaged.");
+    if (!stated.xmp.empty())
+        if (const std::string problem = read_packet(stated.xmp, metadata); !problem.empty())
+            problems.push_back("The photograph's XMP cannot be read: " + problem);
+    if (stated.iptc_is_damaged)
+        problems.emplace_back("The photograph's IPTC is damaged.");
+    complete(metadata.parts, parts_from_iptc(stated));
     metadata.parts.problems.insert(metadata.parts.problems.begin(), problems.begin(), problems.end());
+    return metadata;
 }
 
 } // namespace
 
 Result<PhotoMetadata> photo_metadata(const fs::path& photo) {
-    const OpenFile opened(photo, {.looked_at = true});
+    OpenFile opened(photo, {.looked_at = true});
     const int error = opened.ok() ? 0 : errno;
     if (error == ELOOP)
         if (const auto link = link_on_the_way(photo.parent_path()))
             return Error{left_alone(*link)};
     const auto facts = opened.ok() ? opened.facts() : facts_of_photo(photo);
     if (!facts)
-        return Error{"There is no photograph " + quoted(photo) + "."};
+        return Error{is_disks_fault(errno)
+                         ? "The photograph " + quoted(photo) + " cannot be read: " + reason_of(errno)
+                         : "There is no photograph " + quoted(photo) + "."};
     if (facts->kind != FileFacts::Kind::file)
         return Error{quoted(photo) + " is not a file."};
+    if (!opened.ok() && is_disks_fault(error))
+        return Error{"The photograph " + quoted(photo) + " cannot be read: " + reason_of(error)};
     if (!opened.ok())
         return Error{"You are not allowed to read the photograph " + quoted(photo) + "."};
-    PhotoMetadata metadata;
     // The very file that is open, whatever has its name by now.
     const fs::path same = opened.name_of_opened();
-    const fs::path name = same.empty() ? fs::absolute(photo) : same;
-    if (has_oversized_metadata(name)) {
+    PhotoMetadata metadata;
+    if (has_oversized_metadata(same.empty() ? fs::absolute(photo) : same)) {
         metadata.parts.problems.push_back("The photograph " + quoted(photo) +
                                           " holds more metadata than any program writes; it was not read.");
         return metadata;
     }
-    prepare_exiv2();
-    try {
-        // By a whole path, because the factory takes some names ("-", "data:…") for something else than a file.
-        const auto image = Exiv2::ImageFactory::open(name.string(), false);
-        read_image(*image, own_orientation(opened), metadata);
-    } catch (...) {
-        metadata.parts.problems.push_back("The metadata of the photograph " + quoted(photo) +
-                                          " cannot be read.");
-    }
+    const std::optional<int> turned = own_orientation(opened);
+    if (const auto stated = stated_metadata(std::move(opened)))
+        return metadata_from(*stated, turned);
+    metadata.parts.problems.push_back("The metadata of the photograph " + quoted(photo) + " cannot be read.");
     return metadata;
 }
 

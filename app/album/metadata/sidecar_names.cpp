@@ -2,8 +2,10 @@
 #include "app/album/metadata/sidecar_names.hpp"
 
 #include "core/files/durable_file.hpp"
+#include "core/files/file_words.hpp"
 
 #include <array>
+#include <cerrno>
 #include <optional>
 #include <string_view>
 
@@ -18,13 +20,18 @@ constexpr std::array<std::string_view, 8> extensions = {".xmp", ".XMP", ".Xmp", 
                                                         ".xmP", ".XMp", ".XmP", ".xMP"};
 
 std::optional<fs::path> existing(const fs::path& stem) {
-    for (const std::string_view extension : extensions) {
+    const auto spelt = [&](std::string_view extension) {
         fs::path file = stem;
-        file += extension;
-        if (name_taken(file))
-            return file;
+        return file += extension;
+    };
+    bool is_known = true;
+    for (const std::string_view extension : extensions) {
+        if (name_taken(spelt(extension)))
+            return spelt(extension);
+        is_known = is_known && !is_disks_fault(errno);
     }
-    return std::nullopt;
+    // Where the disk reports a fault there may be one; whoever reads it says so.
+    return is_known ? std::nullopt : std::optional(spelt(extensions.front()));
 }
 
 } // namespace

@@ -247,6 +247,22 @@ private slots:
                     packet("", ""));
         QVERIFY(ConflictCopies().of(photo_).empty());
     }
+
+    /// What ours displaced may say what a person has taken away since.
+    void of_a_displaced_sidecar_keywords_are_brought_in_and_no_recording_comes_back() {
+        SidecarChanges before;
+        before.keywords = {"lake"};
+        before.tags = {tag("deleted.flac", "Anna", {})};
+        const fs::path displaced = copy_with(before, ".touchphoto-1-0.tmp");
+        SidecarChanges now;
+        now.tags = {tag("kept.flac", "Anna", {})};
+        QCOMPARE(write_sidecar(photo_, now), std::string());
+        QVERIFY(merge_foreign(photo_, displaced).ok());
+        const auto record = read_record(photo_);
+        QCOMPARE(record->keywords, std::vector<std::string>{"lake"});
+        QCOMPARE(record->tags.size(), std::size_t{1});
+        QCOMPARE(record->tags[0].file, std::string("kept.flac"));
+    }
 };
 
 QTEST_GUILESS_MAIN(ConflictsTest)

@@ -4,12 +4,17 @@
 #include "app/album/metadata/heif_boxes.hpp"
 #include "app/album/metadata/motion_photo.hpp"
 #include "audio/recordings/byte_source.hpp"
+#include "failing_bytes.hpp"
 
 namespace tp::test {
 
 std::string complaint_about_motion(std::string_view bytes) {
     if (const auto turned = heif_orientation(MemoryBytes(bytes)); turned && (*turned < 1 || *turned > 8))
         return "turned in a way that EXIF does not know";
+    on_failing_disks(bytes, [](const ByteSource& file) {
+        static_cast<void>(heif_orientation(file));
+        static_cast<void>(video_inside(file));
+    });
     const auto place = video_inside(MemoryBytes(bytes));
     if (!place)
         return {};

@@ -103,8 +103,7 @@ std::string keep_calibration(const std::filesystem::path& file, const std::strin
     if (!is_key(key))
         return not_kept("the device has no name to keep it by.");
     Calibrations all;
-    std::error_code error;
-    if (std::filesystem::exists(file, error)) {
+    if (!is_gone(file)) {
         const Result<std::string> text = read_whole(file, largest_file);
         if (!text)
             return not_kept(text.error());

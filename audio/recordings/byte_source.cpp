@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <utility>
+#include <vector>
 
 namespace tp {
 
@@ -59,7 +60,22 @@ std::size_t FileBytes::read(std::uint64_t at, std::span<char> to) const {
     if (at >= size_)
         return 0;
     const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(to.size(), size_ - at));
-    return file_->read_at(at, to.first(most));
+    const std::size_t done = file_->read_at(at, to.first(most));
+    if (done < most && errno != 0) {
+        int none = 0;
+        fault_.compare_exchange_strong(none, errno);
+    }
+    return done;
+}
+
+std::string fault_in_reading(const std::filesystem::path& file) {
+    const auto bytes = FileBytes::open(file);
+    if (!bytes)
+        return bytes.error();
+    std::vector<char> block(1 << 16);
+    for (std::uint64_t at = 0; at < (*bytes)->size() && (*bytes)->fault() == 0; at += block.size())
+        (*bytes)->read(at, block);
+    return (*bytes)->fault() != 0 ? reason_of((*bytes)->fault()) : std::string();
 }
 
 } // namespace tp

@@ -4,10 +4,12 @@
 #include "core/base/result.hpp"
 #include "core/files/open_file.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -21,6 +23,9 @@ public:
     /// Fills `to` from the byte `at` on; how many there were. Fewer than asked: they end there, or the disk
     /// reports a fault.
     virtual std::size_t read(std::uint64_t at, std::span<char> to) const = 0;
+    /// The system's number of the first fault that a disk reported; 0 where none did. What is wrong with what was read may be
+    /// the disk's then, and not the file's.
+    virtual int fault() const { return 0; }
 };
 
 /// A view of memory that outlives it.
@@ -40,6 +45,7 @@ public:
     PartOfBytes(std::unique_ptr<ByteSource> whole, std::uint64_t begin, std::uint64_t size);
     std::uint64_t size() const override { return size_; }
     std::size_t read(std::uint64_t at, std::span<char> to) const override;
+    int fault() const override { return whole_->fault(); }
 
 private:
     std::unique_ptr<ByteSource> whole_;
@@ -60,6 +66,7 @@ public:
 
     std::uint64_t size() const override { return size_; }
     std::size_t read(std::uint64_t at, std::span<char> to) const override;
+    int fault() const override { return fault_; }
 
 private:
     explicit FileBytes(OpenFile file) : own_(std::move(file)), file_(&own_) {}
@@ -69,6 +76,11 @@ private:
     OpenFile own_;
     const OpenFile* file_;
     std::uint64_t size_ = 0;
+    mutable std::atomic<int> fault_{0};
 };
+
+/// Why the disk does not give all of a file's bytes, the end of a sentence; empty where it does: what is wrong with them is
+/// their own then.
+std::string fault_in_reading(const std::filesystem::path& file);
 
 } // namespace tp

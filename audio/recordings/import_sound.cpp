@@ -55,7 +55,10 @@ Result<ImportedSound> import_sound(const fs::path& from, const fs::path& folder,
         return Error{about.error()};
     if (std::string reason = make_folder(folder, Readers::owner_only); !reason.empty())
         return Error{reason};
-    VorbisComments comments = about->flac ? comments_of(from) : VorbisComments{};
+    auto carried = about->flac ? comments_of(from) : Result<VorbisComments>(VorbisComments{});
+    if (!carried)
+        return Error{carried.error()};
+    VorbisComments comments = std::move(*carried);
     set_notes(comments, notes);
 
     const std::unique_ptr<FileBytes> flac = about->flac ? sound_flac(from) : nullptr;

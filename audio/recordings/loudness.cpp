@@ -3,6 +3,7 @@
 
 #include "audio/recordings/flac_file.hpp"
 #include "audio/recordings/sound_reader.hpp"
+#include "core/files/file_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,8 @@ Result<Loudness> loudness_of(const std::filesystem::path& file) {
             block.data(), frames * static_cast<std::size_t>(reader->format().channels)));
         all += frames;
     }
+    if (reader->fault() != 0)
+        return Error{reason_of(reader->fault())};
     if (all < reader->frames() && reader->exact_length())
         return Error{"it is damaged, and cannot be read to its end."};
     return meter.loudness();

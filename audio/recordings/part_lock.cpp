@@ -17,7 +17,9 @@ Result<std::optional<PartLock>> PartLock::take(const std::filesystem::path& part
         return Error{errno == EISDIR || errno == ELOOP || errno == ENXIO ? "it is not a file."
                                                                          : reason_of(errno)};
     const auto open_one = file.facts();
-    if (!open_one || open_one->kind != FileFacts::Kind::file)
+    if (!open_one)
+        return Error{reason_of(errno)};
+    if (open_one->kind != FileFacts::Kind::file)
         return Error{"it is not a file."};
     if (!file.lock()) {
         if (errno == EWOULDBLOCK)
@@ -25,6 +27,8 @@ Result<std::optional<PartLock>> PartLock::take(const std::filesystem::path& part
         return Error{reason_of(errno)};
     }
     const auto named_one = facts_of_name(part); // who held it before may have taken it away meanwhile
+    if (!named_one && is_disks_fault(errno))
+        return Error{reason_of(errno)};
     if (!named_one || named_one->identity != open_one->identity)
         return std::optional<PartLock>();
     return std::optional<PartLock>(PartLock(std::move(file)));

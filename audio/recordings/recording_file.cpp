@@ -88,6 +88,8 @@ Result<std::optional<fs::path>> finish_part(const fs::path& part, const PartLock
     const auto layout = wav_layout(**bytes);
     if (!layout)
         return Error{layout.error()};
+    if ((*bytes)->fault() != 0)
+        return Error{reason_of((*bytes)->fault())};
     if (layout->frames == 0) {
         if (std::string reason = remove_durably(part); !reason.empty())
             return Error{reason};
@@ -116,15 +118,19 @@ Result<std::optional<fs::path>> finish_part(const fs::path& part, const PartLock
     return flac;
 }
 
-VorbisComments comments_of(const fs::path& file) {
+Result<VorbisComments> comments_of(const fs::path& file) {
     VorbisComments comments;
     const auto bytes = FileBytes::open(file);
-    if (bytes && is_flac(**bytes)) {
+    if (!bytes)
+        return Error{bytes.error()};
+    if (is_flac(**bytes)) {
         if (auto head = flac_head(**bytes))
             comments = std::move(head->comments);
     } else if (const auto reader = SoundReader::open(file)) {
         comments.fields = {{"ARTIST", reader->artist()}, {"DATE", reader->date()}};
     }
+    if ((*bytes)->fault() != 0)
+        return Error{reason_of((*bytes)->fault())};
     return comments;
 }
 
@@ -132,9 +138,17 @@ Result<RecordingAbout> about_recording(const fs::path& file) {
     const auto reader = SoundReader::open(file);
     if (!reader)
         return Error{reader.error()};
+    const auto comments = comments_of(file);
+    if (!comments)
+        return Error{comments.error()};
     const auto bytes = FileBytes::open(file);
-    return RecordingAbout{notes_in(comments_of(file)), reader->format(), reader->frames(),
-                          reader->exact_length(), bytes.ok() && is_flac(**bytes)};
+    if (!bytes)
+        return Error{bytes.error()};
+    const bool flac = is_flac(**bytes);
+    if ((*bytes)->fault() != 0)
+        return Error{reason_of((*bytes)->fault())};
+    return RecordingAbout{notes_in(*comments), reader->format(), reader->frames(), reader->exact_length(),
+                          flac};
 }
 
 std::string relabel_recording(const fs::path& file, const RecordingNotes& notes,

@@ -43,8 +43,8 @@ struct RecordingAbout {
 };
 Result<RecordingAbout> about_recording(const std::filesystem::path& file);
 
-/// The comments of a sound file: all of a FLAC, speaker and date of another.
-VorbisComments comments_of(const std::filesystem::path& file);
+/// The comments of a sound file: all of a FLAC, speaker and date of another. An error only where the disk reports a fault.
+Result<VorbisComments> comments_of(const std::filesystem::path& file);
 
 /// Gives a FLAC file other notes; its sound and other programs' comments stay. The file is replaced as a
 /// whole. The reason why not, else empty; "it was stopped." once a stop is asked for before all is copied.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audio/recordings/sound_reader.hpp"
 
+#include "core/files/file_words.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -137,11 +139,15 @@ Result<SoundReader> SoundReader::open(const std::filesystem::path& file) {
 Result<SoundReader> SoundReader::open(std::unique_ptr<ByteSource> bytes) {
     if (bytes->size() == 0)
         return Error{"it is empty."};
-    if (!may_be_sound(*bytes))
-        return Error{"it is not a sound file that can be read here."};
+    const bool may_be = may_be_sound(*bytes);
     auto impl = std::make_unique<Impl>();
     impl->bytes = std::move(bytes);
-    if (!impl->open())
+    const bool opened = may_be && impl->open();
+    if (impl->bytes->fault() != 0)
+        return Error{reason_of(impl->bytes->fault())};
+    if (!may_be)
+        return Error{"it is not a sound file that can be read here."};
+    if (!opened)
         return Error{"it is damaged, or not a sound file that can be read here."};
     const SF_INFO& info = impl->info;
     if (info.channels < 1 || info.channels > most_channels)
@@ -151,7 +157,7 @@ Result<SoundReader> SoundReader::open(std::unique_ptr<ByteSource> bytes) {
         return Error{"recordings do not have its sample rate."};
     const auto most = static_cast<sf_count_t>(longest_recording_s) * info.samplerate;
     if (info.frames == SF_COUNT_MAX && !impl->count_frames(most)) // a FLAC that was written into a pipe
-        return Error{"it is damaged."};
+        return Error{impl->bytes->fault() != 0 ? reason_of(impl->bytes->fault()) : "it is damaged."};
     if (info.frames <= 0)
         return Error{"it holds no sound."};
     if (info.frames > most)
@@ -192,7 +198,9 @@ bool SoundReader::seek(std::uint64_t frame) {
            sf_seek(impl_->file, static_cast<sf_count_t>(frame), SEEK_SET) == static_cast<sf_count_t>(frame);
 }
 
-bool SoundReader::failed() const { return sf_error(impl_->file) != SF_ERR_NO_ERROR; }
+bool SoundReader::failed() const { return fault() != 0 || sf_error(impl_->file) != SF_ERR_NO_ERROR; }
+
+int SoundReader::fault() const { return impl_->bytes->fault(); }
 
 std::string SoundReader::artist() const {
     const char* const text = sf_get_string(impl_->file, SF_STR_ARTIST);

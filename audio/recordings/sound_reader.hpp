@@ -37,6 +37,8 @@ public:
     bool seek(std::uint64_t frame);
     /// Whether reading met a fault other than the file's end.
     bool failed() const;
+    /// The system's number of the first fault that the disk reported; 0: none.
+    int fault() const;
     /// What libsndfile knows of the speaker (artist) and the date; empty: nothing.
     std::string artist() const;
     std::string date() const;

@@ -7,6 +7,7 @@
 #include "audio/recordings/sound_reader.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tp {
 
@@ -55,7 +56,10 @@ Result<std::filesystem::path> trim_recording(const std::filesystem::path& record
         return Error{about.error()};
     if (begin >= end || end > about->frames)
         return Error{"there is no such piece in it."};
-    VorbisComments comments = comments_of(recording);
+    auto carried = comments_of(recording);
+    if (!carried)
+        return Error{carried.error()};
+    VorbisComments comments = std::move(*carried);
     RecordingNotes notes = about->notes;
     notes.chapters = chapters_between(notes.chapters, static_cast<double>(begin) / about->format.rate,
                                       static_cast<double>(end) / about->format.rate);

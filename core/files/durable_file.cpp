@@ -126,6 +126,8 @@ std::string remove_tree(const fs::path& folder) {
 
 bool name_taken(const fs::path& file) { return facts_of_name(file).has_value(); }
 
+bool is_gone(const fs::path& file) { return !facts_of_name(file) && (errno == ENOENT || errno == ENOTDIR); }
+
 bool file_there(const fs::path& file) {
     const auto facts = facts_of(file);
     return facts && facts->kind == FileFacts::Kind::file;

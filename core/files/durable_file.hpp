@@ -40,8 +40,10 @@ std::string remove_file(const std::filesystem::path& file);
 /// it lies in: the reason then names it.
 std::string remove_tree(const std::filesystem::path& folder);
 
-/// Whether something has this name, be it a link to nothing.
+/// Whether something has this name, be it a link to nothing. False too where the disk reports a fault.
 bool name_taken(const std::filesystem::path& file);
+/// Whether nothing has this name, for certain: the disk says so, and reports no fault.
+bool is_gone(const std::filesystem::path& file);
 
 // What a name is. In a ForeignFolder a link is none of these but a link, and what lies behind one is nothing.
 bool file_there(const std::filesystem::path& file);

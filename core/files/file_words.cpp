@@ -41,6 +41,27 @@ std::string readable(std::string_view text) {
 
 std::string quoted_readable(std::string_view text) { return tp::quoted(std::string_view(readable(text))); }
 
+bool is_disks_fault(int error) {
+    switch (error) {
+    case EIO:
+    case ENODEV:
+    case ENOTCONN:
+    case ETIMEDOUT:
+#if defined(ESTALE) // Windows has none of these
+    case ESTALE:
+#endif
+#if defined(EUCLEAN)
+    case EUCLEAN:
+#endif
+#if defined(EREMOTEIO)
+    case EREMOTEIO:
+#endif
+        return true;
+    default:
+        return false;
+    }
+}
+
 std::string reason_of(int error) {
     switch (error) {
     case EACCES:

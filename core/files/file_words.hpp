@@ -24,6 +24,10 @@ std::string quoted(const Path& path) {
     return quoted_readable(path.string());
 }
 
+/// Whether the system's number is about the disk, or the way to it, and not about the file: a card that dies, a share that is
+/// gone. Then nothing is known of what is there.
+bool is_disks_fault(int error);
+
 /// Why the system would not, from its `errno`: the end of a sentence, such as "the disk is full."
 std::string reason_of(int error);
 

@@ -95,10 +95,11 @@ Result<NewFile> NewFile::beside(const fs::path& place, Readers readers) {
     const fs::path& target = *linked;
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     const auto above = facts_of(folder);
-    if ((above && above->kind != FileFacts::Kind::folder) || (!above && errno != EACCES)) {
+    const int error = above ? 0 : errno;
+    if ((above && above->kind != FileFacts::Kind::folder) || (!above && error != EACCES)) {
         if (const auto link = link_on_the_way(folder))
             return Error{left_alone(*link)};
-        return Error{"there is no folder " + quoted(folder) + "."};
+        return Error{is_disks_fault(error) ? reason_of(error) : "there is no folder " + quoted(folder) + "."};
     }
 
     for (int tries = 0; tries < most_tries; ++tries) {

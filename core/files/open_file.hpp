@@ -78,7 +78,8 @@ public:
     std::filesystem::path name_of_opened() const;
     /// Fills `to` from where it stands; how many bytes there were, fewer at the file's end. −1: a fault.
     std::int64_t read(std::span<char> to);
-    /// Fills `to` from the byte `at` on; how many bytes there were before the file's end, or a fault.
+    /// Fills `to` from the byte `at` on; how many bytes there were before the file's end, or a fault. Where there were fewer,
+    /// `errno` is 0 at the end.
     std::size_t read_at(std::uint64_t at, std::span<char> to) const;
     Written write(std::string_view bytes);
     Written write_at(std::uint64_t at, std::string_view bytes) const;
@@ -108,7 +109,7 @@ private:
 };
 
 /// Fills `to` from the byte `at` on of a file that somebody else has opened, and asks the system for nothing else (a confined
-/// process may not); how many bytes there were before its end, or a fault.
+/// process may not); how many bytes there were before its end, or a fault. Where there were fewer, `errno` is 0 at the end.
 std::size_t read_at(DescriptorNumber file, std::uint64_t at, std::span<char> to);
 
 } // namespace tp

@@ -215,9 +215,10 @@ bool OpenFile::wait_for_lock() const {
 
 std::size_t read_at(DescriptorNumber file, std::uint64_t at, std::span<char> to) {
     std::size_t done = 0;
-    filled(to.size(), done, [&](std::size_t before) {
-        return ::pread(file, to.data() + before, to.size() - before, static_cast<off_t>(at + before));
-    });
+    if (filled(to.size(), done, [&](std::size_t before) {
+            return ::pread(file, to.data() + before, to.size() - before, static_cast<off_t>(at + before));
+        }))
+        errno = 0;
     return done;
 }
 

@@ -163,9 +163,7 @@ std::int64_t OpenFile::read(std::span<char> to) {
 }
 
 std::size_t OpenFile::read_at(std::uint64_t at, std::span<char> to) const {
-    std::size_t done = 0;
-    filled(handle_of(number_), to, &at, done);
-    return done;
+    return tp::read_at(reinterpret_cast<DescriptorNumber>(handle_of(number_)), at, to);
 }
 
 Written OpenFile::write(std::string_view bytes) {
@@ -212,7 +210,8 @@ bool OpenFile::wait_for_lock() const { return locked(number_, 0); }
 
 std::size_t read_at(DescriptorNumber file, std::uint64_t at, std::span<char> to) {
     std::size_t done = 0;
-    filled(reinterpret_cast<HANDLE>(file), to, &at, done);
+    if (filled(reinterpret_cast<HANDLE>(file), to, &at, done))
+        errno = 0;
     return done;
 }
 

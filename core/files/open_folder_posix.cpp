@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/files/facts_posix.hpp"
+#include "core/files/file_words.hpp"
 #include "core/files/foreign_folder.hpp"
 #include "core/files/open_folder.hpp"
 #include "core/files/way_posix.hpp"
@@ -65,22 +66,26 @@ std::vector<FolderEntry> OpenFolder::entries(const std::function<bool(std::strin
                                              bool all_links) const {
     std::vector<FolderEntry> entries;
     const int folder = ::dirfd(system_->folder);
+    int fault = 0;
     errno = 0;
     // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread reads this stream
     while (const dirent* item = ::readdir(system_->folder)) {
         struct stat about {};
         const std::string_view name = item->d_name;
-        if (name != "." && name != ".." && wanted(name) &&
-            ::fstatat(folder, item->d_name, &about, AT_SYMLINK_NOFOLLOW) == 0) {
+        if (name == "." || name == ".." || !wanted(name))
+            continue;
+        if (::fstatat(folder, item->d_name, &about, AT_SYMLINK_NOFOLLOW) == 0) {
             const bool link = S_ISLNK(about.st_mode);
             const bool followed =
                 link && !system_->foreign && ::fstatat(folder, item->d_name, &about, 0) == 0;
             if (!link || followed || system_->foreign || all_links)
                 entries.push_back({item->d_name, facts_from(about), link});
+        } else if (is_disks_fault(errno)) {
+            fault = errno;
         }
         errno = 0; // a link to nothing, or a file that has just gone
     }
-    error = errno;
+    error = errno != 0 ? errno : fault;
     std::ranges::sort(entries, {}, &FolderEntry::name);
     return entries;
 }

@@ -42,6 +42,8 @@ Result<std::string> read_whole(const fs::path& file, std::size_t most_bytes) try
     if (facts && facts->kind != FileFacts::Kind::file)
         return Error{quoted(file) + (facts->kind == FileFacts::Kind::folder ? " is a folder, not a file."
                                                                             : " is not a file.")};
+    if (!opened.ok() && is_disks_fault(error))
+        return Error{"The file " + quoted(file) + " cannot be read: " + reason_of(error)};
     if (!opened.ok())
         return Error{"The file " + quoted(file) + " cannot be opened; you may not be allowed to read it."};
     std::string bytes;

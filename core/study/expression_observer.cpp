@@ -63,12 +63,15 @@ ExpressionChoices ExpressionObserver::known_among(const ExpressionChoices& wante
 }
 
 ExpressionShares ExpressionObserver::judge(const ExpressionCues& cues, const ExpressionChoices& choices,
-                                           const std::optional<FingerTouch>& touch) const {
+                                           const std::optional<FingerTouch>& touch,
+                                           const MetCues& met) const {
     const ExpressionChoices open = known_among(choices);
     ExpressionShares shares{};
     double likeliest = -std::numeric_limits<double>::infinity();
     for (std::size_t e = 0; e < expression_count; ++e) {
         for (std::size_t i = 0; i < cue_count; ++i) {
+            if (!met[i])
+                continue;
             const double spread = std::hypot(model_[i].spread, touch ? touch->noise_of(i) : 0.0);
             const double off = (cues[i] - model_[i].means[e]) / spread;
             shares[e] -= 0.5 * off * off; // the logarithm, up to what all have in common

@@ -18,6 +18,14 @@ struct ExpressionExample {
     ExpressionCues cues{};
 };
 
+/// Which cues a finger has met, in the order of `Cue`.
+using MetCues = std::array<bool, cue_count>;
+inline constexpr MetCues all_cues_met = [] {
+    MetCues all{};
+    all.fill(true);
+    return all;
+}();
+
 /// Names expressions by the cues alone: the likeliest where each cue is normally distributed about a mean of
 /// each expression, independently of the others, with one spread for all expressions (a linear discriminant
 /// with a shared diagonal covariance), and all expressions are as frequent. Ideal in that it uses every cue
@@ -44,9 +52,10 @@ public:
     const Model& model() const { return model_; }
 
     /// How likely each of the choices is; 0 for what is no choice or not known, and all 0 where nothing is
-    /// left. With `touch`, for cues that a finger felt so inexactly.
+    /// left. With `touch`, for cues that a finger felt so inexactly. Only cues that were met (`met`) tell anything.
     ExpressionShares judge(const ExpressionCues& cues, const ExpressionChoices& choices,
-                           const std::optional<FingerTouch>& touch = std::nullopt) const;
+                           const std::optional<FingerTouch>& touch = std::nullopt,
+                           const MetCues& met = all_cues_met) const;
 
 private:
     Model model_;

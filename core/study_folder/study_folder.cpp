@@ -84,7 +84,7 @@ Result<StudyFolder> read_study(const fs::path& folder) {
         return Error{about(protocol, experiment.error())};
     StudyFolder study;
     study.experiment = std::move(*experiment);
-    if (const fs::path file = folder / study_terms_file; name_taken(file)) {
+    if (const fs::path file = folder / study_terms_file; !is_gone(file)) {
         const auto bytes = read_whole(file, most_terms_bytes);
         if (!bytes)
             return Error{bytes.error()};
@@ -93,7 +93,7 @@ Result<StudyFolder> read_study(const fs::path& folder) {
             return Error{about(file, terms.error())};
         study.terms = *terms;
     }
-    if (const fs::path file = folder / study_sittings_file; name_taken(file)) {
+    if (const fs::path file = folder / study_sittings_file; !is_gone(file)) {
         const auto csv = read_whole(file, most_sittings_bytes);
         if (!csv)
             return Error{csv.error()};

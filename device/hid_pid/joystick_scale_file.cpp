@@ -74,8 +74,7 @@ std::string keep_joystick_scale(const std::filesystem::path& file, const std::st
         return not_kept(file.empty() ? "there is no folder for settings."
                                      : "the stick has no name to keep it by.");
     std::string before;
-    std::error_code error;
-    if (std::filesystem::exists(file, error)) {
+    if (!is_gone(file)) {
         const Result<std::string> text = read_whole(file, largest_scale_file);
         if (!text.ok())
             return not_kept(text.error());

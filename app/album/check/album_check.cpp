@@ -35,16 +35,8 @@ bool writer_lives(const fs::path& temporary) {
     return pid > 0 && process_lives(pid);
 }
 
-void half_written(const fs::path& file, Findings& findings) {
-    if (writer_lives(file))
-        return;
-    const std::string sentence = quoted(file) + " was being written when its program ended.";
-    if (content_hash_in(file)) // a whole sidecar: may be what another program wrote at that moment
-        return findings.add(Finding::Kind::half_written, file, sentence, "It goes to the trash.", [&] {
-            return findings.keeper().trash().put({file}, "a sidecar that was being replaced").error();
-        });
-    findings.add(Finding::Kind::half_written, file, sentence, "It is deleted.",
-                 [&] { return remove_file(file); });
+std::string words_for_half_written(const fs::path& file) {
+    return quoted(file) + " was being written when its program ended.";
 }
 
 /// With where it takes photographs from.
@@ -82,12 +74,22 @@ public:
 
     CheckReport run(const std::stop_token& stop) {
         const Inventory there = inventory_of(findings_.album());
+        for (const auto& [folder, error] : there.unread)
+            findings_.add_folder(folder, error);
         for (const fs::path& link : there.links)
             findings_.add(Finding::Kind::link, link, left_alone(link));
         for (const fs::path& file : there.no_files)
             findings_.add(Finding::Kind::no_file, file, quoted(file) + " is not a file; it is left alone.");
-        for (const fs::path& file : there.temporaries)
-            half_written(file, findings_);
+        std::vector<fs::path> sidecars; // whole ones
+        for (const fs::path& file : there.temporaries) {
+            if (writer_lives(file))
+                continue;
+            if (looked_twice([&] { return content_hash_in(file); }))
+                sidecars.push_back(file);
+            else
+                findings_.add_damaged(Finding::Kind::half_written, file, words_for_half_written(file),
+                                      "It is deleted.", [&] { return remove_file(file); });
+        }
         for (const fs::path& folder : there.tags)
             check_unfinished(folder, findings_);
         for (const fs::path& photo : there.photos) {
@@ -100,6 +102,8 @@ public:
             check_photo(photo);
             ++report_.photos;
         }
+        for (const fs::path& sidecar : sidecars)
+            check_displaced(sidecar);
         check_companions(there, std::move(by_hash_), findings_);
         check_names(every_sidecar_was_read_ ? &known_people_ : nullptr, findings_);
         imports_and_trash(findings_);
@@ -124,6 +128,23 @@ private:
             check_content(photo, record->content_hash, findings_);
         if (!record->content_hash.empty())
             by_hash_[record->content_hash] = photo;
+    }
+
+    /// A sidecar that ours displaced may be what another program wrote at that moment.
+    void check_displaced(const fs::path& sidecar) {
+        findings_.add(
+            Finding::Kind::half_written, sidecar, words_for_half_written(sidecar),
+            "What other programs wrote there is brought in, and it goes to the trash.", [&] {
+                const auto hash = content_hash_in(sidecar);
+                const auto photo = hash ? by_hash_.find(*hash) : by_hash_.end();
+                if (photo != by_hash_.end() && photo->second.parent_path() == sidecar.parent_path()) {
+                    const auto merge = merge_foreign(photo->second, sidecar);
+                    if (!merge)
+                        return merge.error();
+                    report_.told.insert(report_.told.end(), merge->told.begin(), merge->told.end());
+                }
+                return findings_.keeper().trash().put({sidecar}, "a sidecar that was being replaced").error();
+            });
     }
 
     void remember_people(const PhotoRecord& record) {

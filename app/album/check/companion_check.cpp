@@ -87,7 +87,7 @@ void check_companions(const Inventory& there, PhotosByContent known, Findings& f
     for (const fs::path& companion : companions) {
         const fs::path photo = photo_of(companion);
         const bool of_a_stem = companion.extension() == xmp_end && stems.contains(photo);
-        if (!photo_there(photo) && !of_a_stem && !conflict_original(companion.filename().string()) &&
+        if (is_gone(photo) && !of_a_stem && !conflict_original(companion.filename().string()) &&
             name_taken(companion))
             by_photo[photo].push_back(companion);
     }

@@ -27,6 +27,7 @@ struct Finding {
         no_file, ///< what has the name of a photograph or of something of one's, and is no file: a pipe, a device
         import_list,           ///< a list of what to import that lies in the album, which nobody follows
         damaged_name_language, ///< a file of a name's language that cannot be read or does not have its place
+        unreadable_folder,     ///< what is in it is not known, and so not checked
     };
     Kind kind = Kind::half_written;
     std::filesystem::path file;

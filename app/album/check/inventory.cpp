@@ -31,7 +31,11 @@ Inventory inventory_of(const fs::path& album) {
     while (!to_do.empty()) {
         const fs::path folder = std::move(to_do.back());
         to_do.pop_back();
-        for (const FolderEntry& entry : entries_of(folder)) {
+        int error = 0;
+        const std::vector<FolderEntry> entries = entries_of(folder, &error);
+        if (error != 0)
+            found.unread[folder] = error;
+        for (const FolderEntry& entry : entries) {
             const fs::path file = folder / entry.name;
             const std::string& name = entry.name;
             const bool apart = is_kept_apart(file.lexically_relative(album));

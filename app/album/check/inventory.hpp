@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct Inventory {
     std::vector<std::filesystem::path> others;   ///< sidecars and mended contours
     std::vector<std::filesystem::path> links;    ///< to whatever; of photographs too
     std::vector<std::filesystem::path> no_files; ///< pipes, devices and such
+    std::map<std::filesystem::path, int>
+        unread; ///< folders that could not be listed whole, and the system's number
 };
 
 Inventory inventory_of(const std::filesystem::path& album);

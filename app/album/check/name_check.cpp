@@ -36,10 +36,10 @@ void check_name_language(const fs::path& file, const std::set<std::string>* know
     const auto to_trash = [&] {
         return findings.keeper().trash().put({file}, "the language of somebody's name").error();
     };
-    const auto name = NameLanguages::read(file);
+    const auto name = looked_twice([&] { return NameLanguages::read(file); });
     if (!name)
-        return findings.add(Finding::Kind::damaged_name_language, file, name.error(),
-                            "It goes to the trash, and the language can be chosen again.", to_trash);
+        return findings.add_damaged(Finding::Kind::damaged_name_language, file, name.error(),
+                                    "It goes to the trash, and the language can be chosen again.", to_trash);
     if (const fs::path place = NameLanguages(findings.keeper()).place_of(name->person); place != file) {
         const std::string sentence = quoted(file) + " says how the name of " + readable(name->person) +
                                      " is read, but is not in its place.";
@@ -56,12 +56,12 @@ void check_name_language(const fs::path& file, const std::set<std::string>* know
 }
 
 void check_name(const fs::path& file, const std::set<std::string>* known_people, Findings& findings) {
-    const auto facts = recording_facts(file);
+    const auto facts = looked_twice([&] { return recording_facts(file); });
     if (!facts) {
-        findings.add(Finding::Kind::unreadable_recording, file, facts.error(),
-                     "It goes to the trash, and the name can be recorded again.", [&] {
-                         return findings.keeper().trash().put({file}, "a name that cannot be heard").error();
-                     });
+        findings.add_damaged(
+            Finding::Kind::unreadable_recording, file, facts.error(),
+            "It goes to the trash, and the name can be recorded again.",
+            [&] { return findings.keeper().trash().put({file}, "a name that cannot be heard").error(); });
         return;
     }
     const std::string& person = facts->label.person;

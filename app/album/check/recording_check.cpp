@@ -3,6 +3,7 @@
 
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/keeper/recording_facts.hpp"
+#include "audio/recordings/byte_source.hpp"
 #include "audio/recordings/repair_folder.hpp"
 #include "audio/recordings/wav_part.hpp"
 #include "core/files/durable_file.hpp"
@@ -23,6 +24,10 @@ void missing_recording(const fs::path& photo, const Tag& tag, Deleted& deleted, 
     const fs::path file = tags_folder(photo) / tag.file;
     if (link_on_the_way(file)) // which is told of already
         return;
+    if (const std::string fault = is_gone(file) ? std::string{} : fault_in_reading(file); !fault.empty()) {
+        findings.add(Finding::Kind::unreadable_recording, file, quoted(file) + " cannot be read: " + fault);
+        return;
+    }
     const std::string sentence = quoted(file) + " is listed but not there.";
     if (const fs::path album = album_around(photo); deleted.holds(album, file))
         findings.add(Finding::Kind::missing_recording, file, sentence,
@@ -35,9 +40,9 @@ void missing_recording(const fs::path& photo, const Tag& tag, Deleted& deleted, 
 
 } // namespace
 
-std::set<std::string> recordings_in(const fs::path& folder) {
+std::set<std::string> recordings_in(const fs::path& folder, int* error) {
     std::set<std::string> there;
-    for (const FolderEntry& file : entries_of(folder))
+    for (const FolderEntry& file : entries_of(folder, error))
         if (!file.link && file.facts.kind == FileFacts::Kind::file && !is_temporary(file.name) &&
             !file.name.ends_with(wav_part_end))
             there.insert(file.name);
@@ -46,9 +51,11 @@ std::set<std::string> recordings_in(const fs::path& folder) {
 
 void check_unfinished(const fs::path& folder, Findings& findings) {
     std::vector<fs::path> parts;
-    for (const FolderEntry& file : entries_of(folder))
+    int error = 0;
+    for (const FolderEntry& file : entries_of(folder, &error))
         if (!file.link && file.name.ends_with(wav_part_end))
             parts.push_back(folder / file.name);
+    findings.add_folder(folder, error);
     if (parts.empty())
         return;
     if (!findings.mends()) {
@@ -83,9 +90,11 @@ bool Deleted::holds(const fs::path& album, const fs::path& file) {
 std::size_t check_recordings(const fs::path& photo, const PhotoRecord& record, Deleted& deleted,
                              Findings& findings) {
     const fs::path folder = tags_folder(photo);
-    const std::set<std::string> there = recordings_in(folder);
+    int error = 0;
+    const std::set<std::string> there = recordings_in(folder, &error);
+    const bool may_have_more = findings.add_folder(folder, error);
     for (const std::string& file : there) {
-        const auto facts = recording_facts(folder / file);
+        const auto facts = looked_twice([&] { return recording_facts(folder / file); });
         if (!facts) {
             findings.add(Finding::Kind::unreadable_recording, folder / file, facts.error());
             continue;
@@ -98,7 +107,7 @@ std::size_t check_recordings(const fs::path& photo, const PhotoRecord& record, D
                          [&] { return findings.keeper().list_recording(photo, file).error(); });
     }
     for (const Tag& tag : record.tags)
-        if (!there.contains(tag.file))
+        if (!there.contains(tag.file) && !may_have_more)
             missing_recording(photo, tag, deleted, findings);
     check_readers(folder, there, findings);
     return there.size();

@@ -12,8 +12,8 @@
 
 namespace tp {
 
-/// The files of a folder of recordings that nobody is writing.
-std::set<std::string> recordings_in(const std::filesystem::path& folder);
+/// The files of a folder of recordings that nobody is writing; `error`: the system's number where it cannot be listed whole.
+std::set<std::string> recordings_in(const std::filesystem::path& folder, int* error = nullptr);
 
 /// Recordings in a folder that a crash stopped.
 void check_unfinished(const std::filesystem::path& folder, Findings& findings);

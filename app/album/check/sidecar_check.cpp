@@ -48,17 +48,18 @@ void check_conflict_copies(const fs::path& photo, ConflictCopies& copies, Findin
 
 bool check_sidecar(const fs::path& photo, Findings& findings) {
     const fs::path sidecar = sidecar_of(photo);
-    if (!name_taken(sidecar) || content_hash_in(sidecar))
+    if (is_gone(sidecar) || looked_twice([&] { return content_hash_in(sidecar); }))
         return true;
     if (link_there(sidecar)) // which is told of already
         return false;
-    findings.add(Finding::Kind::unreadable_sidecar, sidecar, quoted(sidecar) + " cannot be read.",
-                 "It goes to the trash, and a new one lists the photograph's recordings.", [&] {
-                     return findings.keeper()
-                         .trash()
-                         .put({sidecar}, "unreadable sidecar of " + readable(photo.filename().string()))
-                         .error();
-                 });
+    findings.add_damaged(Finding::Kind::unreadable_sidecar, sidecar, quoted(sidecar) + " cannot be read.",
+                         "It goes to the trash, and a new one lists the photograph's recordings.", [&] {
+                             return findings.keeper()
+                                 .trash()
+                                 .put({sidecar},
+                                      "unreadable sidecar of " + readable(photo.filename().string()))
+                                 .error();
+                         });
     return false;
 }
 
@@ -75,7 +76,7 @@ void check_readers_of_words(const fs::path& photo, Findings& findings) {
 }
 
 void check_content(const fs::path& photo, const std::string& known_hash, Findings& findings) {
-    const auto hash = content_hash(photo);
+    const auto hash = looked_twice([&] { return content_hash(photo); });
     if (hash && *hash == known_hash)
         return;
     if (!hash) {

@@ -6,6 +6,7 @@
 #include "app/album/index/index_file.hpp"
 #include "app/album/index/photo_store.hpp"
 #include "app/album/index/schema.hpp"
+#include "core/files/durable_file.hpp"
 #include "core/files/file_system.hpp"
 #include "core/files/file_words.hpp"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <map>
 #include <set>
 
@@ -25,9 +25,6 @@ namespace {
 
 constexpr const char* no_driver = "Qt's driver for SQLite is not installed; without it there is no album. On "
                                   "Debian it is the package libqt6sql6-sqlite.";
-
-/// Whether nothing has that name. Where the system will not tell, something may.
-bool is_gone(const fs::path& path) { return !facts_of_name(path) && (errno == ENOENT || errno == ENOTDIR); }
 
 /// The path of a photograph in a row whose columns begin with its folder's path and its name.
 fs::path path_in(const SqlRun& row) { return fs::path(row.bytes(0)) / row.bytes(1); }

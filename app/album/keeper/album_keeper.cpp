@@ -7,7 +7,9 @@
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
 #include "core/files/folder_lock.hpp"
+#include "core/files/free_name.hpp"
 
+#include <cerrno>
 #include <memory>
 
 namespace tp {
@@ -17,12 +19,11 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The name, or the name with a number where another recording has it by now.
-fs::path free_place(const fs::path& file) {
-    fs::path place = file;
-    for (int number = 2; name_taken(place); ++number)
-        place = file.parent_path() /
-                (file.stem().string() + "-" + std::to_string(number) + file.extension().string());
-    return place;
+Result<fs::path> free_place(const fs::path& file) {
+    return free_name([&](int number) {
+        const std::string end = number == 1 ? "" : "-" + std::to_string(number);
+        return std::vector{file.parent_path() / (file.stem().string() + end + file.extension().string())};
+    });
 }
 
 } // namespace
@@ -35,7 +36,9 @@ std::string AlbumKeeper::outside(const fs::path& photo) const {
     if (const auto link = link_on_the_way(photo.parent_path()))
         return left_alone(*link);
     if (!photo_there(photo))
-        return "There is no photograph " + quoted(photo) + ".";
+        return is_disks_fault(errno)
+                   ? "The photograph " + quoted(photo) + " cannot be read: " + reason_of(errno)
+                   : "There is no photograph " + quoted(photo) + ".";
     return {};
 }
 
@@ -126,9 +129,11 @@ std::string AlbumKeeper::restore(const std::string& id, const Behind& behind) {
     const fs::path photo = album_ / note->photo;
     if (const std::string problem = outside(photo); !problem.empty())
         return problem + " Bring the photograph back first, then its recording.";
-    const fs::path place = free_place(tags_folder(photo) / note->tag.file);
-    note->tag.file = place.filename().string();
-    if (std::string problem = trash_.restore(id, place.lexically_relative(album_)); !problem.empty())
+    const auto place = free_place(tags_folder(photo) / note->tag.file);
+    if (!place)
+        return "The recording cannot be restored: " + place.error();
+    note->tag.file = place->filename().string();
+    if (std::string problem = trash_.restore(id, place->lexically_relative(album_)); !problem.empty())
         return problem;
     return list(photo, note->tag, behind);
 }

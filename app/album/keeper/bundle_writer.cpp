@@ -13,6 +13,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -28,14 +29,14 @@ struct Packed {
     fs::path name; ///< in the bundle
 };
 
-/// The photograph and its companions, recordings one by one.
-std::vector<Packed> files_of(const fs::path& album, const fs::path& photo, FolderCompanions& beside,
-                             std::vector<fs::path>& links) {
+/// The photograph and its companions, recordings one by one; the end of a sentence where a folder of theirs cannot be listed.
+Result<std::vector<Packed>> files_of(const fs::path& album, const fs::path& photo, FolderCompanions& beside,
+                                     std::vector<fs::path>& links) {
     std::vector<Packed> files;
     const auto add = [&](const fs::path& file) {
         if (link_there(file))
             links.push_back(file);
-        else if (file_there(file) && !is_temporary(file))
+        else if (!is_temporary(file) && (file_there(file) || is_disks_fault(errno))) // which reading it tells
             files.push_back({file, file.lexically_relative(album)});
     };
     std::vector<fs::path> left;
@@ -44,9 +45,14 @@ std::vector<Packed> files_of(const fs::path& album, const fs::path& photo, Folde
             add(companion.file);
             continue;
         }
-        for (const FolderEntry& file : entries_of(companion.file))
+        int error = 0;
+        for (const FolderEntry& file : entries_of(companion.file, &error))
             add(companion.file / file.name);
+        if (error != 0)
+            return Error{reason_of(error)};
     }
+    if (beside.fault() != 0)
+        return Error{reason_of(beside.fault())};
     for (const fs::path& one : left)
         add(one);
     add(photo);
@@ -152,8 +158,13 @@ std::string write_bundle(const fs::path& bundle, const fs::path& album, const st
             continue;
         }
         if (!file_there(photo))
-            return "There is no photograph " + quoted(photo) + ".";
-        for (Packed& one : files_of(album, photo, beside, links))
+            return is_disks_fault(errno)
+                       ? "The photograph " + quoted(photo) + " cannot be read: " + reason_of(errno)
+                       : "There is no photograph " + quoted(photo) + ".";
+        auto own = files_of(album, photo, beside, links);
+        if (!own)
+            return "What belongs to " + quoted(photo) + " cannot be read: " + own.error();
+        for (Packed& one : *own)
             files.push_back(std::move(one));
     }
     if (files.empty() && !links.empty())
@@ -173,8 +184,12 @@ std::string export_bundle(const fs::path& bundle, const fs::path& album,
                           const std::vector<fs::path>& photos_and_folders, const BundleProgress& report,
                           std::stop_token stop, std::vector<fs::path>* left) {
     const ForeignFolder held(album);
-    std::vector<fs::path> photos, links;
-    for (const PhotoToImport& photo : photographs_in(photos_and_folders, &links))
+    const PhotographsIn found = photographs_in(photos_and_folders);
+    if (!found.unread.empty())
+        return found.unread.front().sentence + " Nothing was exported.";
+    const std::vector<fs::path>& links = found.links;
+    std::vector<fs::path> photos;
+    for (const PhotoToImport& photo : found.photos)
         photos.push_back(photo.file);
     std::string problem = write_bundle(bundle, album, photos, report, std::move(stop), left);
     if (left) { // one that lies beside a photograph is in both

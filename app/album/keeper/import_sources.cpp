@@ -38,12 +38,11 @@ std::string not_imported(const fs::path& source, const std::string& why) {
 
 } // namespace
 
-std::vector<PhotoToImport> photographs_in(const std::vector<fs::path>& files_and_folders,
-                                          std::vector<fs::path>* left) {
-    std::vector<PhotoToImport> photos;
+PhotographsIn photographs_in(const std::vector<fs::path>& files_and_folders) {
+    PhotographsIn found;
     for (const fs::path& source : files_and_folders) {
         if (!folder_there(source)) {
-            photos.push_back({source, {}, size_or_zero(source)});
+            found.photos.push_back({source, {}, size_or_zero(source)});
             continue;
         }
         const ForeignFolder held(source);
@@ -53,12 +52,17 @@ std::vector<PhotoToImport> photographs_in(const std::vector<fs::path>& files_and
             const fs::path here = std::move(to_do.back());
             to_do.pop_back();
             const fs::path folder = here.lexically_proximate(source);
-            for (const FolderEntry& entry : entries_of(here)) {
+            int error = 0;
+            const std::vector<FolderEntry> entries = entries_of(here, &error);
+            if (error != 0)
+                found.unread.push_back(
+                    {here, "The folder " + quoted(here) + " cannot be read: " + reason_of(error)});
+            for (const FolderEntry& entry : entries) {
                 const fs::path file = here / entry.name;
                 const bool folder_here = entry.facts.kind == FileFacts::Kind::folder;
                 if (entry.link) {
-                    if (left && !entry.name.starts_with('.'))
-                        left->push_back(file);
+                    if (!entry.name.starts_with('.'))
+                        found.links.push_back(file);
                 } else if (folder_here && !entry.name.starts_with('.')) {
                     to_do.push_back(file);
                 } else if (entry.facts.kind == FileFacts::Kind::file && has_photo_name(file)) {
@@ -68,9 +72,9 @@ std::vector<PhotoToImport> photographs_in(const std::vector<fs::path>& files_and
         }
         std::sort(inside.begin(), inside.end(),
                   [](const PhotoToImport& a, const PhotoToImport& b) { return a.file < b.file; });
-        photos.insert(photos.end(), inside.begin(), inside.end());
+        found.photos.insert(found.photos.end(), inside.begin(), inside.end());
     }
-    return photos;
+    return found;
 }
 
 ImportSources::ImportSources(const std::vector<fs::path>& sources, fs::path unpack_in, std::stop_token stop,
@@ -115,11 +119,12 @@ void ImportSources::unpack(const fs::path& bundle, const fs::path& folder, const
 }
 
 void ImportSources::add(const fs::path& file_or_folder) {
-    std::vector<fs::path> links;
-    const std::vector<PhotoToImport> found = photographs_in({file_or_folder}, &links);
-    photos_.insert(photos_.end(), found.begin(), found.end());
-    for (const fs::path& link : links)
+    const PhotographsIn found = photographs_in({file_or_folder});
+    photos_.insert(photos_.end(), found.photos.begin(), found.photos.end());
+    for (const fs::path& link : found.links)
         leave(link);
+    for (const PhotographsIn::Unread& one : found.unread)
+        problems_.push_back({one.folder, one.sentence, true});
 }
 
 /// Once, though it was named itself and lies in a folder that was.

@@ -21,9 +21,17 @@ struct PhotoToImport {
 };
 
 /// The photographs that files and folders hold, in their order and by name within a folder. Hidden folders
-/// are passed over; what is a link in a folder is left alone, and named in `left`.
-std::vector<PhotoToImport> photographs_in(const std::vector<std::filesystem::path>& files_and_folders,
-                                          std::vector<std::filesystem::path>* left = nullptr);
+/// are passed over.
+struct PhotographsIn {
+    struct Unread {
+        std::filesystem::path folder;
+        std::string sentence; ///< why it could not be listed whole
+    };
+    std::vector<PhotoToImport> photos;
+    std::vector<std::filesystem::path> links; ///< in a folder; they are left alone
+    std::vector<Unread> unread;
+};
+PhotographsIn photographs_in(const std::vector<std::filesystem::path>& files_and_folders);
 
 /// Told while a bundle is unpacked: how much of it is, 0 to 1.
 using Unpacking = std::function<void(const std::filesystem::path& bundle, double share)>;

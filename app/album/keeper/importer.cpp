@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <map>
@@ -216,7 +217,8 @@ Result<ImportReport> import_photos(const fs::path& album, const fs::path& into,
     ImportList list{into.lexically_normal(), {}};
     for (const fs::path& source : sources) {
         if (!name_taken(source))
-            return Error{"There is no file or folder " + quoted(source) + "."};
+            return Error{is_disks_fault(errno) ? quoted(source) + " cannot be read: " + reason_of(errno)
+                                               : "There is no file or folder " + quoted(source) + "."};
         list.sources.push_back(fs::absolute(source, error));
     }
     if (!list.makes_sense())

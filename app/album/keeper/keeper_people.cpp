@@ -321,14 +321,14 @@ std::string AlbumKeeper::keep_name_recording(const std::string& person, const fs
 }
 
 std::string AlbumKeeper::rename_name_recording(const std::string& from, const std::string& to) {
-    const auto file = name_recording(from);
-    if (!file || to.empty() || from == to)
+    const fs::path file = place_of_name(from);
+    if (to.empty() || from == to || is_gone(file) || link_there(file))
         return {};
     if (name_taken(place_of_name(to))) {
         const std::string what = "how somebody says " + readable(from);
         const auto id = std::make_shared<std::string>();
         const auto put_away = [this, file, what, id] {
-            const auto put = trash_.put({*file}, what);
+            const auto put = trash_.put({file}, what);
             if (put)
                 *id = *put;
             return put.error();

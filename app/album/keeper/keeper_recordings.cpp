@@ -343,7 +343,7 @@ bool AlbumKeeper::is_in_trash(const fs::path& photo, const std::string& file) co
 }
 
 std::string AlbumKeeper::forget_recording(const fs::path& photo, const std::string& file) {
-    if (name_taken(tags_folder(photo) / file))
+    if (!is_gone(tags_folder(photo) / file))
         return quoted(tags_folder(photo) / file) + " exists, so it stays on the list.";
     return unlist(photo, file);
 }

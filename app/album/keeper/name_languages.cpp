@@ -37,7 +37,7 @@ std::string put_language(const fs::path& file, const NameLanguage& name) {
         reason = make_folder(file.parent_path(), Readers::owner_only);
         if (reason.empty())
             reason = replace_file(file, name_language_text(name), Readers::owner_only);
-    } else if (name_taken(file)) {
+    } else if (!is_gone(file)) {
         reason = remove_file(file);
     }
     return reason.empty() ? reason : "The language of the name cannot be saved: " + reason;
@@ -94,7 +94,7 @@ fs::path NameLanguages::place_of(const std::string& person) const {
 
 Result<std::string> NameLanguages::of(const std::string& person) const {
     const fs::path file = place_of(person);
-    if (!name_taken(file))
+    if (is_gone(file))
         return std::string{};
     const auto name = read_in_place(file, *this);
     return name ? Result<std::string>(name->language) : Result<std::string>(Error{name.error()});
@@ -140,7 +140,7 @@ std::string NameLanguages::choose(const std::string& person, const std::string& 
 
 std::string NameLanguages::rename(const std::string& from, const std::string& to) {
     const fs::path file = place_of(from), other = place_of(to);
-    if (!name_taken(file) || to.empty() || from == to)
+    if (is_gone(file) || to.empty() || from == to)
         return {};
     const std::string what = "the language of the name of " + readable(from);
     if (name_taken(other)) {

@@ -3,8 +3,10 @@
 
 #include "app/album/keeper/photo_files.hpp"
 #include "core/files/durable_file.hpp"
+#include "core/files/file_words.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -27,7 +29,7 @@ bool same_bytes(const fs::path& a, const fs::path& b) {
 
 /// Whether something else than these bytes has the place of a file, or of a file in a folder.
 bool is_taken(const fs::path& from, const fs::path& to) {
-    if (!name_taken(to))
+    if (is_gone(to))
         return false;
     if (!folder_there(from))
         return !same_bytes(from, to);
@@ -43,8 +45,12 @@ bool is_taken(const fs::path& from, const fs::path& to) {
 std::string bring(const fs::path& from, const fs::path& to) {
     if (!folder_there(from))
         return name_taken(to) ? std::string{} : copy_whole(from, to, Readers::owner_only);
+    int error = 0;
+    const std::vector<FolderEntry> files = entries_of(from, &error);
+    if (error != 0)
+        return reason_of(error);
     std::string problem = make_folder(to, Readers::owner_only);
-    for (const FolderEntry& file : entries_of(from))
+    for (const FolderEntry& file : files)
         if (problem.empty() && !file.link && file.facts.kind == FileFacts::Kind::file &&
             !is_temporary(file.name))
             problem = bring(from / file.name, to / file.name);
@@ -57,10 +63,13 @@ Result<CopiedPhoto> destination(const fs::path& source, const fs::path& wanted,
                                 const std::vector<Companion>& companions) {
     for (int number = 1; number < most_names; ++number) {
         const fs::path place = numbered(wanted, number);
-        if (name_taken(place) && same_bytes(source, place))
+        const bool there = name_taken(place);
+        if (!there && is_disks_fault(errno))
+            return Error{reason_of(errno)};
+        if (there && same_bytes(source, place))
             return CopiedPhoto{place, true};
         const auto taken = [&](const Companion& one) { return is_taken(one.file, beside(place, one)); };
-        if (!name_taken(place) && std::none_of(companions.begin(), companions.end(), taken))
+        if (!there && std::none_of(companions.begin(), companions.end(), taken))
             return CopiedPhoto{place, false};
     }
     return Error{"there are too many photographs of that name in the album."};

@@ -103,7 +103,7 @@ void FolderCompanions::read(const fs::path& folder) {
     folder_ = folder;
     names_.clear();
     left_.clear();
-    for (const FolderEntry& entry : entries_of(folder)) {
+    for (const FolderEntry& entry : entries_of(folder, &fault_)) {
         names_.push_back(entry.name);
         if (entry.link || entry.facts.kind == FileFacts::Kind::other)
             left_.insert(entry.name);

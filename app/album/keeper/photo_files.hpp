@@ -44,6 +44,8 @@ class FolderCompanions {
 public:
     std::vector<Companion> of(const std::filesystem::path& photo,
                               std::vector<std::filesystem::path>* left = nullptr);
+    /// Why the folder of the last photograph could not be listed, errno; 0: it could.
+    int fault() const { return fault_; }
 
 private:
     void read(const std::filesystem::path& folder);
@@ -51,6 +53,7 @@ private:
     std::optional<std::filesystem::path> folder_; ///< the one that was read last
     std::vector<std::string> names_;              ///< of what is in it, in order
     std::set<std::string> left_;                  ///< of links, and of what is neither file nor folder
+    int fault_ = 0;
 };
 
 /// "IMG_1 (2).jpg" for the second photograph of that name.

@@ -9,6 +9,7 @@
 #include "core/files/file_words.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <string_view>
 
 namespace tp {
@@ -38,7 +39,12 @@ private:
 
     void take_recordings(const fs::path& from) {
         const fs::path to = tags_folder(photo_);
-        for (const FolderEntry& entry : entries_of(from)) {
+        int error = 0;
+        const std::vector<FolderEntry> entries = entries_of(from, &error);
+        if (error != 0 && error != ENOENT)
+            tell("The recordings of " + quoted(photo_.filename()) +
+                 " were not imported: " + reason_of(error));
+        for (const FolderEntry& entry : entries) {
             if (entry.link || entry.facts.kind != FileFacts::Kind::file || is_temporary(entry.name) ||
                 !std::string_view(entry.name).ends_with(".flac"))
                 continue;

@@ -60,11 +60,13 @@ std::string make_folder_again(const fs::path& folder) {
     return reason.empty() ? make_folder(folder, Readers::owner_only) : reason;
 }
 
-/// A folder whose list was not on the disk when its program ended, so that nothing was moved into it either.
-bool was_never_filled(const fs::path& folder) {
-    const std::vector<FolderEntry> files = entries_of(folder);
-    return std::all_of(files.begin(), files.end(),
-                       [](const FolderEntry& file) { return is_temporary(file.name); });
+/// Whether a deletion's folder holds at most what its program left before it moved anything in, or after all was back.
+bool is_without_files(const fs::path& folder, bool with_list) {
+    int error = 0;
+    const std::vector<FolderEntry> files = entries_of(folder, &error);
+    return error == 0 && std::all_of(files.begin(), files.end(), [&](const FolderEntry& file) {
+               return is_temporary(file.name) || (with_list && file.name == list_name);
+           });
 }
 
 } // namespace
@@ -87,7 +89,9 @@ Result<std::string> Trash::put(const std::vector<fs::path>& files, const std::st
         if (const auto link = link_on_the_way(album_ / below))
             return Error{left_alone(*link)};
         if (!name_taken(album_ / below))
-            return Error{"There is no file " + quoted(file) + "."};
+            return Error{is_disks_fault(errno)
+                             ? "The file " + quoted(file) + " cannot be read: " + reason_of(errno)
+                             : "There is no file " + quoted(file) + "."};
         entry.files.push_back(below);
     }
     if (entry.files.empty())
@@ -114,7 +118,7 @@ Result<std::string> Trash::put(const std::vector<fs::path>& files, const std::st
 
 std::string Trash::move_back(const TrashEntry& entry) const {
     for (std::size_t i = 0; i < entry.files.size(); ++i) {
-        if (!name_taken(kept(entry.id, i)))
+        if (is_gone(kept(entry.id, i)))
             continue;
         const fs::path place = album_ / entry.files[i];
         std::string reason = make_folder_again(place.parent_path());
@@ -133,13 +137,21 @@ std::string Trash::restore(const std::string& id, const fs::path& instead) {
         return what.error();
     if (!instead.empty() && what->files.size() == 1 && stays_below(instead))
         what->files[0] = instead;
-    for (std::size_t i = 0; i < what->files.size(); ++i)
-        if (name_taken(kept(id, i)) && name_taken(album_ / what->files[i]))
+    bool any = false;
+    for (std::size_t i = 0; i < what->files.size(); ++i) {
+        const bool there = !is_gone(kept(id, i));
+        any = any || there;
+        if (there && name_taken(album_ / what->files[i]))
             return quoted(what->files[i]) +
                    " cannot be restored, because another file has its place now. Move that one away first.";
+    }
+    for (const fs::path& file : what->files)
+        if (!any && is_gone(album_ / file))
+            return quoted(file) + " is not in the trash any more.";
     if (std::string stuck = move_back(*what); !stuck.empty())
         return stuck;
-    return erase(id);
+    static_cast<void>(erase(id)); // a list that stays, without files, is passed over
+    return {};
 }
 
 std::string Trash::erase(const std::string& id) {
@@ -166,11 +178,15 @@ std::string Trash::empty() {
     const ForeignFolder held(album_);
     if (const auto link = link_on_the_way(folder()))
         return left_alone(*link);
+    std::vector<std::string> unread;
     std::string first;
-    for (const TrashEntry& entry : entries())
+    for (const TrashEntry& entry : entries(&unread))
         if (std::string problem = erase(entry.id); first.empty())
             first = problem;
-    return first;
+    for (const FolderEntry& place : entries_of(folder()))
+        if (!place.link && is_without_files(folder() / place.name, true)) // its list names what was deleted
+            static_cast<void>(erase(place.name));
+    return first.empty() && !unread.empty() ? unread.front() : first;
 }
 
 Result<TrashEntry> Trash::entry(const std::string& id) const {
@@ -204,15 +220,21 @@ std::vector<TrashEntry> Trash::entries(std::vector<std::string>* problems) const
     std::vector<TrashEntry> found;
     if (const auto link = link_on_the_way(folder()); link && problems)
         problems->push_back(left_alone(*link));
-    for (const FolderEntry& place : entries_of(folder())) {
+    int error = 0;
+    const std::vector<FolderEntry> places = entries_of(folder(), &error);
+    if (error != 0 && error != ENOENT && problems && !link_on_the_way(folder()))
+        problems->push_back("The trash " + quoted(folder()) + " cannot be read: " + reason_of(error));
+    for (const FolderEntry& place : places) {
         if (place.link) {
             if (problems)
                 problems->push_back(left_alone(folder() / place.name));
             continue;
         }
-        if (place.facts.kind != FileFacts::Kind::folder || was_never_filled(folder() / place.name))
+        if (place.facts.kind != FileFacts::Kind::folder || is_without_files(folder() / place.name, false))
             continue;
         auto what = entry(place.name);
+        if (what && is_without_files(folder() / place.name, true))
+            continue;
         if (what)
             found.push_back(*std::move(what));
         else if (problems)

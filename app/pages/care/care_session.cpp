@@ -23,6 +23,7 @@ CareSession::CareSession(OpenAlbum& album, AlbumFaces& groups, Narrator& narrato
       recording_(take_, listening_, teller_), history_(steps_, photo_, album, recording_, teller_) {
     connect(&photo_, &CaredPhoto::opened, this, &CareSession::photoChanged);
     connect(&photo_, &CaredPhoto::name_languages_read, this, &CareSession::nameLanguagesRead);
+    connect(&photo_, &CaredPhoto::unread, this, &CareSession::tellProblem);
     connect(&photo_, &CaredPhoto::touched, &album_, &OpenAlbum::touched);
     connect(&groups_, &GroupCare::photoAsked, this, &CareSession::open_photo);
     connect(&photos_, &PhotoRows::modelReset, this, &CareSession::photoChanged);

@@ -2,6 +2,8 @@
 #include "app/pages/care/cared_photo.hpp"
 
 #include "app/album/metadata/read_record.hpp"
+#include "audio/sentences/sentences.hpp"
+#include "core/files/durable_file.hpp"
 
 #include <memory>
 #include <utility>
@@ -37,6 +39,7 @@ void CaredPhoto::change(const PhotoPlace& place, PhotoStep step, KeeperSteps::Th
 void CaredPhoto::go(const PhotoPlace& place, PhotoStep step, KeeperSteps::Then then) {
     struct Known {
         PhotoRecord record;
+        std::string unread; ///< why there is no record of a photograph that is there
         std::vector<NameLanguage> name_languages;
     };
     const auto known = std::make_shared<Known>();
@@ -44,19 +47,25 @@ void CaredPhoto::go(const PhotoPlace& place, PhotoStep step, KeeperSteps::Then t
         *place.keeper,
         [step = std::move(step), photo = place.photo, known](AlbumKeeper& keeper) {
             const std::string problem = step(keeper, photo);
-            if (const auto record = read_record(photo))
-                known->record = *record;
+            if (auto record = read_record(photo))
+                known->record = *std::move(record);
+            else if (!is_gone(photo))
+                known->unread = record.error();
             known->name_languages = NameLanguages(keeper).all();
             return problem;
         },
         [this, place, known, then = std::move(then)](const QString& problem) {
             emit name_languages_read(place.keeper->album(), known->name_languages);
-            if (place.photo == place_.photo) {
-                record_ = known->record;
+            const bool open = place.photo == place_.photo;
+            if (open) {
+                if (known->unread.empty())
+                    record_ = known->record;
                 name_languages_ = known->name_languages;
                 emit changed();
             }
             then(problem);
+            if (open && problem.isEmpty() && !known->unread.empty())
+                emit unread(in_persons_language(known->unread));
         });
 }
 

@@ -38,7 +38,7 @@ public:
     const PhotoPlace& place() const { return place_; }
     /// A step is being taken back or done again, after which it may lie elsewhere.
     bool may_move() const { return steps_.steps_back(); }
-    /// As read last; empty until it was read for the first time.
+    /// As read last, where it can be; empty until it was read for the first time.
     const PhotoRecord& record() const { return record_; }
     /// The languages of names in its album, read together with the record.
     const std::vector<NameLanguage>& name_languages() const { return name_languages_; }
@@ -56,6 +56,8 @@ signals:
     void changed();
     /// The languages of names in this album were read, before `changed` is told and before the answer to a step.
     void name_languages_read(const std::filesystem::path& album, const std::vector<tp::NameLanguage>& names);
+    /// Its record is there and cannot be read now: why, in the person's language.
+    void unread(const QString& why);
     /// A step on this photograph ended.
     void touched(const std::filesystem::path& photo);
 

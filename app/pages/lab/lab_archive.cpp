@@ -26,9 +26,11 @@ void LabArchive::toggleRecording() {
     activity_.stop();
     if (recording || !make_folder())
         return;
-    recorded_ = files_.new_file(".touch");
-    if (const std::string reason = replace_file(setup_file(recorded_), run_.setup()); !reason.empty())
+    const auto file = files_.new_file(".touch");
+    const std::string reason = file ? replace_file(setup_file(*file), run_.setup()) : file.error();
+    if (!reason.empty())
         return teller_.say(tr("The recording cannot be started: %1").arg(in_persons_language(reason)));
+    recorded_ = *file;
     run_.record(recorded_);
 }
 
@@ -45,16 +47,15 @@ void LabArchive::writeTable() {
         return teller_.say(tr("There is nothing to save yet. Start the servo first."));
     if (!make_folder())
         return;
-    const std::filesystem::path table = files_.new_file(".csv");
-    std::string reason = replace_file(table, trace.csv());
+    const auto table = files_.new_file(".csv");
+    std::string reason = table ? replace_file(*table, trace.csv()) : table.error();
     if (reason.empty())
-        reason = replace_file(setup_file(table), run_.setup());
+        reason = replace_file(setup_file(*table), run_.setup());
     if (!reason.empty())
-        return teller_.say(
-            tr("%1 cannot be written: %2").arg(LabFiles::path_words(table), in_persons_language(reason)));
+        return teller_.say(tr("The table cannot be written: %1").arg(in_persons_language(reason)));
     teller_.say(tr("%n row(s) are in %1; the parameters lie beside them.", nullptr,
                    static_cast<int>(trace.points().size()))
-                    .arg(LabFiles::path_words(table)));
+                    .arg(LabFiles::path_words(*table)));
 }
 
 } // namespace tp

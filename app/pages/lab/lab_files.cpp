@@ -2,6 +2,7 @@
 #include "app/pages/lab/lab_files.hpp"
 
 #include "core/files/durable_file.hpp"
+#include "core/files/free_name.hpp"
 
 #include <QDateTime>
 #include <QDir>
@@ -23,14 +24,15 @@ QStringList LabFiles::recordings() const {
     return names;
 }
 
-std::filesystem::path LabFiles::new_file(const char* ending) const {
+Result<std::filesystem::path> LabFiles::new_file(const char* ending) const {
     const QString stamp = QDateTime::currentDateTime().toString("'lab-'yyyyMMdd'-'HHmmss");
-    for (int i = 1;; ++i) {
-        const QString name = i == 1 ? stamp : QString("%1-%2").arg(stamp).arg(i);
-        const auto taken = [&](const char* kind) { return name_taken(recording(name + kind)); };
-        if (!taken(".touch") && !taken(".csv") && !taken(".json"))
-            return recording(name + ending);
-    }
+    return free_name([&](int number) {
+        const QString name = number == 1 ? stamp : QString("%1-%2").arg(stamp).arg(number);
+        std::vector<std::filesystem::path> names{recording(name + ending)};
+        for (const char* kind : {".touch", ".csv", ".json"})
+            names.push_back(recording(name + kind));
+        return names;
+    });
 }
 
 } // namespace tp

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/result.hpp"
+
 #include <QString>
 #include <QStringList>
 
@@ -21,8 +23,9 @@ public:
     /// Names of the recordings, the newest first.
     QStringList recordings() const;
     std::filesystem::path recording(const QString& name) const { return folder_ / name.toStdString(); }
-    /// A file with this ending, by a name that neither a recording nor a table nor a setup has.
-    std::filesystem::path new_file(const char* ending) const;
+    /// A file with this ending, by a name that neither a recording nor a table nor a setup has; the end of a sentence where
+    /// the disk does not tell.
+    Result<std::filesystem::path> new_file(const char* ending) const;
 
     /// A path as the system writes it.
     static QString path_words(const std::filesystem::path& file);

@@ -4,6 +4,7 @@
 #include "app/photo/scene/corrections.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_words.hpp"
+#include "core/files/free_name.hpp"
 #include "core/files/whole_file.hpp"
 
 namespace tp {
@@ -16,7 +17,7 @@ constexpr std::size_t most_bytes = 64u << 20;
 
 /// The file's bytes; none where there is no file.
 Result<std::optional<std::string>> bytes_of(const fs::path& file) {
-    if (!name_taken(file))
+    if (is_gone(file))
         return std::optional<std::string>();
     const Result<std::string> bytes = read_whole(file, most_bytes);
     return bytes ? Result<std::optional<std::string>>(std::optional(*bytes)) : Error{bytes.error()};
@@ -49,16 +50,15 @@ std::string MendFile::keep_what_others_wrote() {
         return now.error();
     if (*now == there_ || !*now)
         return {};
-    for (int number = 1;; ++number) {
-        const fs::path aside =
-            path_.parent_path() / (path_.stem().string() + "-" + std::to_string(number) + ".svg");
-        if (name_taken(aside))
-            continue;
-        const std::string reason = replace_file(aside, **now, Readers::owner_only);
-        if (reason.empty())
-            kept_aside_ = aside;
-        return reason.empty() ? reason : "What another program wrote cannot be saved: " + reason;
-    }
+    const auto aside = free_name([this](int number) {
+        return std::vector{path_.parent_path() /
+                           (path_.stem().string() + "-" + std::to_string(number) + ".svg")};
+    });
+    const std::string reason = aside ? replace_file(*aside, **now, Readers::owner_only) : aside.error();
+    if (!reason.empty())
+        return "What another program wrote cannot be saved: " + reason;
+    kept_aside_ = *aside;
+    return {};
 }
 
 std::string MendFile::save(const MendWork& work) {

@@ -37,7 +37,7 @@ MendPhoto read(const QString& file, std::unique_ptr<FaceExtractor>& extractor, c
     const Extraction found = extractor->extract(*picture, stop);
     photo.image = to_image(not_larger_than(turned(*picture, found.turned_degrees), longest_shown_px));
     Extraction shown = found;
-    if (name_taken(correction_file(path))) {
+    if (!is_gone(correction_file(path))) {
         // A file that cannot be used is not written over: somebody's work is in it.
         const Result<ContourSheet> sheet = read_sheet(correction_file(path), ContourSheet::Unit::pixel);
         Result<Extraction> mended = sheet ? corrected(found, *sheet) : Error{sheet.error()};

@@ -5,6 +5,7 @@
 #include "audio/sentences/sentences.hpp"
 #include "core/files/durable_file.hpp"
 #include "core/files/file_name.hpp"
+#include "core/files/free_name.hpp"
 
 #include <QStandardPaths>
 #include <QStringList>
@@ -59,15 +60,18 @@ void PrintSession::store(const QString& ending) {
         return refuse(tr("The folder %1 could not be created: %2")
                           .arg(QString::fromStdString(name_in_utf8(folder_)), in_persons_language(why)));
     const QString stem = QString::fromStdString(name_in_utf8(folder_ / photo_.file().stem()));
-    std::filesystem::path file = path_named((stem + '.' + ending).toStdString());
-    for (int number = 2; name_taken(file); ++number)
-        file = path_named(QString("%1 %2.%3").arg(stem).arg(number).arg(ending).toStdString());
-    const auto written = write_tactile(file, *sheet_.sheet());
+    const auto file = free_name([&](int number) {
+        const QString end = number == 1 ? QString() : ' ' + QString::number(number);
+        return std::vector{path_named((stem + end + '.' + ending).toStdString())};
+    });
+    if (!file)
+        return refuse(tr("The sheet cannot be saved: %1").arg(in_persons_language(file.error())));
+    const auto written = write_tactile(*file, *sheet_.sheet());
     if (!written)
         return refuse(in_persons_language(written.error()));
     earcons_.play(Earcon::saved);
     narrator_.tell(tr("The sheet is saved as %1. Print it at 100 percent, unscaled.")
-                       .arg(QString::fromStdString(name_in_utf8(file))),
+                       .arg(QString::fromStdString(name_in_utf8(*file))),
                    Priority::message);
 }
 

@@ -66,7 +66,7 @@ void StudyKeeping::look(const std::filesystem::path& folder, const Experiment& e
     work([folder, experiment, participant, then = std::move(then)]() -> std::function<void()> {
         Known known;
         try {
-            if (name_taken(folder / study_protocol_file))
+            if (!is_gone(folder / study_protocol_file))
                 known = known_of(read_study(folder), folder, experiment, participant);
         } catch (const std::exception& fault) { // out of memory, mostly
             known.problem = tr("The study's folder cannot be read, because the computer reports: %1")
@@ -82,7 +82,7 @@ void StudyKeeping::open(Sitting sitting, Then then) {
         try {
             writer_.reset();
             StudyTerms terms{sitting.seed, false};
-            if (name_taken(sitting.folder / study_protocol_file))
+            if (!is_gone(sitting.folder / study_protocol_file))
                 if (const auto there = read_study(sitting.folder); there && there->terms)
                     terms.seed = there->terms->seed;
             auto writer = StudyWriter::open(sitting.folder, sitting.experiment, terms, sitting.machine);

@@ -31,7 +31,7 @@ Preferences::Preferences(std::filesystem::path file, QObject* parent)
             emit not_kept(why);
     });
     std::error_code error;
-    if (file_.empty() || !std::filesystem::exists(file_, error))
+    if (file_.empty() || is_gone(file_))
         return;
     const Result<std::string> text = read_whole(file_, most_bytes);
     bool spoilt = !text.ok();

@@ -150,7 +150,7 @@ Result<Extraction> corrected(Extraction extraction, const ContourSheet& sheet) {
 
 Extraction with_corrections(Extraction extraction, const std::filesystem::path& photo) {
     const std::filesystem::path file = correction_file(photo);
-    if (extraction.width <= 0 || !name_taken(file))
+    if (extraction.width <= 0 || is_gone(file))
         return extraction;
     const auto unusable = [&](const std::string& why) {
         extraction.problem = "The mended contours in " + file.filename().string() +

@@ -4,6 +4,7 @@
 #include "core/files/file_words.hpp"
 #include "core/files/first_line.hpp"
 #include "core/files/folder_lock.hpp"
+#include "core/files/free_name.hpp"
 #include "core/files/photo_endings.hpp"
 #include "core/files/whole_file.hpp"
 
@@ -25,6 +26,7 @@
 #include <sys/xattr.h>
 #endif
 #include <unistd.h>
+#include <vector>
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -55,6 +57,24 @@ private slots:
     void init() {
         root_ = fs::path(dir_.path().toStdString()) / QTest::currentTestFunction();
         fs::create_directory(root_);
+    }
+
+    void the_first_free_name_is_that_of_which_all_are_free() {
+        const auto named = [&](int number) {
+            const std::string name = std::to_string(number);
+            return std::vector{root_ / (name + ".csv"), root_ / (name + ".json")};
+        };
+        QCOMPARE(free_name(named).value(), root_ / "1.csv");
+        QCOMPARE(replace_file(root_ / "1.json", ""), std::string());
+        fs::create_symlink("nowhere", root_ / "2.csv");
+        QCOMPARE(free_name(named).value(), root_ / "3.csv");
+        QCOMPARE(replace_file(root_ / "0", ""), std::string());
+        QVERIFY(free_name([&](int) { return std::vector{root_ / "0/1"}; }).ok()); // making it tells why not
+    }
+    /// A disk that does not tell whether a name is taken, by a name that is too long for it.
+    void a_name_that_is_not_known_is_not_free() {
+        const auto named = [&](int) { return std::vector{root_ / std::string(300, 'n')}; };
+        QCOMPARE(free_name(named).error(), reason_of(ENAMETOOLONG));
     }
 
     void what_is_written_is_read() {

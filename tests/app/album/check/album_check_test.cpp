@@ -70,6 +70,26 @@ private slots:
         QCOMPARE(album.keeper.trash().entries().size(), std::size_t{1});
     }
 
+    /// Killed between taking the place of what exiftool had just written and looking at it. Our own words in it are of before.
+    void what_another_program_wrote_at_that_moment_is_brought_in() {
+        AlbumOfOne album;
+        QCOMPARE(album.keeper.name_face(album.photo, {0.5, 0.5, 0.2, 0.3, "Anna"}), std::string());
+        std::string theirs = album.folder.read("2026/IMG_1.jpg.xmp");
+        const std::string end = "</rdf:RDF>";
+        theirs.insert(theirs.find(end),
+                      R"(<rdf:Description rdf:about="" xmlns:dc="http://purl.org/dc/elements/1.1/"
+                         xmlns:xmp="http://ns.adobe.com/xap/1.0/" xmp:Rating="4"><dc:subject><rdf:Bag>
+                         <rdf:li>lake</rdf:li></rdf:Bag></dc:subject></rdf:Description>)");
+        QCOMPARE(album.keeper.name_face(album.photo, {0.5, 0.5, 0.2, 0.3, "Berta"}), std::string());
+        album.folder.write("2026/.touchphoto-999999999-0.tmp", theirs);
+        found_and_mended(album.folder, Kind::half_written);
+        const auto record = read_record(album.photo);
+        QCOMPARE(record->keywords, std::vector<std::string>{"lake"});
+        QCOMPARE(record->persons, std::vector<std::string>{"Berta"});
+        QVERIFY(album.folder.read("2026/IMG_1.jpg.xmp").find("Rating") != std::string::npos);
+        QCOMPARE(album.keeper.trash().entries().size(), std::size_t{1});
+    }
+
     void a_file_that_is_being_written_is_left_alone() {
         AlbumOfOne album;
         auto file = NewFile::beside(album.folder / "2026/x");

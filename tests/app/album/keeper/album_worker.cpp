@@ -10,9 +10,12 @@
 #include "app/album/keeper/photo_files.hpp"
 #include "audio/recordings/recording_file.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <dlfcn.h>
 #include <string>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -80,6 +83,8 @@ void work_on_album(const fs::path& album, const fs::path& card, const fs::path& 
         }
     }
     record(keeper, photo);
+    if (const auto count = reinterpret_cast<void (*)()>(dlsym(RTLD_DEFAULT, "tp_count_calls_from_here")))
+        count();
     step("face Anna", [&] { return keeper.name_face(photo, {0.5, 0.5, 0.2, 0.3, "Anna"}); });
     step("name Anna", [&] { return keeper.keep_name_recording("Anna", sound); });
     step("name Anna again", [&] { return keeper.keep_name_recording("Anna", sound); });
@@ -98,6 +103,27 @@ void work_on_album(const fs::path& album, const fs::path& card, const fs::path& 
         step("restore " + files[1], [&] { return keeper.history().undo(); });
     step("bundle", [&] { return write_bundle(bundle, album, {photo}); });
     tell("END");
+}
+
+void work_beside(const fs::path& photo, const fs::path& sound) {
+    AlbumKeeper keeper(photo.parent_path());
+    while (!fs::exists(photo))
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    step("face Ben", [&] { return keeper.name_face(photo, {0.2, 0.2, 0.1, 0.1, "Ben"}); });
+    step("name Ben", [&] { return keeper.keep_name_recording("Ben", sound); });
+    for (;;) {
+        tell("TRY add");
+        const auto added = keeper.add_recording(photo, sound, {RecordingKind::story, "Ben", {}, {}, {}, {}});
+        if (!added) {
+            tell("SAID add: " + added.error());
+            continue;
+        }
+        const std::string file = added->tag.file;
+        tell("ACK tag " + file);
+        step("label " + file, [&] {
+            return keeper.label_recording(photo, file, {RecordingKind::memo, "Ben", "Anna", "en", {}, {}});
+        });
+    }
 }
 
 } // namespace tp::test

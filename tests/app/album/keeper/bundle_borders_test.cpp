@@ -197,14 +197,15 @@ private slots:
         album.write("b/8.jpg/9.jpg", "inside");
         std::vector<std::string> told;
         for (const PhotoToImport& photo : photographs_in({album / "b", album / "a/3.png", album.path() / "a",
-                                                          album / "missing.jpg", album / ".hidden"}))
+                                                          album / "missing.jpg", album / ".hidden"})
+                                              .photos)
             told.push_back(photo.file.lexically_relative(album.path()).string() + " to " +
                            photo.folder.string() + " " + std::to_string(photo.bytes));
         QCOMPARE(told, (std::vector<std::string>{"b/1.JPG to  7", "b/2.jpg to  7", "b/8.jpg/9.jpg to 8.jpg 6",
                                                  "b/c/4.heic to c 10", "a/3.png to  7", "a/3.png to  7",
                                                  "missing.jpg to  0", ".hidden/7.jpg to  13"}));
-        QVERIFY(photographs_in({}).empty());
-        QVERIFY(photographs_in({album / "b/.hidden/.."}).size() == 4);
+        QVERIFY(photographs_in({}).photos.empty());
+        QVERIFY(photographs_in({album / "b/.hidden/.."}).photos.size() == 4);
     }
 };
 

@@ -4,9 +4,9 @@
 // many moments.
 #include "album_folder.hpp"
 #include "album_parts.hpp"
-#include "app/album/check/album_check.hpp"
 #include "app/album/keeper/photo_files.hpp"
 #include "app/album/metadata/read_record.hpp"
+#include "checked_album.hpp"
 #include "faces/decode/picture.hpp"
 #include "faulty_run.hpp"
 #include "places.hpp"
@@ -70,15 +70,6 @@ struct Scene {
     fs::path taken(const std::string& name) const { return album / "taken" / name; }
 };
 
-std::vector<Finding> mended(const fs::path& album) {
-    CheckOptions options;
-    options.mend = true;
-    (void)check_album(album, options);
-    const auto left = check_album(album, CheckOptions());
-    return left ? left->findings
-                : std::vector<Finding>{{Finding::Kind::damaged_trash, album, left.error(), {}, false, {}}};
-}
-
 /// Empty, or why this is not a whole photograph.
 std::string half(const fs::path& photo) {
     const auto picture = read_picture(photo);
@@ -97,7 +88,8 @@ std::string wrong_with(const Scene& scene, const Told& told) {
         if (file.path().extension() == ".jpg" && !is_temporary(file.path()))
             if (const std::string why = half(file.path()); !why.empty())
                 return file.path().string() + " is half a photograph: " + why;
-    if (const auto left = mended(scene.album.path()); !left.empty())
+    test::checked(scene.album.path(), true);
+    if (const auto left = test::checked(scene.album.path(), false).findings; !left.empty())
         return "left after mending: " + left.front().sentence;
     const auto lost = [&](const std::string& name) {
         return !fs::exists(scene.taken(name)) && !told.away.contains(name);

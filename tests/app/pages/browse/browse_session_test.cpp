@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What concerns several parts of the page at once. Each part has a test of its own.
+#include "app/album/index/album_index.hpp"
 #include "app/album/index/sql_connection.hpp"
 #include "browse_parts.hpp"
 
@@ -129,14 +130,18 @@ private slots:
         bench.session->trail()->next();
         bench.session.reset();
         bench.drawn.album.reset();
-        fs::remove_all(bench.drawn.folder / "cache");
-        bench.drawn.album =
-            std::make_unique<OpenAlbum>(bench.drawn.folder / "cache", bench.drawn.preferences);
+        const fs::path cache = bench.drawn.folder / "cache";
+        fs::remove_all(cache);
+        QVERIFY(AlbumIndex::open(cache).ok());
+        SqlConnection index = SqlConnection::to_file(cache / "album.sqlite");
+        std::optional<SqlTransaction> scan_waits(index);
+        bench.drawn.album = std::make_unique<OpenAlbum>(cache, bench.drawn.preferences);
         bench.session = std::make_unique<BrowseSession>(*bench.drawn.album, bench.narrator, bench.earcons,
                                                         bench.player, bench.drawn.preferences);
         QCOMPARE(bench.session->album()->state(), State::Looking);
         bench.session->enter();
         QCOMPARE(bench.said(), QString("Looking for photographs in your folders."));
+        scan_waits.reset();
         QVERIFY(bench.drawn.scanned());
         QTRY_COMPARE(bench.session->trail()->photo(), QString::fromStdString(bench.five.walk.string()));
         QCOMPARE(bench.said(), QString("Anna and Ben, June 2026; 1 recording(s)."));

@@ -94,6 +94,28 @@ private slots:
         QCOMPARE(bench.record().description.at("en"), std::string("More"));
     }
 
+    /// What was read before stays: an empty form would be saved over what is there.
+    void a_record_that_cannot_be_read_any_more_is_told_and_shown_as_it_was() {
+        CareBench bench;
+        bench.open("a.jpg");
+        bench.session->descriptions()->typeDescription("By the lake");
+        bench.session->descriptions()->save();
+        QVERIFY(bench.rests());
+        const fs::path photo = bench.photo("a.jpg"), kept = bench.folder / "kept.jpg";
+        fs::rename(photo, kept);
+        fs::create_directory(photo); // there, and no file
+        bench.session->enter();
+        QVERIFY(bench.rests());
+        CARE_TRY_VERIFY(bench.last_said().contains("is not a file"));
+        QCOMPARE(bench.session->descriptions()->description(), QString("By the lake"));
+        fs::remove(photo);
+        fs::rename(kept, photo);
+        bench.session->enter();
+        QVERIFY(bench.rests());
+        CARE_TRY_VERIFY(bench.last_said().contains("a.jpg is open"));
+        QCOMPARE(bench.session->descriptions()->description(), QString("By the lake"));
+    }
+
     // --- recording ---
 
     void a_photograph_that_is_deleted_takes_the_recording_that_is_being_made_along() {

@@ -23,9 +23,9 @@ namespace tp::test {
 /// "ENOSPC@3", "none@1". `count`: a file for the number of its calls. Ends the test where the program hangs.
 inline QByteArray faulty_run(const QString& program, const QStringList& arguments,
                              const std::filesystem::path& below, const QByteArray& fault,
-                             const std::filesystem::path& count) {
+                             const std::filesystem::path& count,
+                             QProcessEnvironment environment = QProcessEnvironment::systemEnvironment()) {
     QProcess worker;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     // By its folder: the name of a library that is preloaded ends at a blank.
     environment.insert("LD_LIBRARY_PATH", QString(in_build("tests/app/album/keeper")) + QLatin1Char(':') +
                                               environment.value("LD_LIBRARY_PATH"));

@@ -192,13 +192,12 @@ void write_long_inputs(const QString& folder) {
     write_sound(folder + "/long.wav", 2'000'000'000);
     if (!QFile::copy(in_source("resources/samples/anna_smiling.jpg"), folder + "/one.jpg"))
         qFatal("cannot write one.jpg");
-    for (const char* name : {"/album", "/empty", "/heavy", "/large_models"})
+    for (const char* name : {"/album", "/empty", "/heavy"})
         make(folder + name);
     for (int i = 0; i < 200; ++i)
         link(folder + "/large.jpg", folder + QStringLiteral("/heavy/%1.jpg").arg(i));
     for (int i = 0; i < 40'000; ++i)
         link(folder + "/one.jpg", folder + QStringLiteral("/album/%1.jpg").arg(i));
-    link(folder + "/long.wav", folder + "/large_models/yunet.onnx");
     run({"devices", "record", folder + "/short.rec", "--seconds", "0.1"});
     write_portraits(folder, folder + "/one.jpg");
     write_long_recordings(folder);

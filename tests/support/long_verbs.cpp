@@ -6,7 +6,6 @@
 
 #include <QDirIterator>
 #include <QFile>
-#include <QProcessEnvironment>
 #include <QRegularExpression>
 
 namespace tp::test {
@@ -42,8 +41,6 @@ LongWorkInputs::LongWorkInputs() {
     add("correction", "correction @large.jpg --out @correction.png");
     add("expressions", "expressions @large.jpg --out @expressions");
     add("faces", "faces @large.jpg --json --svg @svg --overlay @overlay");
-    add("models fetch", "models fetch mesh --yes --from @long.wav");
-    add("models check", "models check", "", "large_models");
     add("album scan", "album scan @album --cache @cache/scan", index);
     add("album rebuild", "album rebuild @album --cache @cache/rebuild", index);
     add("album list", "album list @album --cache @cache/list", index);
@@ -71,18 +68,15 @@ LongWorkInputs::LongWorkInputs() {
     add("study export", "study export @study --out @study.zip");
 }
 
-void LongWorkInputs::add(const char* name, const QString& words, const char* leaves, const char* models) {
+void LongWorkInputs::add(const char* name, const QString& words, const char* leaves) {
     QStringList list = words.split(' ');
     for (QString& word : list)
         if (word.startsWith('@'))
             word = path(word.mid(1));
-    verbs_.push_back({name, list, leaves, models});
+    verbs_.push_back({name, list, leaves});
 }
 
 void LongWorkInputs::start(QProcess& process, const LongVerb& verb) const {
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("TOUCHPHOTO_MODELS", path(verb.models));
-    process.setProcessEnvironment(environment);
     process.setReadChannel(QProcess::StandardError);
     process.start(tp::test::in_build("bin/touchphoto-lab"), verb.words);
 }

@@ -17,7 +17,6 @@ struct LongVerb {
     QString name; ///< as the table in app/cli/VERBS.md names it
     QStringList words;
     QString leaves; ///< regular expression: files that it may leave, whole, when it is stopped
-    QString models = QStringLiteral("models"); ///< folder of the models that are plugged in
 };
 
 /// Something large for each of them, in a folder that goes with it. What cannot be written ends the program.
@@ -37,8 +36,8 @@ public:
     void remove_left() const;
 
 private:
-    void add(const char* name, const QString& words, const char* leaves = "",
-             const char* models = "models"); ///< a word behind @ is a file's name in the folder
+    /// A word behind @ is a file's name in the folder.
+    void add(const char* name, const QString& words, const char* leaves = "");
 
     std::set<QString> names(QDir::Filters kind) const;
 

@@ -35,17 +35,15 @@ tp_may(tp_device         ${core} tp_processes tp_pad_protocol tp_pad_firmware tp
                          USES PkgConfig::hidapi PkgConfig::libusb Threads::Threads)
 
 # faces: from a photograph to contours, by the way that it goes; other rooms include decode, base and extract
-tp_may(tp_exiv2        USES PkgConfig::exiv2)
+tp_may(tp_exiv2        tp_base tp_files tp_processes  USES PkgConfig::exiv2)
 tp_may(tp_decode       tp_base tp_files tp_libraries tp_processes tp_exiv2
-                       USES PkgConfig::exiv2 PkgConfig::turbojpeg opencv_core opencv_imgproc) # never the nets
+                       USES PkgConfig::exiv2 PkgConfig::turbojpeg PkgConfig::png opencv_core opencv_imgproc) # never the nets
 tp_may(tp_face_base    tp_geometry  USES opencv_core opencv_imgproc)
-tp_may(tp_models       tp_base tp_geometry tp_decode  USES opencv_core opencv_dnn opencv_objdetect)
-tp_may(tp_detect       tp_base tp_geometry tp_decode tp_face_base tp_models
-                       USES opencv_core opencv_imgproc opencv_dnn opencv_objdetect)
+tp_may(tp_models       USES opencv_core opencv_dnn)
+tp_may(tp_detect       tp_geometry tp_face_base tp_models  USES opencv_core opencv_imgproc opencv_dnn)
 tp_may(tp_pieces       tp_geometry tp_face_base)
 tp_may(tp_edges        tp_geometry tp_face_base tp_pieces  USES opencv_core opencv_imgproc)
-tp_may(tp_contours     tp_base tp_geometry tp_decode tp_face_base tp_models tp_pieces tp_edges
-                       USES opencv_core opencv_imgproc opencv_dnn opencv_face)
+tp_may(tp_contours     tp_geometry tp_face_base tp_models tp_pieces tp_edges  USES opencv_core opencv_imgproc opencv_dnn)
 tp_may(tp_judge        tp_geometry tp_face_base tp_edges tp_contours  USES opencv_core opencv_imgproc)
 tp_may(tp_identity    tp_base tp_geometry tp_decode tp_face_base tp_models tp_contours
                        USES opencv_core opencv_imgproc opencv_dnn)
@@ -69,7 +67,7 @@ tp_may(tp_program_version tp_version
 tp_may(tp_seen         tp_geometry) # plain data of app/photo, which the index keeps
 
 # app/album: photographs, people and recordings as files, and their index
-tp_may(tp_metadata     tp_base tp_files tp_recordings tp_exiv2  USES PkgConfig::exiv2 PkgConfig::pugixml)
+tp_may(tp_metadata     tp_base tp_files tp_recordings tp_exiv2  USES PkgConfig::pugixml)
 tp_may(tp_index        tp_base tp_files tp_geometry tp_recordings tp_metadata tp_seen  USES Qt6::Core Qt6::Sql)
 tp_may(tp_keeper       tp_base tp_files tp_recordings tp_video tp_metadata tp_index  USES Qt6::Core PkgConfig::archive)
 tp_may(tp_check        tp_base tp_files tp_recordings tp_metadata tp_keeper)
@@ -113,7 +111,7 @@ tp_may(tp_looking      tp_base tp_metadata tp_index tp_open_album tp_seen tp_sig
 tp_may(tp_report       ${below_app} tp_aiming tp_handheld  USES Qt6::Gui Qt6::Svg)
 tp_may(tp_simulated    ${below_app} tp_pad_firmware tp_experiment tp_study_folder tp_trials tp_participant tp_report  USES Threads::Threads)
 tp_may(tp_study_report tp_base tp_files tp_geometry tp_experiment tp_study_folder tp_statistics tp_report  USES Qt6::Core Qt6::Gui)
-tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_models tp_identity tp_extract tp_evaluation
+tp_may(tp_bench        tp_base tp_geometry tp_guidance tp_decode tp_face_base tp_identity tp_extract tp_evaluation
                        tp_picture tp_report
                        USES Boost::headers nanoflann::nanoflann)
 
@@ -133,4 +131,4 @@ tp_may(tp_print        ${for_pages}  USES Qt6::Quick Qt6::Svg)
 # the two programs
 tp_may(tp_shell        ${for_pages} ${pages} tp_care tp_capture tp_study_page tp_camera tp_seeing tp_mend tp_print tp_identity tp_looking tp_grouping  USES Qt6::Quick)
 tp_may(tp_cli          ${below_app} tp_metadata tp_index tp_keeper tp_check tp_people tp_seen tp_sight tp_words tp_scene tp_picture tp_tactile tp_devices tp_feedbackd
-                       tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_study_folder tp_statistics tp_study_report tp_simulated tp_trials tp_version tp_program_version  USES Qt6::Core Qt6::Gui Qt6::Network)
+                       tp_report tp_bench tp_models tp_evaluation tp_aiming tp_handheld tp_experiment tp_study_folder tp_statistics tp_study_report tp_simulated tp_trials tp_version tp_program_version  USES Qt6::Core Qt6::Gui)

@@ -3632,10 +3632,6 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <translation>die Geschichte über %1</translation>
     </message>
     <message>
-        <source>the trash is full of files of that name.</source>
-        <translation>Der Papierkorb ist voller Dateien dieses Namens.</translation>
-    </message>
-    <message>
         <source>there are too many files of that name already.</source>
         <translation>Es gibt schon zu viele Dateien dieses Namens.</translation>
     </message>
@@ -4590,6 +4586,38 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The JPEG file goes over its picture more often than any program does; it was not read.</source>
         <translation>Die JPEG-Datei geht öfter über ihr Bild, als irgendein Programm es tut; sie wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; cannot be read: %2</source>
+        <translation>Die Datei „%1“ kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read: %2</source>
+        <translation>„%1“ kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was exported.</source>
+        <translation>%1 Es wurde nichts exportiert.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be restored: %1</source>
+        <translation>Die Aufnahme kann nicht zurückgeholt werden: %1</translation>
+    </message>
+    <message>
+        <source>The recordings of &quot;%1&quot; were not imported: %2</source>
+        <translation>Die Aufnahmen zu „%1“ wurden nicht importiert: %2</translation>
+    </message>
+    <message>
+        <source>The trash &quot;%1&quot; cannot be read: %2</source>
+        <translation>Der Papierkorb „%1“ kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>What belongs to &quot;%1&quot; cannot be read: %2</source>
+        <translation>Was zu „%1“ gehört, kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not in the trash any more.</source>
+        <translation>„%1“ ist nicht mehr im Papierkorb.</translation>
     </message>
 </context>
 <context>
@@ -6897,16 +6925,16 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
         <source>There is nothing to save yet. Start the servo first.</source>
         <translation>Es gibt noch nichts zu speichern. Starten Sie zuerst den Servo.</translation>
     </message>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>%1 kann nicht geschrieben werden: %2</translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s) are in %1; the parameters lie beside them.</source>
         <translation>
             <numerusform>%n Zeile ist in %1; die Parameter liegen daneben.</numerusform>
             <numerusform>%n Zeilen sind in %1; die Parameter liegen daneben.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The table cannot be written: %1</source>
+        <translation>Die Tabelle kann nicht geschrieben werden: %1</translation>
     </message>
 </context>
 <context>
@@ -7506,6 +7534,10 @@ A: alle · Rücktaste: zurück · E: Gesicht fühlen · C: Foto pflegen · W: wo
     <message>
         <source>The sheet is saved as %1. Print it at 100 percent, unscaled.</source>
         <translation>Das Tastblatt ist als %1 gespeichert. Drucken Sie es mit 100 Prozent, nicht skaliert.</translation>
+    </message>
+    <message>
+        <source>The sheet cannot be saved: %1</source>
+        <translation>Das Blatt kann nicht gespeichert werden: %1</translation>
     </message>
 </context>
 <context>

@@ -3608,10 +3608,6 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <translation>%1에 대한 이야기</translation>
     </message>
     <message>
-        <source>the trash is full of files of that name.</source>
-        <translation>휴지통에 같은 이름의 파일이 너무 많습니다.</translation>
-    </message>
-    <message>
         <source>there are too many files of that name already.</source>
         <translation>같은 이름의 파일이 이미 너무 많습니다.</translation>
     </message>
@@ -4566,6 +4562,38 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The JPEG file goes over its picture more often than any program does; it was not read.</source>
         <translation>이 JPEG 파일은 어떤 프로그램보다 그림을 여러 번 거칩니다. 읽지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; cannot be read: %2</source>
+        <translation>파일 “%1”: 읽을 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read: %2</source>
+        <translation>“%1”: 읽을 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was exported.</source>
+        <translation>%1 아무것도 내보내지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be restored: %1</source>
+        <translation>녹음을 되돌릴 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>The recordings of &quot;%1&quot; were not imported: %2</source>
+        <translation>“%1”의 녹음을 가져오지 못했습니다. %2</translation>
+    </message>
+    <message>
+        <source>The trash &quot;%1&quot; cannot be read: %2</source>
+        <translation>휴지통 “%1”: 읽을 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>What belongs to &quot;%1&quot; cannot be read: %2</source>
+        <translation>“%1”에 딸린 것을 읽을 수 없습니다. %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not in the trash any more.</source>
+        <translation>“%1”: 휴지통에 더 이상 없습니다.</translation>
     </message>
 </context>
 <context>
@@ -6851,15 +6879,15 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
         <source>There is nothing to save yet. Start the servo first.</source>
         <translation>아직 저장할 것이 없습니다. 먼저 서보를 켜세요.</translation>
     </message>
-    <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>%1: 쓸 수 없습니다. %2</translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s) are in %1; the parameters lie beside them.</source>
         <translation>
             <numerusform>%1: %n줄을 저장했습니다. 매개변수는 그 옆에 있습니다.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The table cannot be written: %1</source>
+        <translation>표를 쓸 수 없습니다: %1</translation>
     </message>
 </context>
 <context>
@@ -7452,6 +7480,10 @@ A: 모두 · 백스페이스: 뒤로 · E: 얼굴 만져 보기 · C: 사진 관
     <message>
         <source>The sheet is saved as %1. Print it at 100 percent, unscaled.</source>
         <translation>인쇄물을 저장했습니다: %1. 크기를 바꾸지 말고 100퍼센트로 인쇄하세요.</translation>
+    </message>
+    <message>
+        <source>The sheet cannot be saved: %1</source>
+        <translation>시트를 저장할 수 없습니다: %1</translation>
     </message>
 </context>
 <context>

@@ -26,8 +26,8 @@ forbid(core device faces PATTERN "<Q" WHY "no Qt below audio and app")
 forbid(core device PATTERN "<opencv" WHY "OpenCV belongs to faces")
 forbid(core PATTERN "<(pugixml|2geom|exiv2|turbojpeg)" WHY "only core/svg has a library beside GLM" EXCEPT core/svg/)
 forbid(core PATTERN "<(fstream|filesystem|iostream|cstdio)" WHY "no I/O in core outside core/files, core/processes, core/study_folder and core/svg" EXCEPT "core/(files|processes|study_folder|svg)/")
-forbid(app audio PATTERN "<Q(Network|Tcp|Udp|Ssl|Local(Socket|Server)|Abstract(Socket|NetworkCache)|WebSocket)" WHY "only touchphoto-lab models fetch goes online; own_resources keeps the pages from it"
-       EXCEPT "app/cli/|app/shell/own_resources[.]cpp")
+forbid(app audio PATTERN "<Q(Network|Tcp|Udp|Ssl|Local(Socket|Server)|Abstract(Socket|NetworkCache)|WebSocket)" WHY "nothing goes online, and own_resources keeps the pages from it"
+       EXCEPT "app/shell/own_resources[.]cpp")
 forbid(app audio PATTERN "\"faces/(detect|contours|edges|pieces|judge|training)/" WHY "other rooms ask extract")
 forbid(app audio PATTERN "\"faces/(models|evaluation)/" WHY "only the shell and the figures list and measure models" EXCEPT "app/(cli|figures)/")
 forbid(core device faces audio app PATTERN "\"\\.\\.?/" WHY "include by the path in the house")

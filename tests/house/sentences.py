@@ -15,9 +15,7 @@ import sys
 LIST = "audio/sentences/sentence_list.cpp"
 ROOMS = ["core", "device", "faces", "audio", "app"]
 NOT_ROOMS = [  # nothing of these reaches a page: tools, the shell's verbs, SQL
-    "faces/evaluation", "faces/training", "faces/models/model_catalog.cpp", "faces/models/model_catalog.hpp",
-    "faces/models/haar_file.cpp", "faces/models/lbf_file.cpp", "faces/detect/yunet_detector.cpp", "faces/detect/haar_detector.cpp",
-    "faces/contours/lbf_model.cpp", "faces/contours/mesh_model.cpp", "core/experiment", "core/packing/zip.cpp", "core/statistics", "core/study",
+    "faces/evaluation", "faces/training", "faces/detect/yunet_detector.cpp", "core/experiment", "core/packing/zip.cpp", "core/statistics", "core/study",
     "core/study_folder/study_export.cpp", "core/study_folder/study_readme.cpp",
     "core/handheld", "app/cli", "app/figures/bench", "app/figures/simulated", "app/main.cpp",
     "app/figures/report/aim_report.cpp", "app/figures/report/continuity_cost.cpp", "app/figures/report/field_difference.cpp",
@@ -50,6 +48,8 @@ NOT_SAID = {  # file: what of its texts is no sentence, or none that is heard on
                                  "has path data that is broken"},
     "core/svg/shape_pieces.cpp": {"has a length \"%1\" that cannot be read", "has a list of points that is broken"},
     "core/svg/sheet_writer.cpp": {"TouchPhoto contours"},
+    "faces/extract/face_extractor.cpp": {"There is no detector named \"%1\": choose \"embedded\" or \"yunet\".",
+                                         "There is no model named \"%1\": choose \"embedded\" or \"mesh\"."},
     "faces/decode/jpeg_picture.cpp": {"Premature end of JPEG file", "premature end of data segment", "bad Huffman code",
                                "bad arithmetic code", "instead of RST"},
 }

@@ -61,8 +61,8 @@ Vec2 StudyHand::step(Vec2 finger, Vec2 force) {
     else
         follow(felt);
     const double noise = person_.motor_noise * speed_ * dt_s_;
-    hand_ += noise * (along_noise_.next(chance_, dt_s_) * heading_ +
-                      across_noise_.next(chance_, dt_s_) * across(heading_));
+    const double sideways = across_noise_.next(chance_, dt_s_), forward = along_noise_.next(chance_, dt_s_);
+    hand_ += noise * (forward * heading_ + sideways * across(heading_));
     hand_ = glm::clamp(hand_, area_.min, area_.max);
     return hand_;
 }

@@ -51,8 +51,8 @@ Vec2 TouchHand::step(Vec2 finger, const BareTouch& touch) {
     else
         sway();
     const double noise = person_.motor_noise * length(hand_ - before);
-    hand_ += noise * (along_noise_.next(chance_, dt_s_) * heading_ +
-                      across_noise_.next(chance_, dt_s_) * left_of(heading_));
+    const double sideways = across_noise_.next(chance_, dt_s_), forward = along_noise_.next(chance_, dt_s_);
+    hand_ += noise * (forward * heading_ + sideways * left_of(heading_));
     hand_ = glm::clamp(hand_, area_.min, area_.max);
     return hand_;
 }
@@ -60,7 +60,8 @@ Vec2 TouchHand::step(Vec2 finger, const BareTouch& touch) {
 /// A tick is a place of the line; of friction it is the middle between where it began and where it ended. A finger that friction
 /// stops is let go, moves on, and is stopped again, many times on one ridge: to the hand that is one.
 void TouchHand::feel(const Felt& felt) {
-    const Vec2 error = person_.touch_mm * Vec2(chance_.normal(), chance_.normal());
+    const double up = chance_.normal(), right = chance_.normal();
+    const Vec2 error = person_.touch_mm * Vec2(right, up);
     if (felt.touch.ticked) {
         meet_line(felt.place + error);
         return;

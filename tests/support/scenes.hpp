@@ -45,7 +45,7 @@ inline FlatScene random_scene(std::mt19937& random, double extent = 50.0) {
         Polyline line{{}, (c % 2) == 0};
         const int points = count(random);
         for (int i = 0; i < points; ++i) {
-            line.points.emplace_back(place(random), place(random));
+            line.points.push_back({place(random), place(random)});
             if (i % 5 == 4)
                 line.points.push_back(line.points.back());
         }
@@ -70,8 +70,9 @@ inline FlatScene many_curves(int count, double extent) {
     const double typical = extent / std::sqrt(double(curves));
     for (int k = 0; k < curves; ++k) {
         scene.names.push_back("curve " + std::to_string(k));
-        scene.lines.push_back(ellipse(random_point(random, 0.95 * extent), typical * radius(random),
-                                      typical * radius(random), 200));
+        const Vec2 centre = random_point(random, 0.95 * extent);
+        const double wide = typical * radius(random), high = typical * radius(random);
+        scene.lines.push_back(ellipse(centre, wide, high, 200));
     }
     return scene;
 }

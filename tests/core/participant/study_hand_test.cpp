@@ -51,6 +51,14 @@ Way follow(const StudyTrial& trial, const Person& person, std::uint64_t seed, do
 class StudyHandTest : public QObject {
     Q_OBJECT
 private slots:
+    void one_seed_is_one_way_with_every_compiler() {
+        StudyHand hand(Person{}, {{-90, -90}, {90, 90}}, {1, 2}, true, 0.001, 7);
+        Vec2 at(0.0);
+        for (int i = 0; i < 200; ++i)
+            at = hand.step(at, {0.3, -0.001 * i});
+        QVERIFY2(length(at - Vec2(1.212064, -0.181414)) < 1e-5,
+                 qPrintable(QString("%1 %2").arg(at.x, 0, 'f', 6).arg(at.y, 0, 'f', 6)));
+    }
     void a_hand_follows_what_pulls_it_to_the_end() {
         for (const char* const path : {"circle", "triangle", "curve"}) {
             int done = 0;

@@ -53,6 +53,14 @@ private:
 class TouchHandTest : public QObject {
     Q_OBJECT
 private slots:
+    void one_seed_is_one_way_with_every_compiler() {
+        TouchHand hand(Person{}, {{-90, -90}, {90, 90}}, {1, 2}, true, 0.001, 7);
+        Vec2 at(0.0);
+        for (int i = 0; i < 2000; ++i)
+            at = hand.step(at, {.ticked = i % 97 == 3});
+        QVERIFY2(length(at - Vec2(13.947718, -18.930537)) < 1e-5,
+                 qPrintable(QString("%1 %2").arg(at.x, 0, 'f', 6).arg(at.y, 0, 'f', 6)));
+    }
     void by_either_it_goes_along_the_line() {
         for (const bool ticks : {true, false}) {
             double along = 0.0;

@@ -115,7 +115,8 @@ private:
             return failure(packet.error() + " It was left as it is.");
         for (const std::string& bytes : missed_)
             if (const auto other = XmpPacket::from(bytes))
-                bring_in(*other, *packet);
+                bring_in(*packet, *other, added_meanwhile(parts_from_xmp(*other, own_.shape)), false,
+                         behind_);
         if (std::string refused = change_(*packet, behind_); !refused.empty())
             return refused;
         std::string bytes = packet->bytes();
@@ -205,14 +206,6 @@ private:
     void give_back() {
         if (!displaced_.empty() && !somebody_wrote())
             displaced_.back().take_place(Existing::swapped);
-    }
-
-    /// What another program keeps in a sidecar.
-    void bring_in(const XmpPacket& other, XmpPacket& packet) const {
-        RecordParts keywords;
-        keywords.keywords = parts_from_xmp(other, own_.shape).keywords;
-        edit(packet, merged(parts_from_xmp(packet, own_.shape), keywords, false).changes, behind_);
-        add_foreign(packet, other);
     }
 
     static bool is_whole(const Result<std::string>& bytes) { return bytes && XmpPacket::from(*bytes).ok(); }

@@ -100,11 +100,7 @@ Result<MergedSidecar> brought_in(const fs::path& photo, const fs::path& other, b
         const std::string before = sidecar.bytes();
         RecordParts parts = parts_from_xmp(*packet, behind.shape);
         choose(parts);
-        Merge merge = merged(parts_from_xmp(sidecar, behind.shape), parts, other_is_newer);
-        result.told = std::move(merge.told);
-        const auto foreign = add_foreign(sidecar, *packet);
-        result.told.insert(result.told.end(), foreign.begin(), foreign.end());
-        edit(sidecar, merge.changes, behind);
+        result.told = bring_in(sidecar, *packet, parts, other_is_newer, behind);
         result.changed = sidecar.bytes() != before;
         return result.changed ? std::string{} : unchanged;
     };
@@ -124,11 +120,8 @@ Result<MergedSidecar> merge_sidecar(const fs::path& photo, const fs::path& other
 }
 
 Result<MergedSidecar> merge_foreign(const fs::path& photo, const fs::path& displaced) {
-    return brought_in(photo, displaced, false, [](RecordParts& parts) {
-        RecordParts keywords;
-        keywords.keywords = std::move(parts.keywords);
-        parts = std::move(keywords);
-    });
+    return brought_in(photo, displaced, false,
+                      [](RecordParts& parts) { parts = added_meanwhile(std::move(parts)); });
 }
 
 Result<std::vector<std::string>> merge_conflicts(const fs::path& photo, const fs::path& trash) {

@@ -2,6 +2,7 @@
 #include "app/album/metadata/merge.hpp"
 
 #include "app/album/metadata/xmp_names.hpp"
+#include "app/album/metadata/xmp_record.hpp"
 #include "core/files/file_words.hpp"
 
 #include <algorithm>
@@ -166,12 +167,7 @@ private:
     Merge merge_;
 };
 
-} // namespace
-
-Merge merged(const RecordParts& current, const RecordParts& other, bool other_is_newer) {
-    return Merger(current, other, other_is_newer).run();
-}
-
+/// Adds what only `other` has of what other programs wrote, and unites their lists of tags. Tells which of their entries differ.
 std::vector<std::string> add_foreign(XmpPacket& current, const XmpPacket& other) {
     std::string differing;
     for (const XmpName& name : other.names()) {
@@ -195,6 +191,27 @@ std::vector<std::string> add_foreign(XmpPacket& current, const XmpPacket& other)
     if (differing.empty())
         return {};
     return {"What other programs wrote differs in: " + differing + ". The other version is in the copy."};
+}
+
+} // namespace
+
+Merge merged(const RecordParts& current, const RecordParts& other, bool other_is_newer) {
+    return Merger(current, other, other_is_newer).run();
+}
+
+RecordParts added_meanwhile(RecordParts parts) {
+    RecordParts added;
+    added.keywords = std::move(parts.keywords);
+    return added;
+}
+
+std::vector<std::string> bring_in(XmpPacket& sidecar, const XmpPacket& other, const RecordParts& parts,
+                                  bool other_is_newer, const Behind& behind) {
+    Merge merge = merged(parts_from_xmp(sidecar, behind.shape), parts, other_is_newer);
+    const auto foreign = add_foreign(sidecar, other);
+    merge.told.insert(merge.told.end(), foreign.begin(), foreign.end());
+    edit(sidecar, merge.changes, behind);
+    return merge.told;
 }
 
 } // namespace tp

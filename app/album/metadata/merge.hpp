@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/album/metadata/record_parts.hpp"
+#include "app/album/metadata/sidecar_edit.hpp"
 #include "app/album/metadata/write_sidecar.hpp"
 #include "app/album/metadata/xmp_packet.hpp"
 
@@ -20,8 +21,13 @@ struct Merge {
 /// stays. Nothing of `other` is lost: it is in the changes or told.
 Merge merged(const RecordParts& current, const RecordParts& other, bool other_is_newer);
 
-/// Adds to `current` what only `other` has of what other programs wrote, and unites their lists of tags.
-/// Tells which of their entries differ.
-std::vector<std::string> add_foreign(XmpPacket& current, const XmpPacket& other);
+/// Of a sidecar that was displaced, what another program may have added since: the keywords. Faces, persons, tags and texts are left
+/// out, because what displaced it may have taken them away.
+RecordParts added_meanwhile(RecordParts parts);
+
+/// Brings another packet into a sidecar: `parts` as `merged` does, what only `other` has of what other programs wrote, and
+/// their lists of tags united. Tells where they differ.
+std::vector<std::string> bring_in(XmpPacket& sidecar, const XmpPacket& other, const RecordParts& parts,
+                                  bool other_is_newer, const Behind& behind);
 
 } // namespace tp
